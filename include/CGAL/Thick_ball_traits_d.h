@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_BALL_TRAITS_D_H
+#define CGAL_THICK_BALL_TRAITS_D_H
+
+// Closed balls with a radius each.
+
+#include <CGAL/Thick_intersection_d/internal/Do_balls_intersect.h>
+
+#include <utility>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgThickIntersectionDTraits
+
+is the traits class for closed balls with individual radii: two of them intersect if the distance of
+their centres is at most the sum of their radii. Solid balls, not spheres: one ball within another
+intersects it. The predicates give the answer of real arithmetic on the given centres and radii.
+They have degree 1 and 2 \cgalCite{v-riato-03}; with squared radii, as in `Sphere_3`, the degree
+would be 4.
+
+The reach along each axis is twice the largest radius, so that the time grows with the ratio of the
+largest ball to the typical one.
+
+Objects of this class may be used by several threads at once.
+
+\tparam Point is `Point_2`, `Point_3` or `Point_d` of a kernel of \cgal.
+
+\cgalModels{ThickIntersectionTraits_d}
+*/
+template <class Point>
+class Thick_ball_traits_d
+{
+  using Number = Thick_intersection_d::internal::Coordinate_t<Point>;
+
+public:
+  /// \name Types
+  /// @{
+
+  /// the balls: a centre, and a radius of the number type of its coordinates.
+  using Object_d = std::pair<Point, Number>;
+
+  /// compares the centres of two balls along an axis.
+  class Less_coordinate_d
+  {
+  public:
+    /// returns whether the centre of `a` comes before that of `b` along axis `i`. Degree 1.
+    bool operator()(const Object_d& a, const Object_d& b, int i) const
+    {
+      using Thick_intersection_d::internal::coordinate;
+      return coordinate(a.first, i) < coordinate(b.first, i);
+    }
+  };
+
+  /// bounds the distance of the centres of two balls along an axis.
+  class Is_close_along_axis_d
+  {
+  public:
+    /// returns whether the centres differ by at most the reach along axis `i`, up to rounding to
+    /// the safe side.
+    bool operator()(const Object_d& a, const Object_d& b, int i) const
+    {
+      using Thick_intersection_d::internal::coordinate;
+      return Thick_intersection_d::internal::is_within_reach(coordinate(a.first, i),
+                                                             coordinate(b.first, i), reach_);
+    }
+
+  private:
+    friend class Thick_ball_traits_d;
+    explicit Is_close_along_axis_d(double reach) : reach_(reach) {}
+    double reach_;
+  };
+
+  /// decides whether two balls intersect.
+  /// It has `bool operator()(const Object_d& a, const Object_d& b) const`, of degree 2.
+  using Do_intersect_d = Thick_intersection_d::internal::Do_balls_intersect<Point>;
+
+  /// @}
+  /// \name Creation
+  /// @{
+
+  /// constructs the traits for the balls of the given ranges of `Object_d`, in one pass.
+  template <class... BallRange>
+  explicit Thick_ball_traits_d(const BallRange&... balls)
+  {
+    (add(balls), ...);
+  }
+
+  /// @}
+
+#ifndef DOXYGEN_RUNNING
+  // Throws if `ball` has a NaN or infinite coordinate, or a radius that is negative, NaN or
+  // infinite.
+  void check(const Object_d& ball, std::size_t position) const
+  {
+    Thick_intersection_d::internal::check_point(ball.first, dimension_, "object", position);
+    if(!Thick_intersection_d::internal::is_finite_number(ball.second)
+       || !(ball.second >= Number(0)))
+      throw std::invalid_argument("The radius of object " + std::to_string(position)
+                                  + " is negative, NaN or infinite.");
+  }
+#endif
+
+  /// \name Operations
+  /// @{
+
+  /// returns the dimension of the balls, or 0 if there are none.
+  int dimension() const { return dimension_; }
+
+  Less_coordinate_d less_coordinate_d_object() const { return Less_coordinate_d(); }
+  Is_close_along_axis_d is_close_along_axis_d_object() const
+  {
+    return Is_close_along_axis_d(2 * largest_radius_);
+  }
+  Do_intersect_d do_intersect_d_object() const { return Do_intersect_d(dimension_); }
+
+  /// @}
+
+private:
+  template <class BallRange>
+  void add(const BallRange& balls)
+  {
+    for(const Object_d& ball : balls) {
+      dimension_ = ball.first.dimension();
+      largest_radius_ = (std::max)(
+        largest_radius_, Thick_intersection_d::internal::bounds(ball.second).second);
+    }
+  }
+
+  double largest_radius_ = 0;
+  int dimension_ = 0;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_THICK_BALL_TRAITS_D_H

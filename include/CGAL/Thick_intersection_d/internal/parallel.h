@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_PARALLEL_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_PARALLEL_H
+
+// Independent tasks, in turn or at the same time. The only file that knows of oneTBB.
+
+#include <CGAL/tags.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/parallel_invoke.h>
+#endif
+
+#include <type_traits>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+template <class ConcurrencyTag>
+constexpr bool is_parallel_v = std::is_convertible_v<ConcurrencyTag, Parallel_tag>;
+
+#ifdef CGAL_LINKED_WITH_TBB
+constexpr bool has_tbb = true;
+#else
+constexpr bool has_tbb = false;
+#endif
+
+// Runs the tasks, which return whether to go on; returns whether all of them said so. In sequence,
+// a task that says no is the last one to run.
+template <class ConcurrencyTag, class Task1, class Task2, class Task3>
+bool invoke_all(const Task1& task1, const Task2& task2, const Task3& task3)
+{
+  static_assert(has_tbb || !is_parallel_v<ConcurrencyTag>,
+                "Parallel_tag is enabled but TBB is unavailable.");
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr(is_parallel_v<ConcurrencyTag>) {
+    bool go_on[3];
+    tbb::parallel_invoke([&] { go_on[0] = task1(); },
+                         [&] { go_on[1] = task2(); },
+                         [&] { go_on[2] = task3(); });
+    return go_on[0] && go_on[1] && go_on[2];
+  }
+  else
+#endif
+    return task1() && task2() && task3();
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_PARALLEL_H

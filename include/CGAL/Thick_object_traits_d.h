@@ -1,0 +1,155 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_OBJECT_TRAITS_D_H
+#define CGAL_THICK_OBJECT_TRAITS_D_H
+
+// Objects of a kernel that have a bounding box: segments, triangles, iso-boxes, tetrahedra.
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Bbox_3.h>
+
+#include <CGAL/Thick_intersection_d/internal/Exact_do_intersect.h>
+#include <CGAL/Thick_intersection_d/internal/check_vertices.h>
+
+#include <array>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgThickIntersectionDTraits
+
+is the traits class for bounded objects of a kernel of \cgal that have a `bbox()` and between which
+`do_intersect()` is defined. The intersection test is exact on the coordinates that the objects
+hold: it is the kernel's own if the kernel has exact predicates, and that of a kernel which has them
+otherwise, as for `Simple_cartesian<double>`.
+
+The reference point of an object is the lower corner of its bounding box, and the reach along an
+axis the largest extent of a box along it: boxes that overlap have lower corners that are not
+further apart. So the time grows with the ratio of the largest object to the typical one
+\cgalCite{v-riato-03}.
+
+Circles and spheres are refused: for `do_intersect()` they are curves and surfaces, so that one
+within another does not intersect it. Use `Thick_ball_traits_d`.
+
+Objects of this class may be used by several threads at once.
+
+\tparam Object is `Segment_2`, `Triangle_2`, `Iso_rectangle_2`, `Segment_3`, `Triangle_3`,
+`Iso_cuboid_3`, `Tetrahedron_3`, or another type with `bbox()`, `do_intersect()` and
+`Kernel_traits`.
+
+\cgalModels{ThickIntersectionTraits_d}
+*/
+template <class Object>
+class Thick_object_traits_d
+{
+  using Box = decltype(std::declval<const Object&>().bbox());
+  static constexpr int dimension_ = std::is_same_v<Box, Bbox_2> ? 2 : 3;
+  using Extents = std::array<double, dimension_>;
+
+  static_assert(!Thick_intersection_d::internal::Is_hypersphere<Object>::value,
+                "do_intersect() takes circles and spheres as curves and surfaces: "
+                "use Thick_ball_traits_d.");
+
+public:
+  /// \name Types
+  /// @{
+
+  /// the objects.
+  using Object_d = Object;
+
+  /// compares the lower corners of the boxes of two objects along an axis.
+  class Less_coordinate_d
+  {
+  public:
+    /// returns whether the box of `a` begins before that of `b` along axis `i`.
+    bool operator()(const Object& a, const Object& b, int i) const
+    {
+      return (a.bbox().min)(i) < (b.bbox().min)(i);
+    }
+  };
+
+  /// bounds the distance of the lower corners of the boxes of two objects along an axis.
+  class Is_close_along_axis_d
+  {
+  public:
+    /// returns whether the lower corners differ by at most the reach along axis `i`, both rounded.
+    bool operator()(const Object& a, const Object& b, int i) const
+    {
+      return std::fabs((a.bbox().min)(i) - (b.bbox().min)(i)) <= reaches_[i];
+    }
+
+  private:
+    friend class Thick_object_traits_d;
+    explicit Is_close_along_axis_d(const Extents& reaches) : reaches_(reaches) {}
+    Extents reaches_;
+  };
+
+  /// decides whether two objects intersect.
+  class Do_intersect_d
+  {
+  public:
+    /// returns whether `a` and `b` have a point in common.
+    bool operator()(const Object& a, const Object& b) const
+    {
+      return do_overlap(a.bbox(), b.bbox())
+             && Thick_intersection_d::internal::do_objects_intersect(a, b);
+    }
+  };
+
+  /// @}
+  /// \name Creation
+  /// @{
+
+  /// constructs the traits for the objects of the given ranges, in one pass over their boxes.
+  template <class... ObjectRange>
+  explicit Thick_object_traits_d(const ObjectRange&... objects)
+  {
+    (add(objects), ...);
+  }
+
+  /// @}
+
+#ifndef DOXYGEN_RUNNING
+  // Throws if a coordinate of `object` is NaN or infinite.
+  void check(const Object& object, std::size_t position) const
+  {
+    Thick_intersection_d::internal::check_vertices(object, position);
+  }
+#endif
+
+  /// \name Operations
+  /// @{
+
+  /// returns the dimension of the objects.
+  int dimension() const { return dimension_; }
+
+  Less_coordinate_d less_coordinate_d_object() const { return Less_coordinate_d(); }
+  Is_close_along_axis_d is_close_along_axis_d_object() const
+  {
+    return Is_close_along_axis_d(reaches_);
+  }
+  Do_intersect_d do_intersect_d_object() const { return Do_intersect_d(); }
+
+  /// @}
+
+private:
+  // The extents are rounded like the differences that are compared with them. Rounding is monotone,
+  // so a lower corner within the true extent stays within the rounded one.
+  template <class ObjectRange>
+  void add(const ObjectRange& objects)
+  {
+    for(const Object& object : objects) {
+      const Box box = object.bbox();
+      for(int i = 0; i < dimension_; ++i)
+        reaches_[i] = (std::max)(reaches_[i], (box.max)(i) - (box.min)(i));
+    }
+  }
+
+  Extents reaches_ = {};
+};
+
+} // namespace CGAL
+
+#endif // CGAL_THICK_OBJECT_TRAITS_D_H

@@ -1,0 +1,144 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FIXED_RADIUS_NEAR_NEIGHBORS_H
+#define CGAL_FIXED_RADIUS_NEAR_NEIGHBORS_H
+
+// All pairs of points within a distance, of one range or between two.
+
+#include <CGAL/Distance_bound.h>
+#include <CGAL/Scene_profile.h>
+#include <CGAL/Thick_point_traits_d.h>
+
+#include <CGAL/Thick_intersection_d/internal/Elements.h>
+#include <CGAL/Thick_intersection_d/internal/report_intersections.h>
+
+namespace CGAL {
+
+namespace Thick_intersection_d {
+namespace internal {
+
+template <class ConcurrencyTag, class Elements, class NT, class Callback, class NamedParameters>
+bool report_near_pairs(const Elements& points, std::optional<std::size_t> first_set_size,
+                       const Distance_bound<NT>& bound, Callback& callback,
+                       const NamedParameters& np)
+{
+  using Point = typename Elements::value_type;
+  const Squared_bound<Exact_number_t<Coordinate_t<Point>>> squared_bound(bound);
+  const Scene_profile profile = profile_elements(points, squared_bound, "point");
+  const Thick_point_traits_d<Point> traits(squared_bound, profile);
+  return report_intersections<ConcurrencyTag>(points, first_set_size, traits, callback, np);
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+
+/*!
+\ingroup PkgThickIntersectionDRef
+
+reports all pairs of points of a range whose distance is within a bound, each exactly once.
+
+The result is that of real arithmetic on the given coordinates and the given bound, for every
+kernel: also for `Simple_cartesian<double>`, and also for pairs that are exactly at the bound. Which
+arithmetic is used is chosen by the `Scene_profile`. Equal points at different positions are a pair;
+a point is never paired with itself. A bound of zero finds the duplicates.
+
+It takes \f$ O(n \log n + k) \f$ time and \f$ O(n) \f$ space in fixed dimension, \f$ k \f$ being the
+number of pairs \cgalCite{v-riato-03}. The algebraic degree is 2.
+
+\tparam ConcurrencyTag is `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. In
+sequence, the order of reports depends on the input alone. In parallel the same pairs are reported
+in any order, and the callback is called by several threads at once, and must allow that;
+`Parallel_tag` requires \tbb.
+
+\tparam PointRange is a range of `Point_2`, `Point_3` or `Point_d` of a kernel of \cgal, with
+forward iterators or better. It is neither copied nor reordered.
+
+\tparam NT is a number type as described for `Distance_bound`. It need not be that of the kernel.
+
+\tparam Callback is callable with `(std::size_t i, std::size_t j)`. It returns `void`, or `bool` to
+stop the search by returning `false`.
+
+\param points the points, all of the same dimension.
+\param bound made by `within_distance()` or `within_squared_distance()`.
+\param callback is called for each pair, with the positions \f$ i < j \f$ of the two points in the
+range.
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{point_map}
+    \cgalParamDescription{a property map associating points to the elements of the range}
+    \cgalParamDefault{the elements are the points}
+  \cgalParamNEnd
+  \cgalParamNBegin{geom_traits}
+    \cgalParamDescription{an instance of the kernel of the points}
+    \cgalParamDefault{the kernel deduced from the point type}
+    \cgalParamExtra{Accepted as by other functions of \cgal; the points alone tell their kernel.}
+  \cgalParamNEnd
+  \cgalParamNBegin{callback}
+    \cgalParamDescription{a functor `bool(double)` that is called with the progress between 0 and 1,
+                          and cancels the search by returning `false`}
+    \cgalParamDefault{none}
+    \cgalParamExtra{In parallel it is called by one thread at a time, not always the same.}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return `false` iff the callback or the progress functor stopped the search.
+
+\throws std::invalid_argument if a coordinate is NaN or infinite, if the points differ in dimension,
+or if the bound is negative or NaN, before anything is reported. The message tells the position of
+the point. Exceptions of the callback pass through.
+
+\sa `thick_self_intersection_d()`
+*/
+template <class ConcurrencyTag = Sequential_tag, class PointRange, class NT, class Callback,
+          class NamedParameters = parameters::Default_named_parameters>
+bool fixed_radius_near_neighbors(const PointRange& points, const Distance_bound<NT>& bound,
+                                 Callback&& callback,
+                                 const NamedParameters& np = parameters::default_values())
+{
+  namespace internal = Thick_intersection_d::internal;
+  const auto elements = internal::make_elements(points, np);
+  return internal::report_near_pairs<ConcurrencyTag>(elements, std::nullopt, bound, callback, np);
+}
+
+/*!
+\ingroup PkgThickIntersectionDRef
+
+reports all pairs of a point of one range and a point of another whose distance is within a bound,
+each exactly once.
+
+Pairs within a range are not reported, and not tested. Otherwise as the version for one range, where
+\f$ n \f$ is the number of points of both ranges and \f$ k \f$ the number of close pairs of their
+union.
+
+\param points_a, points_b the points, of the same type and dimension in both ranges.
+\param bound made by `within_distance()` or `within_squared_distance()`.
+\param callback is called for each pair with the position \f$ i \f$ of its point in `points_a` and
+the position \f$ j \f$ of its point in `points_b`.
+\param np as for the version for one range; the property map is applied to both ranges.
+
+\return `false` iff the callback or the progress functor stopped the search.
+
+\throws std::invalid_argument as the version for one range; positions in the message go on from the
+first range to the second.
+*/
+template <class ConcurrencyTag = Sequential_tag, class PointRangeA, class PointRangeB, class NT,
+          class Callback, class NamedParameters = parameters::Default_named_parameters>
+bool fixed_radius_near_neighbors(const PointRangeA& points_a, const PointRangeB& points_b,
+                                 const Distance_bound<NT>& bound, Callback&& callback,
+                                 const NamedParameters& np = parameters::default_values())
+{
+  namespace internal = Thick_intersection_d::internal;
+  const auto elements_a = internal::make_elements(points_a, np);
+  const auto elements_b = internal::make_elements(points_b, np);
+  const internal::Joined_elements elements(elements_a, elements_b);
+  return internal::report_near_pairs<ConcurrencyTag>(elements, elements_a.size(), bound, callback,
+                                                     np);
+}
+
+} // namespace CGAL
+
+#endif // CGAL_FIXED_RADIUS_NEAR_NEIGHBORS_H

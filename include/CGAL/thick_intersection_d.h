@@ -1,0 +1,148 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_H
+#define CGAL_THICK_INTERSECTION_D_H
+
+// All intersecting pairs of thick objects, of one range or between two.
+
+#include <CGAL/Thick_object_traits_d.h>
+
+#include <CGAL/Thick_intersection_d/internal/Elements.h>
+#include <CGAL/Thick_intersection_d/internal/report_intersections.h>
+
+namespace CGAL {
+
+namespace Thick_intersection_d {
+namespace internal {
+
+// Returns the traits given as `geom_traits`, or else those for kernel objects.
+template <class Object, class NamedParameters, class... Elements>
+auto object_traits(const NamedParameters& np, const Elements&... objects)
+{
+  if constexpr(!parameters::is_default_parameter<NamedParameters,
+                                                 internal_np::geom_traits_t>::value)
+    return parameters::get_parameter(np, internal_np::geom_traits);
+  else
+    return Thick_object_traits_d<Object>(objects...);
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+
+/*!
+\ingroup PkgThickIntersectionDRef
+
+reports all pairs of objects of a range that intersect, each exactly once.
+
+The algorithm is that of Vigneron \cgalCite{v-riato-03}: divide and conquer along the axes, and a
+sweep along the first one. For objects of diameter at most \f$ D \f$ and volume at least \f$ V \f$
+in fixed dimension \f$ d \f$ it takes \f$ O(n \log n + \frac{D^d}{V}(n + k)) \f$ time and
+\f$ O(n) \f$ space, \f$ k \f$ being the number of pairs reported. Objects that are not thick, such
+as segments, are reported correctly too; it may take more time.
+
+An object is never paired with itself; equal objects at different positions are a pair if they
+intersect. The result is that of real arithmetic if the predicates of the traits are exact, as those
+of the package are.
+
+\tparam ConcurrencyTag is `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. In
+sequence, the order of reports depends on the input alone. In parallel the same pairs are reported
+in any order, and the callback is called by several threads at once, and must allow that;
+`Parallel_tag` requires \tbb.
+
+\tparam ObjectRange is a range whose elements are of the type `Object_d` of the traits, with forward
+iterators or better. It is neither copied nor reordered.
+
+\tparam Callback is callable with `(std::size_t i, std::size_t j)`. It returns `void`, or `bool` to
+stop the search by returning `false`.
+
+\param objects the objects.
+\param callback is called for each pair, with the positions \f$ i < j \f$ of the two objects in the
+range.
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{geom_traits}
+    \cgalParamDescription{an instance of a traits class, which may have a state}
+    \cgalParamType{a model of `ThickIntersectionTraits_d`}
+    \cgalParamDefault{`Thick_object_traits_d<Object>`, constructed from the range}
+  \cgalParamNEnd
+  \cgalParamNBegin{point_map}
+    \cgalParamDescription{a property map associating objects to the elements of the range}
+    \cgalParamDefault{the elements are the objects}
+  \cgalParamNEnd
+  \cgalParamNBegin{callback}
+    \cgalParamDescription{a functor `bool(double)` that is called with the progress between 0 and 1,
+                          and cancels the search by returning `false`}
+    \cgalParamDefault{none}
+    \cgalParamExtra{In parallel it is called by one thread at a time, not always the same.}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return `false` iff the callback or the progress functor stopped the search.
+
+\throws std::invalid_argument if a coordinate or radius of an object is NaN or infinite, or a radius
+negative, before anything is reported. The message tells the position. Traits of other packages have
+to see to that themselves. Exceptions of the callback and of predicates pass through.
+
+\sa `thick_intersection_d()`
+\sa `fixed_radius_near_neighbors()`
+*/
+template <class ConcurrencyTag = Sequential_tag, class ObjectRange, class Callback,
+          class NamedParameters = parameters::Default_named_parameters>
+bool thick_self_intersection_d(const ObjectRange& objects, Callback&& callback,
+                               const NamedParameters& np = parameters::default_values())
+{
+  namespace internal = Thick_intersection_d::internal;
+  const auto elements = internal::make_elements(objects, np);
+  using Object = typename std::decay_t<decltype(elements)>::value_type;
+  const auto traits = internal::object_traits<Object>(np, elements);
+  internal::check_objects(elements, traits);
+  return internal::report_intersections<ConcurrencyTag>(elements, std::nullopt, traits, callback,
+                                                        np);
+}
+
+/*!
+\ingroup PkgThickIntersectionDRef
+
+reports all pairs of an object of one range and an object of another that intersect, each exactly
+once.
+
+Pairs within a range are not reported, and not tested. Otherwise as `thick_self_intersection_d()`,
+where \f$ n \f$ is the number of objects of both ranges and \f$ k \f$ the number of intersecting
+pairs of their union.
+
+\param objects_a, objects_b the objects, of the same type in both ranges.
+\param callback is called for each pair with the position \f$ i \f$ of its object in `objects_a` and
+the position \f$ j \f$ of its object in `objects_b`.
+\param np as for `thick_self_intersection_d()`; the property map is applied to both ranges.
+
+\return `false` iff the callback or the progress functor stopped the search.
+
+\throws std::invalid_argument as `thick_self_intersection_d()`; positions in the message go on from
+the first range to the second.
+
+\sa `thick_self_intersection_d()`
+*/
+template <class ConcurrencyTag = Sequential_tag, class ObjectRangeA, class ObjectRangeB,
+          class Callback, class NamedParameters = parameters::Default_named_parameters>
+bool thick_intersection_d(const ObjectRangeA& objects_a, const ObjectRangeB& objects_b,
+                          Callback&& callback,
+                          const NamedParameters& np = parameters::default_values())
+{
+  namespace internal = Thick_intersection_d::internal;
+  const auto elements_a = internal::make_elements(objects_a, np);
+  const auto elements_b = internal::make_elements(objects_b, np);
+  const internal::Joined_elements elements(elements_a, elements_b);
+  using Object = typename std::decay_t<decltype(elements)>::value_type;
+  const auto traits = internal::object_traits<Object>(np, elements);
+  internal::check_objects(elements, traits);
+  return internal::report_intersections<ConcurrencyTag>(elements, elements_a.size(), traits,
+                                                        callback, np);
+}
+
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_H
