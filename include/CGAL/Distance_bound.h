@@ -7,7 +7,19 @@
 
 // What "near" means: a distance or a squared distance, closed or open, exactly as the user gave it.
 
+#include <CGAL/Algebraic_structure_traits.h>
+
 namespace CGAL {
+
+namespace Thick_intersection_d {
+namespace internal {
+
+// The number type of an expression, which the expression templates of GMP and Boost hide.
+template <class NT>
+using Number_t = typename Algebraic_structure_traits<NT>::Type;
+
+} // namespace internal
+} // namespace Thick_intersection_d
 
 /*!
 \ingroup PkgThickIntersectionDRef
@@ -61,9 +73,9 @@ private:
 returns the bound \f$ |pq| \leq r \f$, with \f$ r \f$ exactly as given: its square is never rounded.
 */
 template <class NT>
-Distance_bound<NT> within_distance(const NT& r)
+auto within_distance(const NT& r)
 {
-  return Distance_bound<NT>(r, false);
+  return Distance_bound<Thick_intersection_d::internal::Number_t<NT>>(r, false);
 }
 
 /*!
@@ -73,9 +85,9 @@ returns the bound \f$ |pq|^2 \leq r_2 \f$, for radii that are known by their squ
 \f$ \sqrt{13} \f$: no root is taken.
 */
 template <class NT>
-Distance_bound<NT> within_squared_distance(const NT& r2)
+auto within_squared_distance(const NT& r2)
 {
-  return Distance_bound<NT>(r2, true);
+  return Distance_bound<Thick_intersection_d::internal::Number_t<NT>>(r2, true);
 }
 
 } // namespace CGAL

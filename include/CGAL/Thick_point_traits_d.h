@@ -23,7 +23,8 @@ its predicates give the answer of real arithmetic on the given coordinates and t
 whatever the kernel, `Simple_cartesian<double>` included. They have degree 1 and 2.
 
 The reach along each axis is the bound \f$ r \f$ itself: the diameter \f$ D \f$ of the balls of
-radius \f$ r/2 \f$, where \cgalCite{v-riato-03} allows \f$ 2D \f$ for any choice of reference points.
+radius \f$ r/2 \f$, where \cgalCite{v-riato-03} allows \f$ 2D \f$ for any choice of reference
+points.
 
 Objects of this class may be used by several threads at once.
 

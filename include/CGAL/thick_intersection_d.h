@@ -19,11 +19,11 @@ namespace internal {
 
 // Returns the traits given as `geom_traits`, or else those for kernel objects.
 template <class Object, class NamedParameters, class... Elements>
-auto object_traits(const NamedParameters& np, const Elements&... objects)
+decltype(auto) object_traits(const NamedParameters& np, const Elements&... objects)
 {
   if constexpr(!parameters::is_default_parameter<NamedParameters,
                                                  internal_np::geom_traits_t>::value)
-    return parameters::get_parameter(np, internal_np::geom_traits);
+    return parameters::get_parameter_reference(np, internal_np::geom_traits);
   else
     return Thick_object_traits_d<Object>(objects...);
 }
@@ -98,7 +98,7 @@ bool thick_self_intersection_d(const ObjectRange& objects, Callback&& callback,
   namespace internal = Thick_intersection_d::internal;
   const auto elements = internal::make_elements(objects, np);
   using Object = typename std::decay_t<decltype(elements)>::value_type;
-  const auto traits = internal::object_traits<Object>(np, elements);
+  const auto& traits = internal::object_traits<Object>(np, elements);
   internal::check_objects(elements, traits);
   return internal::report_intersections<ConcurrencyTag>(elements, std::nullopt, traits, callback,
                                                         np);
@@ -137,7 +137,7 @@ bool thick_intersection_d(const ObjectRangeA& objects_a, const ObjectRangeB& obj
   const auto elements_b = internal::make_elements(objects_b, np);
   const internal::Joined_elements elements(elements_a, elements_b);
   using Object = typename std::decay_t<decltype(elements)>::value_type;
-  const auto traits = internal::object_traits<Object>(np, elements);
+  const auto& traits = internal::object_traits<Object>(np, elements);
   internal::check_objects(elements, traits);
   return internal::report_intersections<ConcurrencyTag>(elements, elements_a.size(), traits,
                                                         callback, np);

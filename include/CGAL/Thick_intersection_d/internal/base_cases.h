@@ -68,9 +68,14 @@ bool sweep_two_sets(const Scene& scene, Member_iterator first, Member_iterator l
   for(Member_iterator a = first; a != second; ++a) {
     while(begin != last && scene.less(*begin, *a, 0) && !scene.is_close(*begin, *a, 0))
       ++begin;
-    for(Member_iterator b = begin; b != last && scene.is_close(*a, *b, 0); ++b)
-      if(!test_pair(scene, *a, *b, report))
-        return false;
+    for(Member_iterator b = begin; b != last; ++b) {
+      if(scene.is_close(*a, *b, 0)) {
+        if(!test_pair(scene, *a, *b, report))
+          return false;
+      }
+      else if(scene.less(*a, *b, 0))
+        break; // else b is before a: is_close may be true too often, and was for begin
+    }
   }
   return true;
 }

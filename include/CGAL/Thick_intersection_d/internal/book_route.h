@@ -70,6 +70,13 @@ private:
     bool recurse_above;
   };
 
+  struct Less
+  {
+    const Scene& scene;
+    int axis;
+    bool operator()(const Member& a, const Member& b) const { return scene.less(a, b, axis); }
+  };
+
   // Reports the intersecting pairs of [first, last) that share no part. All members are within two
   // reaches of each other along the axes above `axis`.
   bool search(Member_iterator first, Member_iterator last, int axis)
@@ -85,37 +92,24 @@ private:
     return divide(first, last, axis, cut);
   }
 
-  // Finds where to cut [first, last) along `axis`: by a median or random object in the main case,
-  // and such that the recursion gets at most half of the members, or of those on its side of a
-  // random one, in the other two. Returns false if no cut is needed.
+  // Finds where to cut [first, last) along `axis`: at a median or random object. The four cases of
+  // the paper are the four answers to: is the lowest object close to the cut, is the highest?
+  //
+  //   both       Case 1: two reaches hold the range, it needs no cut, and false is returned
+  //   neither    Case 2: recurse on both sides
+  //   lowest     Case 3: recurse above; the side below is in the strip as a whole
+  //   highest    Case 4: recurse below; the side above is in the strip as a whole
   bool find_cut(Member_iterator first, Member_iterator last, int axis, Cut& cut)
   {
-    const auto less = [&](const Member& a, const Member& b) { return scene_.less(a, b, axis); };
-    const auto extremes = std::minmax_element(first, last, less);
-    const Member min = *extremes.first;
-    const Member max = *extremes.second;
-    if(scene_.is_close(min, max, axis))
-      return false;
+    const auto extremes = std::minmax_element(first, last, Less{scene_, axis});
+    const Member lowest = *extremes.first;
+    const Member highest = *extremes.second;
+    if(scene_.is_close(lowest, highest, axis))
+      return false; // Case 1, for any cut
 
     const Member pivot = choose_pivot(first, last, axis);
-    const bool is_low = scene_.is_close(min, pivot, axis);
-    const bool is_high = scene_.is_close(pivot, max, axis);
-    if(!is_low && !is_high) { // Case 2
-      cut = {pivot, true, true};
-      return true;
-    }
-    if(is_low) {              // Case 3: cut at the last object close to the lowest
-      cut = {pivot, false, true};
-      for(Member_iterator m = first; m != last; ++m)
-        if(less(cut.at, *m) && scene_.is_close(min, *m, axis))
-          cut.at = *m;
-      return !scene_.is_close(cut.at, max, axis); // else Case 1: two reaches hold the range
-    }
-    cut = {pivot, true, false}; // Case 4: cut at the first object close to the highest
-    for(Member_iterator m = first; m != last; ++m)
-      if(less(*m, cut.at) && scene_.is_close(*m, max, axis))
-        cut.at = *m;
-    return !scene_.is_close(min, cut.at, axis);   // else Case 1
+    cut = {pivot, !scene_.is_close(lowest, pivot, axis), !scene_.is_close(pivot, highest, axis)};
+    return cut.recurse_below || cut.recurse_above;
   }
 
   Member choose_pivot(Member_iterator first, Member_iterator last, int axis)
@@ -124,9 +118,7 @@ private:
     if(options_.pivot == Pivot::RANDOM)
       return first[static_cast<std::ptrdiff_t>(hash(first->position, size) % size)];
     const Member_iterator median = first + (last - first) / 2;
-    std::nth_element(first, median, last, [&](const Member& a, const Member& b) {
-      return scene_.less(a, b, axis);
-    });
+    std::nth_element(first, median, last, Less{scene_, axis});
     return *median;
   }
 
@@ -153,17 +145,18 @@ private:
     const Member_iterator above_begin = std::partition(
       below_end, last, [&](const Member& m) { return !scene_.less(cut.at, m, axis); });
 
+    Members strip; // copied before the recursion reorders the range
+    add_side(first, below_end, axis, cut, cut.recurse_below, lower_child_bit(axis), strip);
+    add_side(below_end, above_begin, axis, cut, false, 0, strip);
+    add_side(above_begin, last, axis, cut, cut.recurse_above, upper_child_bit(axis), strip);
+    const std::ptrdiff_t left_behind = (cut.recurse_below ? 0 : below_end - first)
+                                       + (above_begin - below_end)
+                                       + (cut.recurse_above ? 0 : last - above_begin);
+
     const auto search_strip = [&] {
-      Members strip;
-      add_side(first, below_end, axis, cut, cut.recurse_below, lower_child_bit(axis), strip);
-      add_side(below_end, above_begin, axis, cut, false, 0, strip);
-      add_side(above_begin, last, axis, cut, cut.recurse_above, upper_child_bit(axis), strip);
-      const std::ptrdiff_t left_behind = (cut.recurse_below ? 0 : below_end - first)
-                                         + (above_begin - below_end)
-                                         + (cut.recurse_above ? 0 : last - above_begin);
-      return have_pairs(strip) ? search(strip.begin(), strip.end(), axis - 1)
-                                   && advance(left_behind, axis)
-                               : advance(left_behind, axis);
+      Members members = std::move(strip); // released when it is done, not after the recursion
+      return (!have_pairs(members) || search(members.begin(), members.end(), axis - 1))
+             && advance(left_behind, axis);
     };
     const auto search_below
       = [&] { return !cut.recurse_below || search(first, below_end, axis); };

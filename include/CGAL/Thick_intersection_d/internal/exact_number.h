@@ -132,11 +132,12 @@ Exact_rational to_exact_rational(const NT& x)
 
 // The type in which squared distances of points with coordinates of type FT are computed without
 // error: FT itself if it is exact, and for floats and doubles a type without the cost of fractions.
+// Not a quotient of integers without common divisors taken out, which would grow with each sum.
 template <class FT>
 struct Exact_number
 {
   using type = std::conditional_t<Algebraic_structure_traits<FT>::Is_exact::value
-                                    && !std::is_arithmetic_v<FT>,
+                                    && !std::is_arithmetic_v<FT> && !Is_quotient<FT>::value,
                                   FT, Exact_rational>;
 };
 #ifdef CGAL_HAS_MPZF
@@ -173,14 +174,16 @@ decltype(auto) to_exact_number(const NT& x)
 template <class Number, class Integer>
 Number convert_integer(const Integer& x)
 {
+  if(x == 0) // for which the conversion of big integers to Mpzf is not made
+    return Number(0);
   if constexpr(std::is_constructible_v<Number, const Integer&>)
     return Number(x);
   else {
     std::stringstream text;
     text << x;
 #ifdef CGAL_HAS_MPZF
-    if constexpr(std::is_same_v<Number, Mpzf>) // whose conversion from Gmpz is not made for zero
-      return x == 0 ? Mpzf(0) : Mpzf(Gmpz(text.str()));
+    if constexpr(std::is_same_v<Number, Mpzf>)
+      return Mpzf(Gmpz(text.str()));
     else
 #endif
     {
@@ -199,8 +202,13 @@ std::pair<double, double> bounds(const NT& x)
     const double value = static_cast<double>(x);
     return {value, value};
   }
-  else
-    return CGAL::to_interval(x);
+  else {
+    const std::pair<double, double> interval = CGAL::to_interval(x);
+    if constexpr(Is_quotient<NT>::value) // which is widened to infinity by parts beyond the doubles
+      if(std::isinf(interval.second) || std::isinf(interval.first))
+        return CGAL::to_interval(to_exact_rational(x));
+    return interval;
+  }
 }
 
 // Whether x is neither NaN nor infinite. A number too large for a double has the largest double
