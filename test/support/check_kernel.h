@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The matrix of kernels and scenes: every scene, closed and open, one set and two, on one kernel.
+
+#ifndef THICK_INTERSECTION_TEST_SUPPORT_CHECK_KERNEL_H
+#define THICK_INTERSECTION_TEST_SUPPORT_CHECK_KERNEL_H
+
+#include "brute_force.h"
+#include "kernels.h"
+#include "robustness_families.h"
+#include "scenes.h"
+
+#include <boost/test/unit_test.hpp>
+
+namespace test_support {
+
+// The points at even positions, or those at odd ones.
+template <class T>
+std::vector<T> every_other(const std::vector<T>& all, std::size_t first)
+{
+  std::vector<T> result;
+  for(std::size_t i = first; i < all.size(); i += 2)
+    result.push_back(all[i]);
+  return result;
+}
+
+// Of the pairs of the whole set, those between even positions and odd ones, in their own numbering.
+inline Pairs between_even_and_odd(const Pairs& pairs)
+{
+  Pairs result;
+  for(const Pair& p : pairs)
+    if((p.first + p.second) % 2 == 1)
+      result.emplace_back((p.first % 2 == 0 ? p.first : p.second) / 2,
+                          (p.first % 2 == 0 ? p.second : p.first) / 2);
+  return result;
+}
+
+template <class Maker>
+void check_scene(const Point_scene& scene)
+{
+  BOOST_TEST_CONTEXT(scene)
+  {
+    const Truth& truth = truth_of(scene);
+    const auto points = make_points<Maker>(scene.points);
+    with_bound(scene.radius, [&](const auto& bound) {
+      const Pairs_difference closed = compare(truth.pairs, near_pairs(points, bound));
+      BOOST_CHECK_MESSAGE(closed.empty(), "closed: " << closed);
+
+      const Pairs_difference open = compare(truth.open_pairs, near_pairs(points, bound.open()));
+      BOOST_CHECK_MESSAGE(open.empty(), "open: " << open);
+
+      const Pairs_difference two_sets
+        = compare(between_even_and_odd(truth.pairs),
+                  near_pairs(every_other(points, 0), every_other(points, 1), bound));
+      BOOST_CHECK_MESSAGE(two_sets.empty(), "two sets: " << two_sets);
+    });
+  }
+}
+
+inline Scenes all_scenes(int dimension)
+{
+  Scenes scenes = small_scenes(dimension);
+  if(dimension == 2 || dimension == 3)
+    for(const Point_scene& family : robustness_families(dimension))
+      scenes.push_back(family);
+  return scenes;
+}
+
+template <class Maker>
+void check_kernel(int dimension)
+{
+  for(const Point_scene& scene : all_scenes(dimension))
+    check_scene<Maker>(scene);
+}
+
+// The scenes as they are after rounding to floats, without those that a float cannot hold.
+inline Scenes float_scenes(int dimension)
+{
+  Scenes scenes;
+  for(Point_scene scene : all_scenes(dimension)) {
+    bool is_finite = true;
+    for(Coordinates& c : scene.points)
+      for(double& x : c) {
+        x = static_cast<float>(x);
+        is_finite = is_finite && std::isfinite(x);
+      }
+    if(is_finite)
+      scenes.push_back(scene);
+  }
+  return scenes;
+}
+
+} // namespace test_support
+
+#endif // THICK_INTERSECTION_TEST_SUPPORT_CHECK_KERNEL_H

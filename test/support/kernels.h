@@ -1,0 +1,120 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Scenes in the points of a kernel: a maker per kind of kernel, and the pairs that the package
+// reports for them.
+
+#ifndef THICK_INTERSECTION_TEST_SUPPORT_KERNELS_H
+#define THICK_INTERSECTION_TEST_SUPPORT_KERNELS_H
+
+#include "pairs.h"
+#include "point_scene.h"
+
+#include <CGAL/Exact_integer.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Fraction_traits.h>
+#include <CGAL/fixed_radius_near_neighbors.h>
+
+#include <sstream>
+
+namespace test_support {
+
+// Points in the plane or in space with the coordinates of a scene, in a Cartesian kernel.
+template <class Kernel, int Dimension>
+struct Cartesian_points
+{
+  using FT = typename Kernel::FT;
+  using Point = std::conditional_t<Dimension == 2, typename Kernel::Point_2,
+                                   typename Kernel::Point_3>;
+
+  static FT number(double x) { return FT(x); }
+  static Point make(const Coordinates& c)
+  {
+    if constexpr(Dimension == 2)
+      return Point(number(c[0]), number(c[1]));
+    else
+      return Point(number(c[0]), number(c[1]), number(c[2]));
+  }
+};
+
+// The same in a homogeneous kernel over the integers: the product of the denominators of the
+// coordinates is the last one.
+template <class Kernel, int Dimension>
+struct Homogeneous_points
+{
+  using RT = typename Kernel::RT;
+  using Point = std::conditional_t<Dimension == 2, typename Kernel::Point_2,
+                                   typename Kernel::Point_3>;
+
+  static Point make(const Coordinates& c)
+  {
+    RT numerator[Dimension], denominator[Dimension], w(1);
+    for(int i = 0; i < Dimension; ++i) {
+      typename CGAL::Fraction_traits<CGAL::Exact_rational>::Decompose()(
+        CGAL::Exact_rational(c[i]), numerator[i], denominator[i]);
+      w *= denominator[i];
+    }
+    const auto h = [&](int i) { return RT(numerator[i] * (w / denominator[i])); };
+    if constexpr(Dimension == 2)
+      return Point(h(0), h(1), w);
+    else
+      return Point(h(0), h(1), h(2), w);
+  }
+};
+
+// Points of any dimension in a kernel that has them.
+template <class Kernel>
+struct Points_d
+{
+  using Point = typename Kernel::Point_d;
+  static Point make(const Coordinates& c) { return Point(c.begin(), c.end()); }
+};
+
+template <class Maker>
+std::vector<typename Maker::Point> make_points(const Points& points)
+{
+  std::vector<typename Maker::Point> result;
+  for(const Coordinates& c : points)
+    result.push_back(Maker::make(c));
+  return result;
+}
+
+inline CGAL::Exact_rational exact_rational(const std::string& text)
+{
+  CGAL::Exact_rational value;
+  std::istringstream(text) >> value;
+  return value;
+}
+
+// Calls f(bound) with the closed bound of a scene.
+template <class Function>
+auto with_bound(const Radius& radius, const Function& f)
+{
+  return radius.length() ? f(CGAL::within_distance(*radius.length()))
+                         : f(CGAL::within_squared_distance(exact_rational(radius.square_text())));
+}
+
+template <class ConcurrencyTag = CGAL::Sequential_tag, class Point, class NT>
+Pairs near_pairs(const std::vector<Point>& points, const CGAL::Distance_bound<NT>& bound)
+{
+  Pairs pairs;
+  const bool is_complete = CGAL::fixed_radius_near_neighbors<ConcurrencyTag>(
+    points, bound, [&](std::size_t i, std::size_t j) { pairs.emplace_back(i, j); });
+  if(!is_complete)
+    pairs.emplace_back(points.size(), points.size()); // nobody stopped it: shows as an extra pair
+  return pairs;
+}
+
+template <class Point, class NT>
+Pairs near_pairs(const std::vector<Point>& a, const std::vector<Point>& b,
+                 const CGAL::Distance_bound<NT>& bound)
+{
+  Pairs pairs;
+  CGAL::fixed_radius_near_neighbors(
+    a, b, bound, [&](std::size_t i, std::size_t j) { pairs.emplace_back(i, j); });
+  return pairs;
+}
+
+} // namespace test_support
+
+#endif // THICK_INTERSECTION_TEST_SUPPORT_KERNELS_H

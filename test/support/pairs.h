@@ -1,0 +1,72 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Pairs of positions, and what to print when two lists of them differ. Lists are compared as
+// multisets: a pair reported twice is as wrong as a pair not reported.
+
+#ifndef THICK_INTERSECTION_TEST_SUPPORT_PAIRS_H
+#define THICK_INTERSECTION_TEST_SUPPORT_PAIRS_H
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <ostream>
+#include <utility>
+#include <vector>
+
+namespace test_support {
+
+using Pair = std::pair<std::size_t, std::size_t>;
+using Pairs = std::vector<Pair>;
+
+inline Pairs sorted(Pairs pairs)
+{
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+// What `found` lacks and what it has too much of; a pair found three times instead of once is
+// listed twice as extra. Both lists are sorted.
+struct Pairs_difference
+{
+  Pairs missing;
+  Pairs extra;
+
+  bool empty() const { return missing.empty() && extra.empty(); }
+};
+
+// Use: const auto difference = compare(expected, found);
+//      BOOST_CHECK_MESSAGE(difference.empty(), scene.name << ": " << difference);
+inline Pairs_difference compare(Pairs expected, Pairs found)
+{
+  expected = sorted(std::move(expected));
+  found = sorted(std::move(found));
+  Pairs_difference difference;
+  std::set_difference(expected.begin(), expected.end(), found.begin(), found.end(),
+                      std::back_inserter(difference.missing));
+  std::set_difference(found.begin(), found.end(), expected.begin(), expected.end(),
+                      std::back_inserter(difference.extra));
+  return difference;
+}
+
+inline void print_first(std::ostream& out, const char* label, const Pairs& pairs)
+{
+  const std::size_t shown = std::min<std::size_t>(pairs.size(), 10);
+  out << pairs.size() << ' ' << label;
+  for(std::size_t i = 0; i < shown; ++i)
+    out << " (" << pairs[i].first << ", " << pairs[i].second << ')';
+  if(shown < pairs.size())
+    out << " ...";
+}
+
+inline std::ostream& operator<<(std::ostream& out, const Pairs_difference& difference)
+{
+  print_first(out, "missing", difference.missing);
+  out << "; ";
+  print_first(out, "extra", difference.extra);
+  return out;
+}
+
+} // namespace test_support
+
+#endif // THICK_INTERSECTION_TEST_SUPPORT_PAIRS_H
