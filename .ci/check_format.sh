@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# Checks what holds for every source file whatever its style: no tabs, no blanks at line ends, a
+# final newline, at most 100 columns in C++ files, and a line that names the licence.
+# Prints each offending line; exits with 1 if there is one. (.clang-format describes the style; it
+# is a help for editors and not enforced.)
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+set -euo pipefail
+export LC_ALL=C.UTF-8
+
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+find_files() {  # find expression...
+  find . -path './build*' -prune -o -path ./.git -prune -o -type f \( "$@" \) -print | sort
+}
+mapfile -t cpp_files < <(find_files -name '*.h' -o -name '*.cpp')
+mapfile -t other_files < <(find_files -name CMakeLists.txt -o -name '*.cmake' -o -name '*.in' \
+                             -o -name '*.sh' -o -name '*.py' -o -path './scripts/*' -o -path ./.ci/run)
+source_files=("${cpp_files[@]}" "${other_files[@]}")
+(( ${#cpp_files[@]} > 0 )) || { echo "No C++ files found." >&2; exit 1; }
+
+fail=0
+forbid() {  # reason; the offending places on standard input
+  local line
+  while IFS= read -r line; do
+    echo "$line    <- $1" >&2
+    fail=1
+  done
+}
+
+forbid 'tab' < <(grep -nP '\t' "${source_files[@]}")
+forbid 'blank at the end of the line' < <(grep -nE '[[:space:]]$' "${source_files[@]}")
+forbid 'more than 100 columns' < <(grep -nE '^.{101,}$' "${cpp_files[@]}")
+forbid 'no SPDX line' < <(grep -L 'SPDX-License-Identifier: ' "${source_files[@]}")
+forbid 'no newline at the end' < <(
+  for file in "${source_files[@]}"; do
+    if [[ -n $(tail -c 1 "$file") ]]; then echo "$file"; fi
+  done)
+
+exit $fail

@@ -1,0 +1,185 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The book route in all its variants against brute force, on integer sites and on points whose
+// coordinates and reach round.
+
+#define BOOST_TEST_MODULE book_route
+#include "support/book_variants.h"
+#include "support/brute_force.h"
+#include "support/lattice_traits.h"
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Thick_point_traits_d.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <random>
+
+using namespace test_support;
+
+namespace {
+
+using Generator = std::mt19937_64;
+
+long below(Generator& random, long n)
+{
+  return static_cast<long>(random() % static_cast<std::uint64_t>(n));
+}
+
+std::vector<Site> random_sites(Generator& random, int dimension, long n)
+{
+  std::vector<Site> sites;
+  const long side = 1 + below(random, 40);
+  const bool is_flat = below(random, 3) == 0; // one axis has few values, or one
+  const long flat_side = 1 + below(random, 3);
+  const int flat_axis = static_cast<int>(below(random, dimension));
+  for(long i = 0; i < n; ++i) {
+    std::vector<long> c;
+    for(int axis = 0; axis < dimension; ++axis)
+      c.push_back(below(random, is_flat && axis == flat_axis ? flat_side : side) - side / 2);
+    sites.emplace_back(std::move(c));
+  }
+  return sites;
+}
+
+void check_sites(const std::vector<Site>& sites, long distance, long reach, unsigned int seed)
+{
+  const int dimension = sites.empty() ? 2 : sites.front().dimension();
+  const Pairs expected = pairs_of_sites(sites, distance);
+  Calls calls;
+  const Lattice_traits traits(dimension, distance, reach, calls);
+  for(const Book_options& options : book_variants(seed)) {
+    const Pairs_difference difference = compare(expected, book_pairs(sites, traits, options));
+    BOOST_CHECK_MESSAGE(difference.empty(), name(options) << ", seed " << seed << ": "
+                                                          << difference);
+  }
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(sites_at_random)
+{
+  for(unsigned int seed = 0; seed < 3000; ++seed) {
+    Generator random(seed);
+    const int dimension = 1 + static_cast<int>(below(random, 4));
+    const std::vector<Site> sites = random_sites(random, dimension, below(random, 60));
+    const long distance = below(random, 8);
+    check_sites(sites, distance, distance + below(random, 3), seed);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(two_sets_of_sites_at_random)
+{
+  for(unsigned int seed = 0; seed < 2000; ++seed) {
+    Generator random(seed);
+    const int dimension = 1 + static_cast<int>(below(random, 3));
+    const std::vector<Site> sites = random_sites(random, dimension, below(random, 60));
+    const std::size_t first = sites.empty() ? 0 : random() % (sites.size() + 1);
+    const long distance = below(random, 8);
+
+    Pairs expected;
+    for(const Pair& p : pairs_of_sites(sites, distance))
+      if(p.first < first && p.second >= first)
+        expected.emplace_back(p.first, p.second - first);
+    Calls calls;
+    const Lattice_traits traits(dimension, distance, distance, calls);
+    for(const Book_options& options : book_variants(seed)) {
+      const Pairs_difference difference
+        = compare(expected, book_pairs(sites, traits, options, first));
+      BOOST_CHECK_MESSAGE(difference.empty(), name(options) << ", seed " << seed << ": "
+                                                            << difference);
+    }
+  }
+}
+
+// Units that are no binary fractions, and offsets of either sign: what finds strips whose limits
+// are rounded twice. [design note, "Floating point"]
+BOOST_AUTO_TEST_CASE(coordinates_and_reaches_that_round)
+{
+  using Point = CGAL::Simple_cartesian<double>::Point_2;
+  const double units[] = {1, 0.1, 1 / 3., 0.7};
+  for(unsigned int seed = 0; seed < 2000; ++seed) {
+    Generator random(seed);
+    const double unit = units[seed % 4];
+    const double offset = static_cast<double>(below(random, 3) - 1) * 0.368;
+    const long side = 2 + below(random, 30);
+    Points coordinates;
+    std::vector<Point> points;
+    for(long i = below(random, 40); i > 0; --i) {
+      coordinates.push_back({offset + unit * static_cast<double>(below(random, side)),
+                             -offset + unit * static_cast<double>(below(random, side))});
+      points.emplace_back(coordinates.back()[0], coordinates.back()[1]);
+    }
+    const double r = unit * static_cast<double>(below(random, 12));
+    const Truth truth = brute_force(coordinates, Radius::of_length(r));
+    const CGAL::Thick_point_traits_d<Point> traits(CGAL::within_distance(r));
+    for(const Book_options& options : book_variants(seed)) {
+      const Pairs_difference difference
+        = compare(truth.pairs, book_pairs(points, traits, options));
+      BOOST_CHECK_MESSAGE(difference.empty(), name(options) << ", seed " << seed << ": "
+                                                            << difference);
+    }
+  }
+}
+
+// Is_close_along_axis_d may be true too often, and in any pattern.
+BOOST_AUTO_TEST_CASE(closeness_that_is_true_too_often)
+{
+  struct Careless_traits : Lattice_traits
+  {
+    using Lattice_traits::Lattice_traits;
+    struct Is_close_along_axis_d
+    {
+      Lattice_traits::Is_close_along_axis_d is_close;
+      bool operator()(const Site& a, const Site& b, int i) const
+      {
+        return is_close(a, b, i) || (a.coordinate(i) * b.coordinate(i)) % 3 == 1;
+      }
+    };
+    Is_close_along_axis_d is_close_along_axis_d_object() const
+    {
+      return {Lattice_traits::is_close_along_axis_d_object()};
+    }
+  };
+  for(unsigned int seed = 0; seed < 500; ++seed) {
+    Generator random(seed);
+    const std::vector<Site> sites = random_sites(random, 2, 60);
+    const std::size_t first = random() % 60;
+    Calls calls;
+    const Careless_traits traits(2, 3, 3, calls);
+    const Pairs expected = pairs_of_sites(sites, 3);
+    Pairs between_sets;
+    for(const Pair& p : expected)
+      if(p.first < first && p.second >= first)
+        between_sets.emplace_back(p.first, p.second - first);
+    for(const Book_options& options : book_variants(seed)) {
+      const auto one_set = compare(expected, book_pairs(sites, traits, options));
+      BOOST_CHECK_MESSAGE(one_set.empty(), name(options) << ", seed " << seed << ": " << one_set);
+      const auto two_sets = compare(between_sets, book_pairs(sites, traits, options, first));
+      BOOST_CHECK_MESSAGE(two_sets.empty(),
+                          name(options) << ", seed " << seed << ", two sets: " << two_sets);
+    }
+  }
+}
+
+// A random pivot is a function of the seed and of nothing else.
+BOOST_AUTO_TEST_CASE(order_of_reports_is_a_function_of_the_input)
+{
+  Generator random(5);
+  const std::vector<Site> sites = random_sites(random, 2, 400);
+  Calls calls;
+  const Lattice_traits traits(2, 3, 3, calls);
+  for(const Book_options& options : book_variants(17))
+    BOOST_CHECK_MESSAGE(book_pairs(sites, traits, options) == book_pairs(sites, traits, options),
+                        name(options));
+}
+
+// The walk makes as many rounds as there are equal points: it must not recurse.
+BOOST_AUTO_TEST_CASE(walk_over_many_equal_points)
+{
+  std::vector<Site> sites;
+  for(int i = 0; i < 3000; ++i)
+    sites.emplace_back(std::vector<long>{7, 7});
+  check_sites(sites, 0, 0, 1);
+}

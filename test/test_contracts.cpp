@@ -1,0 +1,349 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// What the public functions promise beyond the right pairs: which ranges and traits they take, what
+// a callback may do, what happens to bad input, and that the input is left alone.
+
+#define BOOST_TEST_MODULE contracts
+#include "support/brute_force.h"
+#include "support/kernels.h"
+#include "support/lattice_traits.h"
+#include "support/scenes.h"
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/thick_intersection_d.h>
+
+#include <boost/iterator/transform_iterator.hpp>
+#include <boost/range/iterator_range.hpp>
+#include <boost/test/unit_test.hpp>
+
+#include <list>
+
+using namespace test_support;
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_2;
+using Maker = Cartesian_points<Kernel, 2>;
+
+namespace {
+
+const double infinity = std::numeric_limits<double>::infinity();
+const double nan_value = std::numeric_limits<double>::quiet_NaN();
+
+Point_scene some_scene()
+{
+  return scene("uniform", 2, uniform_points(2, 300, 0, 1, 5), Radius::of_length(0.1));
+}
+
+struct Pair_collector
+{
+  Pairs& pairs;
+  void operator()(std::size_t i, std::size_t j) const { pairs.emplace_back(i, j); }
+};
+
+// The text of the exception that f throws; "" if it throws none.
+template <class Function>
+std::string refusal(const Function& f)
+{
+  try {
+    f();
+  }
+  catch(const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+bool contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(archetype_traits_are_enough)
+{
+  std::vector<Site> sites;
+  for(long i = 0; i < 12; ++i)
+    for(long j = 0; j < 12; ++j)
+      sites.emplace_back(std::vector<long>{i, j, (i * j) % 5});
+  Calls calls;
+  const Lattice_traits traits(3, 2, 2, calls);
+  Pairs found;
+  const bool is_complete = CGAL::thick_self_intersection_d(
+    sites, Pair_collector{found}, CGAL::parameters::geom_traits(traits));
+  BOOST_CHECK(is_complete);
+  const Pairs_difference difference = compare(pairs_of_sites(sites, 2), found);
+  BOOST_CHECK_MESSAGE(difference.empty(), difference);
+  BOOST_CHECK_GT(calls.do_intersect, 0u); // its own state was used
+}
+
+BOOST_AUTO_TEST_CASE(archetype_traits_are_enough_for_two_sets)
+{
+  std::vector<Site> a, b;
+  for(long i = 0; i < 30; ++i) {
+    a.emplace_back(std::vector<long>{i, 0});
+    b.emplace_back(std::vector<long>{29 - i, 1});
+  }
+  Calls calls;
+  const Lattice_traits traits(2, 1, 1, calls);
+  Pairs found;
+  CGAL::thick_intersection_d(a, b, Pair_collector{found},
+                             CGAL::parameters::geom_traits(traits));
+  BOOST_REQUIRE_EQUAL(found.size(), 30u);
+  for(const Pair& p : found)
+    BOOST_CHECK_EQUAL(p.first + p.second, 29u);
+}
+
+BOOST_AUTO_TEST_CASE(any_range_of_points_will_do)
+{
+  const Point_scene scene = some_scene();
+  const Pairs& expected = truth_of(scene).pairs;
+  const auto points = make_points<Maker>(scene.points);
+  const auto bound = CGAL::within_distance(0.1);
+
+  Pairs of_list;
+  const std::list<Point> list(points.begin(), points.end());
+  CGAL::fixed_radius_near_neighbors(list, bound, Pair_collector{of_list});
+  BOOST_CHECK(compare(expected, of_list).empty());
+
+  Pairs of_array;
+  const auto array = boost::make_iterator_range(points.data(), points.data() + points.size());
+  CGAL::fixed_radius_near_neighbors(array, bound, Pair_collector{of_array});
+  BOOST_CHECK(compare(expected, of_array).empty());
+
+  // Points that are made when they are asked for.
+  const auto make = [](const Coordinates& c) { return Maker::make(c); };
+  const auto made = boost::make_iterator_range(
+    boost::make_transform_iterator(scene.points.begin(), make),
+    boost::make_transform_iterator(scene.points.end(), make));
+  Pairs of_made;
+  CGAL::fixed_radius_near_neighbors(made, bound, Pair_collector{of_made});
+  BOOST_CHECK(compare(expected, of_made).empty());
+
+  // Points within larger elements.
+  std::vector<std::pair<Point, int>> named;
+  for(const Point& p : points)
+    named.emplace_back(p, 1);
+  Pairs of_named;
+  CGAL::fixed_radius_near_neighbors(
+    named, bound, Pair_collector{of_named},
+    CGAL::parameters::point_map(CGAL::First_of_pair_property_map<std::pair<Point, int>>())
+      .geom_traits(Kernel()));
+  BOOST_CHECK(compare(expected, of_named).empty());
+}
+
+BOOST_AUTO_TEST_CASE(two_ranges_may_differ_in_type)
+{
+  const auto a = make_points<Maker>({{0, 0}, {5, 5}});
+  const std::list<Point> b = {Point(5, 6), Point(0, 1), Point(0, 0)};
+  Pairs found;
+  CGAL::fixed_radius_near_neighbors(a, b, CGAL::within_distance(1), Pair_collector{found});
+  BOOST_CHECK(sorted(found) == (Pairs{{0, 1}, {0, 2}, {1, 0}}));
+}
+
+BOOST_AUTO_TEST_CASE(two_ranges_one_of_them_empty)
+{
+  const auto points = make_points<Maker>({{0, 0}, {0, 0}});
+  const std::vector<Point> none;
+  BOOST_CHECK(near_pairs(points, none, CGAL::within_distance(1)).empty());
+  BOOST_CHECK(near_pairs(none, points, CGAL::within_distance(1)).empty());
+  BOOST_CHECK(near_pairs(none, none, CGAL::within_distance(1)).empty());
+}
+
+BOOST_AUTO_TEST_CASE(bound_of_any_number_type)
+{
+  const auto points = make_points<Maker>({{0, 0}, {3, 4}, {3, 4.5}});
+  const Pairs expected = {{0, 1}, {1, 2}};
+  BOOST_CHECK(sorted(near_pairs(points, CGAL::within_distance(5))) == expected);
+  BOOST_CHECK(sorted(near_pairs(points, CGAL::within_distance(5u))) == expected);
+  BOOST_CHECK(sorted(near_pairs(points, CGAL::within_distance(5l))) == expected);
+  BOOST_CHECK(sorted(near_pairs(points, CGAL::within_distance(5.f))) == expected);
+  BOOST_CHECK(sorted(near_pairs(points, CGAL::within_distance(5.l))) == expected);
+  BOOST_CHECK(sorted(near_pairs(points, CGAL::within_distance(CGAL::Exact_rational(5))))
+              == expected);
+  BOOST_CHECK(sorted(near_pairs(points, CGAL::within_distance(CGAL::Exact_integer(5))))
+              == expected);
+  BOOST_CHECK(sorted(near_pairs(points, CGAL::within_squared_distance(25))) == expected);
+  BOOST_CHECK(near_pairs(points, CGAL::within_squared_distance(25).open()) == (Pairs{{1, 2}}));
+  BOOST_CHECK(near_pairs(points, CGAL::within_distance(std::nextafter(5., 0.)))
+              == (Pairs{{1, 2}}));
+}
+
+BOOST_AUTO_TEST_CASE(infinite_bound_reports_all_pairs)
+{
+  const auto points = make_points<Maker>({{0, 0}, {1e308, -1e308}, {-1e308, 1e308}});
+  BOOST_CHECK_EQUAL(near_pairs(points, CGAL::within_distance(infinity)).size(), 3u);
+  BOOST_CHECK_EQUAL(near_pairs(points, CGAL::within_distance(infinity).open()).size(), 3u);
+}
+
+BOOST_AUTO_TEST_CASE(bad_coordinates_are_refused_by_position)
+{
+  for(const double bad : {nan_value, infinity, -infinity}) {
+    auto points = make_points<Maker>({{0, 0}, {0, 0}, {1, 1}});
+    points[2] = Point(1, bad);
+    const std::string message
+      = refusal([&] { near_pairs(points, CGAL::within_distance(1)); });
+    BOOST_CHECK_MESSAGE(contains(message, "point 2") && contains(message, "oordinate 1"), message);
+    const std::string of_two_sets = refusal(
+      [&] { near_pairs(make_points<Maker>({{0, 0}}), points, CGAL::within_distance(1)); });
+    BOOST_CHECK_MESSAGE(contains(of_two_sets, "point 3"), of_two_sets);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(bad_bounds_are_refused_even_without_points)
+{
+  const std::vector<Point> none;
+  for(const double bad : {-1., -5e-324, -infinity, nan_value}) {
+    BOOST_CHECK(refusal([&] { near_pairs(none, CGAL::within_distance(bad)); }) != "");
+    BOOST_CHECK(refusal([&] { near_pairs(none, CGAL::within_squared_distance(bad)); }) != "");
+  }
+  BOOST_CHECK(refusal([&] {
+                near_pairs(none, CGAL::within_distance(CGAL::Exact_rational(-1) / 3));
+              }) != "");
+  BOOST_CHECK_EQUAL(refusal([&] { near_pairs(none, CGAL::within_distance(-0.)); }), "");
+}
+
+BOOST_AUTO_TEST_CASE(nothing_is_reported_before_bad_input_is_refused)
+{
+  auto points = make_points<Maker>(Points(100, Coordinates{0, 0}));
+  points.back() = Point(nan_value, 0);
+  std::size_t calls = 0;
+  BOOST_CHECK_THROW(CGAL::fixed_radius_near_neighbors(points, CGAL::within_distance(1),
+                                                      [&](std::size_t, std::size_t) { ++calls; }),
+                    std::invalid_argument);
+  BOOST_CHECK_EQUAL(calls, 0u);
+}
+
+BOOST_AUTO_TEST_CASE(bad_objects_are_refused_by_position)
+{
+  const auto ignore = [](std::size_t, std::size_t) {};
+  const std::vector<Kernel::Segment_2> segments
+    = {{Point(0, 0), Point(1, 1)}, {Point(nan_value, 0), Point(1, 1)}};
+  const std::string of_segment
+    = refusal([&] { CGAL::thick_self_intersection_d(segments, ignore); });
+  BOOST_CHECK_MESSAGE(contains(of_segment, "object 1"), of_segment);
+}
+
+BOOST_AUTO_TEST_CASE(callback_stops_the_search_by_returning_false)
+{
+  const Point_scene scene = some_scene();
+  const auto points = make_points<Maker>(scene.points);
+  const std::size_t k = truth_of(scene).pairs.size();
+  for(const std::size_t limit : {std::size_t(1), std::size_t(10), k - 1, k}) {
+    std::size_t calls = 0;
+    const bool is_complete = CGAL::fixed_radius_near_neighbors(
+      points, CGAL::within_distance(0.1),
+      [&](std::size_t, std::size_t) { return ++calls < limit; });
+    BOOST_CHECK(!is_complete);
+    BOOST_CHECK_EQUAL(calls, limit);
+  }
+  const bool is_complete = CGAL::fixed_radius_near_neighbors(
+    points, CGAL::within_distance(0.1), [](std::size_t, std::size_t) { return true; });
+  BOOST_CHECK(is_complete);
+}
+
+BOOST_AUTO_TEST_CASE(callback_is_used_and_not_copied)
+{
+  struct Counter
+  {
+    std::size_t calls = 0;
+    Counter() = default;
+    Counter(const Counter&) = delete;
+    void operator()(std::size_t, std::size_t) { ++calls; }
+  };
+  const Point_scene scene = some_scene();
+  Counter counter;
+  CGAL::fixed_radius_near_neighbors(make_points<Maker>(scene.points), CGAL::within_distance(0.1),
+                                    counter);
+  BOOST_CHECK_EQUAL(counter.calls, truth_of(scene).pairs.size());
+}
+
+BOOST_AUTO_TEST_CASE(exceptions_of_the_callback_pass_through)
+{
+  const Point_scene scene = some_scene();
+  const auto points = make_points<Maker>(scene.points);
+  const auto before = points;
+  const std::size_t k = truth_of(scene).pairs.size();
+  for(std::size_t last = 1; last <= k; last += k / 7) {
+    std::size_t calls = 0;
+    BOOST_CHECK_THROW(CGAL::fixed_radius_near_neighbors(
+                        points, CGAL::within_distance(0.1),
+                        [&](std::size_t, std::size_t) {
+                          if(++calls == last)
+                            throw std::runtime_error("enough");
+                        }),
+                      std::runtime_error);
+    BOOST_CHECK_EQUAL(calls, last);
+  }
+  BOOST_CHECK(points == before);
+}
+
+BOOST_AUTO_TEST_CASE(exceptions_of_a_predicate_pass_through)
+{
+  struct Throwing_traits : Lattice_traits
+  {
+    using Lattice_traits::Lattice_traits;
+    std::size_t* calls_left = nullptr;
+    struct Do_intersect_d
+    {
+      std::size_t* calls_left;
+      bool operator()(const Site&, const Site&) const
+      {
+        if((*calls_left)-- == 0)
+          throw std::runtime_error("no more predicates");
+        return true;
+      }
+    };
+    Do_intersect_d do_intersect_d_object() const { return {calls_left}; }
+  };
+  std::vector<Site> sites;
+  for(long i = 0; i < 200; ++i)
+    sites.emplace_back(std::vector<long>{i % 14, i / 14});
+  for(std::size_t allowed = 0; allowed < 100; allowed += 9) {
+    Calls calls;
+    std::size_t calls_left = allowed, reports = 0;
+    Throwing_traits traits(2, 1, 1, calls);
+    traits.calls_left = &calls_left;
+    BOOST_CHECK_THROW(CGAL::thick_self_intersection_d(
+                        sites, [&](std::size_t, std::size_t) { ++reports; },
+                        CGAL::parameters::geom_traits(traits)),
+                      std::runtime_error);
+    BOOST_CHECK_EQUAL(reports, allowed);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(progress_grows_to_one_and_cancels)
+{
+  const auto points = make_points<Maker>(uniform_points(2, 5000, 0, 1, 6));
+  std::size_t pairs = 0;
+  const auto count = [&](std::size_t, std::size_t) { ++pairs; };
+  double last = 0;
+  std::size_t calls = 0;
+  const auto watch = [&](double done) {
+    BOOST_CHECK_GE(done, last);
+    last = done;
+    ++calls;
+    return true;
+  };
+  BOOST_CHECK(CGAL::fixed_radius_near_neighbors(points, CGAL::within_distance(0.01), count,
+                                                CGAL::parameters::callback(watch)));
+  BOOST_CHECK_EQUAL(last, 1);
+  BOOST_CHECK_GT(calls, 20u);
+  BOOST_CHECK_LE(calls, 1001u);
+
+  const std::size_t all = pairs;
+  pairs = 0;
+  const auto cancel = [](double done) { return done < 0.5; };
+  BOOST_CHECK(!CGAL::fixed_radius_near_neighbors(points, CGAL::within_distance(0.01), count,
+                                                 CGAL::parameters::callback(cancel)));
+  BOOST_CHECK_GT(pairs, 0u);
+  BOOST_CHECK_LT(pairs, all);
+}
+
+BOOST_AUTO_TEST_CASE(order_of_reports_is_a_function_of_the_input)
+{
+  const auto points = make_points<Maker>(repeated(uniform_points(2, 300, 0, 1, 7), 2));
+  BOOST_CHECK(near_pairs(points, CGAL::within_distance(0.1))
+              == near_pairs(points, CGAL::within_distance(0.1)));
+}

@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Every scene on the kernels for points of any dimension, fixed when compiled or not.
+
+#define BOOST_TEST_MODULE kernels_d
+#include "support/check_kernel.h"
+
+#include <CGAL/Epick_d.h>
+
+using namespace test_support;
+
+template <int Dimension>
+using Static_points = Points_d<CGAL::Epick_d<CGAL::Dimension_tag<Dimension>>>;
+using Dynamic_points = Points_d<CGAL::Epick_d<CGAL::Dynamic_dimension_tag>>;
+
+BOOST_AUTO_TEST_CASE(epick_d_2) { check_kernel<Static_points<2>>(2); }
+BOOST_AUTO_TEST_CASE(epick_d_3) { check_kernel<Static_points<3>>(3); }
+BOOST_AUTO_TEST_CASE(epick_d_5) { check_kernel<Static_points<5>>(5); }
+BOOST_AUTO_TEST_CASE(epick_d_dynamic_1) { check_kernel<Dynamic_points>(1); }
+BOOST_AUTO_TEST_CASE(epick_d_dynamic_2) { check_kernel<Dynamic_points>(2); }
+BOOST_AUTO_TEST_CASE(epick_d_dynamic_3) { check_kernel<Dynamic_points>(3); }
+BOOST_AUTO_TEST_CASE(epick_d_dynamic_5) { check_kernel<Dynamic_points>(5); }
+
+// More axes than the recursion cuts: the predicate takes care of the others.
+BOOST_AUTO_TEST_CASE(epick_d_dynamic_40)
+{
+  Points points = uniform_points(40, 200, 0, 1, 71);
+  points.push_back(points.front());
+  points.back()[39] += 3;
+  check_scene<Dynamic_points>(scene("uniform", 40, points, Radius::of_length(2.5)));
+}
+
+BOOST_AUTO_TEST_CASE(points_of_different_dimension_are_refused)
+{
+  const auto points = make_points<Dynamic_points>({{0, 0}, {0, 0, 0}});
+  BOOST_CHECK_THROW(near_pairs(points, CGAL::within_distance(1)), std::invalid_argument);
+}

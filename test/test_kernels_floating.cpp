@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Every scene on the kernels whose coordinates are floating numbers: float, double, any precision.
+
+#define BOOST_TEST_MODULE kernels_floating
+#include "support/check_kernel.h"
+#include "support/mpfr_kernel_number.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
+
+using namespace test_support;
+
+using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Double_kernel = CGAL::Simple_cartesian<double>;
+using Float_kernel = CGAL::Simple_cartesian<float>;
+using Mpfr_kernel = CGAL::Simple_cartesian<Mpfr_number<30>>; // decimal digits: 53 bits fit
+
+BOOST_AUTO_TEST_CASE(epick_2) { check_kernel<Cartesian_points<Epick, 2>>(2); }
+BOOST_AUTO_TEST_CASE(epick_3) { check_kernel<Cartesian_points<Epick, 3>>(3); }
+BOOST_AUTO_TEST_CASE(double_2) { check_kernel<Cartesian_points<Double_kernel, 2>>(2); }
+BOOST_AUTO_TEST_CASE(double_3) { check_kernel<Cartesian_points<Double_kernel, 3>>(3); }
+BOOST_AUTO_TEST_CASE(mpfr_2) { check_kernel<Cartesian_points<Mpfr_kernel, 2>>(2); }
+BOOST_AUTO_TEST_CASE(mpfr_3) { check_kernel<Cartesian_points<Mpfr_kernel, 3>>(3); }
+
+BOOST_AUTO_TEST_CASE(float_2)
+{
+  for(const Point_scene& scene : float_scenes(2))
+    check_scene<Cartesian_points<Float_kernel, 2>>(scene);
+}
+
+BOOST_AUTO_TEST_CASE(float_3)
+{
+  for(const Point_scene& scene : float_scenes(3))
+    check_scene<Cartesian_points<Float_kernel, 3>>(scene);
+}

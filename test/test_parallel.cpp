@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// In parallel: the same pairs, a stop that is obeyed, exceptions that come out, progress in order.
+
+#define BOOST_TEST_MODULE parallel
+#include "support/kernels.h"
+#include "support/point_generators.h"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <boost/test/unit_test.hpp>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
+
+#include <atomic>
+
+using namespace test_support;
+
+using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
+
+namespace {
+
+const std::size_t thread_count = 4; // more than processors, so that they interrupt each other
+
+// Scenes of more objects than a single task gets: ties, duplicates, clusters.
+Points large_scene(int dimension)
+{
+  Points points = clustered_points(dimension, 20000, 50, 1. / 16, 1);
+  for(const Coordinates& c : lattice_points(dimension, dimension == 2 ? 100 : 20, 1. / 64, -3))
+    points.push_back(c);
+  for(std::size_t i = 0; i < 2000; ++i)
+    points.push_back(points[5 * i]);
+  return shuffled(points, 2);
+}
+
+template <class Point>
+Pairs parallel_pairs(const std::vector<Point>& points, double r)
+{
+  tbb::enumerable_thread_specific<Pairs> found;
+  CGAL::fixed_radius_near_neighbors<CGAL::Parallel_tag>(
+    points, CGAL::within_distance(r),
+    [&](std::size_t i, std::size_t j) { found.local().emplace_back(i, j); });
+  Pairs all;
+  for(const Pairs& some : found)
+    all.insert(all.end(), some.begin(), some.end());
+  return all;
+}
+
+template <class Maker>
+void check_same_pairs(int dimension)
+{
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, thread_count);
+  const auto points = make_points<Maker>(large_scene(dimension));
+  for(const double r : {1. / 64, 1. / 32}) {
+    const Pairs expected = near_pairs(points, CGAL::within_distance(r));
+    BOOST_REQUIRE_GT(expected.size(), points.size());
+    for(int repetition = 0; repetition < 3; ++repetition) {
+      const Pairs_difference difference = compare(expected, parallel_pairs(points, r));
+      BOOST_CHECK_MESSAGE(difference.empty(), difference);
+    }
+  }
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(same_pairs_epick_2) { check_same_pairs<Cartesian_points<Epick, 2>>(2); }
+BOOST_AUTO_TEST_CASE(same_pairs_epick_3) { check_same_pairs<Cartesian_points<Epick, 3>>(3); }
+BOOST_AUTO_TEST_CASE(same_pairs_epeck_2) { check_same_pairs<Cartesian_points<Epeck, 2>>(2); }
+
+BOOST_AUTO_TEST_CASE(callback_stops_all_threads)
+{
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, thread_count);
+  const auto points = make_points<Cartesian_points<Epick, 2>>(large_scene(2));
+  std::atomic<std::size_t> calls = 0;
+  const bool is_complete = CGAL::fixed_radius_near_neighbors<CGAL::Parallel_tag>(
+    points, CGAL::within_distance(1. / 64),
+    [&](std::size_t, std::size_t) { return ++calls < 100; });
+  BOOST_CHECK(!is_complete);
+  BOOST_CHECK_GE(calls, 100u);
+  BOOST_CHECK_LE(calls, 100u + thread_count - 1); // each thread is told at its next pair
+}
+
+BOOST_AUTO_TEST_CASE(exceptions_come_out)
+{
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, thread_count);
+  const auto points = make_points<Cartesian_points<Epick, 2>>(large_scene(2));
+  std::atomic<std::size_t> calls = 0;
+  BOOST_CHECK_THROW(CGAL::fixed_radius_near_neighbors<CGAL::Parallel_tag>(
+                      points, CGAL::within_distance(1. / 64),
+                      [&](std::size_t, std::size_t) {
+                        if(++calls == 1000)
+                          throw std::runtime_error("enough");
+                      }),
+                    std::runtime_error);
+}
+
+BOOST_AUTO_TEST_CASE(progress_comes_in_order)
+{
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, thread_count);
+  const auto points = make_points<Cartesian_points<Epick, 2>>(large_scene(2));
+  double last = 0;
+  bool is_ordered = true;
+  CGAL::fixed_radius_near_neighbors<CGAL::Parallel_tag>(
+    points, CGAL::within_distance(1. / 64), [](std::size_t, std::size_t) {},
+    CGAL::parameters::callback([&](double done) {
+      is_ordered = is_ordered && done >= last;
+      last = done;
+      return true;
+    }));
+  BOOST_CHECK(is_ordered);
+  BOOST_CHECK_EQUAL(last, 1);
+}

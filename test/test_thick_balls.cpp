@@ -1,0 +1,138 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Balls with individual radii, on the kernels: against all pairs tested in exact rational numbers.
+
+#define BOOST_TEST_MODULE thick_balls
+#include "support/kernels.h"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Thick_ball_traits_d.h>
+#include <CGAL/thick_intersection_d.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <random>
+
+using namespace test_support;
+
+using Double_kernel = CGAL::Simple_cartesian<double>;
+using Rational_kernel = CGAL::Simple_cartesian<CGAL::Exact_rational>;
+using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
+
+namespace {
+
+Pairs between(const Pairs& pairs, std::size_t first_set_size)
+{
+  Pairs result;
+  for(const Pair& p : pairs)
+    if(p.first < first_set_size && p.second >= first_set_size)
+      result.push_back(p);
+  return result;
+}
+
+struct Number_ball
+{
+  Coordinates centre;
+  double radius;
+};
+
+template <int Dimension>
+std::vector<Number_ball> random_balls(double unit)
+{
+  std::mt19937_64 random(19);
+  std::vector<Number_ball> balls;
+  for(int i = 0; i < 300; ++i) {
+    Coordinates c;
+    for(int k = 0; k < Dimension; ++k)
+      c.push_back(unit * (static_cast<double>(random() % (Dimension == 2 ? 40 : 16)) - 8));
+    balls.push_back({c, unit * static_cast<double>(random() % 6)});
+  }
+  return balls;
+}
+
+// Are the balls closer than the sum of their radii, tangent, or apart? In exact rationals.
+int compare_distance_with_radii(const Number_ball& a, const Number_ball& b)
+{
+  CGAL::Exact_rational squared_distance(0);
+  for(std::size_t i = 0; i < a.centre.size(); ++i) {
+    const CGAL::Exact_rational d
+      = CGAL::Exact_rational(a.centre[i]) - CGAL::Exact_rational(b.centre[i]);
+    squared_distance += d * d;
+  }
+  const CGAL::Exact_rational sum = CGAL::Exact_rational(a.radius) + CGAL::Exact_rational(b.radius);
+  return CGAL::compare(squared_distance, CGAL::Exact_rational(sum * sum));
+}
+
+template <class Maker, class Kernel>
+void check_balls(const std::vector<Number_ball>& balls, const Pairs& expected)
+{
+  using Ball = std::pair<typename Maker::Point, typename Kernel::FT>;
+  std::vector<Ball> objects;
+  for(const Number_ball& ball : balls)
+    objects.emplace_back(Maker::make(ball.centre), typename Kernel::FT(ball.radius));
+  const CGAL::Thick_ball_traits_d<typename Maker::Point> traits(objects);
+
+  Pairs found;
+  CGAL::thick_self_intersection_d(
+    objects, [&](std::size_t i, std::size_t j) { found.emplace_back(i, j); },
+    CGAL::parameters::geom_traits(traits));
+  const Pairs_difference one_set = compare(expected, found);
+  BOOST_CHECK_MESSAGE(one_set.empty(), "one set: " << one_set);
+
+  const std::vector<Ball> a(objects.begin(), objects.begin() + 150);
+  const std::vector<Ball> b(objects.begin() + 150, objects.end());
+  const CGAL::Thick_ball_traits_d<typename Maker::Point> traits_of_both(a, b);
+  Pairs found_between;
+  CGAL::thick_intersection_d(
+    a, b, [&](std::size_t i, std::size_t j) { found_between.emplace_back(i, 150 + j); },
+    CGAL::parameters::geom_traits(traits_of_both));
+  const Pairs_difference two_sets = compare(between(expected, 150), found_between);
+  BOOST_CHECK_MESSAGE(two_sets.empty(), "two sets: " << two_sets);
+}
+
+template <int Dimension>
+void check_balls_on_kernels()
+{
+  for(const double unit : {1., 0.1, 1e-170, 1e170}) {
+    const std::vector<Number_ball> balls = random_balls<Dimension>(unit);
+    Pairs expected;
+    std::size_t tangent = 0;
+    for(std::size_t i = 0; i < balls.size(); ++i)
+      for(std::size_t j = i + 1; j < balls.size(); ++j) {
+        const int sign = compare_distance_with_radii(balls[i], balls[j]);
+        if(sign <= 0)
+          expected.emplace_back(i, j);
+        tangent += sign == 0;
+      }
+    BOOST_CHECK_GT(tangent, unit == 1 ? 50u : 0u);
+    check_balls<Cartesian_points<Double_kernel, Dimension>, Double_kernel>(balls, expected);
+    check_balls<Cartesian_points<Epick, Dimension>, Epick>(balls, expected);
+    check_balls<Cartesian_points<Epeck, Dimension>, Epeck>(balls, expected);
+    check_balls<Cartesian_points<Rational_kernel, Dimension>, Rational_kernel>(balls, expected);
+  }
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(balls_2) { check_balls_on_kernels<2>(); }
+BOOST_AUTO_TEST_CASE(balls_3) { check_balls_on_kernels<3>(); }
+
+BOOST_AUTO_TEST_CASE(bad_radii_are_refused_by_position)
+{
+  using Ball = std::pair<Epick::Point_2, double>;
+  for(const double bad : {-1., std::numeric_limits<double>::quiet_NaN(),
+                          std::numeric_limits<double>::infinity()}) {
+    const std::vector<Ball> balls = {{Epick::Point_2(0, 0), 1}, {Epick::Point_2(0, 0), bad}};
+    const CGAL::Thick_ball_traits_d<Epick::Point_2> traits(balls);
+    BOOST_CHECK_EXCEPTION(
+      CGAL::thick_self_intersection_d(balls, [](std::size_t, std::size_t) {},
+                                      CGAL::parameters::geom_traits(traits)),
+      std::invalid_argument, [](const std::invalid_argument& error) {
+        return std::string(error.what()).find("object 1") != std::string::npos;
+      });
+  }
+}
