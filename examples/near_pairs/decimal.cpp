@@ -1,0 +1,149 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Decimal text to exact numbers; see decimal.h.
+
+#include "decimal.h"
+
+#include <cstdint>
+#include <cstdlib>
+
+namespace near_pairs {
+namespace {
+
+// Moves the digits at the front of `text` to the end of `digits`; returns how many there were.
+int take_digits(std::string_view& text, std::string& digits)
+{
+  int count = 0;
+  while(!text.empty() && text.front() >= '0' && text.front() <= '9') {
+    digits.push_back(text.front());
+    text.remove_prefix(1);
+    ++count;
+  }
+  return count;
+}
+
+// Removes one sign from the front of `text`; returns whether it was a minus.
+bool take_sign(std::string_view& text)
+{
+  if(text.empty() || (text.front() != '-' && text.front() != '+'))
+    return false;
+  const bool negative = text.front() == '-';
+  text.remove_prefix(1);
+  return negative;
+}
+
+// Reads what follows the "e"; a value beyond 6 digits is out of range anyway.
+std::optional<int> parse_exponent(std::string_view text)
+{
+  const bool negative = take_sign(text);
+  std::string digits;
+  if(take_digits(text, digits) == 0 || !text.empty())
+    return std::nullopt;
+  digits.erase(0, digits.find_first_not_of('0'));
+  if(digits.size() > 6)
+    return std::nullopt;
+  const int value = std::atoi(digits.c_str());
+  return negative ? -value : value;
+}
+
+// Strips the zeros at both ends, so that the number has one form only.
+void normalize(Decimal& decimal)
+{
+  const std::size_t last = decimal.digits.find_last_not_of('0');
+  if(last == std::string::npos) {
+    decimal = Decimal();
+    return;
+  }
+  decimal.exponent += static_cast<int>(decimal.digits.size() - 1 - last);
+  decimal.digits.erase(last + 1);
+  decimal.digits.erase(0, decimal.digits.find_first_not_of('0'));
+}
+
+} // namespace
+
+std::optional<Decimal> parse_decimal(std::string_view text)
+{
+  Decimal decimal;
+  decimal.negative = take_sign(text);
+  int count = take_digits(text, decimal.digits);
+  if(!text.empty() && text.front() == '.') {
+    text.remove_prefix(1);
+    const int decimals = take_digits(text, decimal.digits);
+    decimal.exponent = -decimals;
+    count += decimals;
+  }
+  if(count == 0)
+    return std::nullopt;
+  if(!text.empty()) {
+    if(text.front() != 'e' && text.front() != 'E')
+      return std::nullopt;
+    const std::optional<int> exponent = parse_exponent(text.substr(1));
+    if(!exponent)
+      return std::nullopt;
+    decimal.exponent += *exponent;
+  }
+  normalize(decimal);
+  if(decimal.exponent < -largest_exponent || decimal.exponent > largest_exponent)
+    return std::nullopt;
+  return decimal;
+}
+
+std::optional<CGAL::Exact_rational> parse_exact(std::string_view text)
+{
+  const std::size_t slash = text.find('/');
+  const std::optional<Decimal> numerator = parse_decimal(trimmed(text.substr(0, slash)));
+  if(!numerator)
+    return std::nullopt;
+  if(slash == std::string_view::npos)
+    return to_rational(*numerator);
+  const std::optional<Decimal> denominator = parse_decimal(trimmed(text.substr(slash + 1)));
+  if(!denominator || denominator->digits.empty())
+    return std::nullopt;
+  return CGAL::Exact_rational(to_rational(*numerator) / to_rational(*denominator));
+}
+
+CGAL::Exact_rational power_of_ten(int exponent)
+{
+  const CGAL::Exact_rational power("1" + std::string(std::abs(exponent), '0'));
+  return exponent < 0 ? CGAL::Exact_rational(1 / power) : power;
+}
+
+CGAL::Exact_rational to_rational(const Decimal& decimal)
+{
+  if(decimal.digits.empty())
+    return CGAL::Exact_rational(0);
+  const CGAL::Exact_rational digits(decimal.digits);
+  const CGAL::Exact_rational value = digits * power_of_ten(decimal.exponent);
+  return decimal.negative ? CGAL::Exact_rational(-value) : value;
+}
+
+std::optional<double> scaled_to_double(const Decimal& decimal, int scale)
+{
+  const int zeros = decimal.exponent + scale;
+  if(decimal.digits.empty())
+    return 0.;
+  if(zeros < 0 || decimal.digits.size() + zeros > 16) // 2^53 has 16 digits
+    return std::nullopt;
+  const std::string text = decimal.digits + std::string(zeros, '0');
+  const std::uint64_t value = std::strtoull(text.c_str(), nullptr, 10);
+  if(value > (std::uint64_t(1) << 53))
+    return std::nullopt;
+  const double magnitude = static_cast<double>(value);
+  return decimal.negative ? -magnitude : magnitude;
+}
+
+double nearest_double(std::string_view text)
+{
+  return std::strtod(std::string(text).c_str(), nullptr); // the locale is "C": nobody sets another
+}
+
+std::string_view trimmed(std::string_view text)
+{
+  const std::size_t first = text.find_first_not_of(" \t\r");
+  if(first == std::string_view::npos)
+    return std::string_view();
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+} // namespace near_pairs

@@ -1,0 +1,179 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The command line; see options.h.
+
+#include "options.h"
+
+#include "decimal.h"
+#include "error.h"
+
+#include <boost/program_options.hpp>
+
+#include <algorithm>
+#include <initializer_list>
+#include <sstream>
+
+namespace near_pairs {
+namespace {
+
+namespace po = boost::program_options;
+
+void add_scene_options(po::options_description& all, Options& options)
+{
+  po::options_description scene("What is near");
+  scene.add_options()
+    ("distance", po::value<std::string>()->value_name("TEXT"),
+     "report pairs at most this far apart; a decimal or a quotient (0.1, 1e-3, 1/3), taken exactly")
+    ("squared-distance", po::value<std::string>()->value_name("TEXT"),
+     "the same, given by its square")
+    ("open", po::bool_switch(&options.open), "report strictly closer pairs only");
+  po::options_description points("How the file is read");
+  points.add_options()
+    ("dimension", po::value<int>(&options.dimension)->value_name("2|3"),
+     "use this many coordinates (default: all that the file has)")
+    ("columns", po::value<std::string>()->value_name("A,B[,C]"),
+     "CSV columns of the coordinates, by name or by number from 1 (default: x,y[,z], else lat* and "
+     "lon*); with --geographic latitude,longitude")
+    ("geographic", po::bool_switch(&options.geographic),
+     "latitude and longitude in degrees are put on a sphere of radius 6371008.8 m; the distance is "
+     "the straight chord in metres")
+    ("decimal", po::bool_switch(&options.decimal),
+     "take decimal coordinates exactly, as integers at one power of ten for the file, instead of "
+     "rounding each to a double");
+  all.add(scene).add(points);
+}
+
+void add_search_options(po::options_description& all, Options& options)
+{
+  po::options_description search("How the pairs are searched");
+  search.add_options()
+    ("kernel", po::value<std::string>(&options.kernel)->value_name("NAME"),
+     "double, epick (default), epeck, or exact: the CGAL kernel of the points")
+    ("parallel", po::bool_switch(&options.parallel), "use all cores");
+  po::options_description output("What is written");
+  output.add_options()
+    ("pairs", po::value<std::string>(&options.pairs)->value_name("FILE"),
+     "CSV of the pairs; - for the standard output")
+    ("picture", po::value<std::string>(&options.picture)->value_name("FILE.svg"),
+     "drawing of the scene and its pairs")
+    ("explain", po::bool_switch(&options.explain),
+     "print what the search found out about the scene")
+    ("progress", po::bool_switch(&options.progress), "show a percentage on the standard error")
+    ("help", po::bool_switch(&options.help), "print this text");
+  all.add(search).add(output);
+}
+
+// Spellings are exact and long, so that "-1" is a number and never an option.
+po::variables_map parse(int argc, const char* const* argv, const po::options_description& visible)
+{
+  using namespace po::command_line_style;
+  po::options_description all;
+  all.add(visible).add_options()("file", po::value<std::vector<std::string>>());
+  po::positional_options_description positional;
+  positional.add("file", -1);
+  po::variables_map map;
+  po::store(po::command_line_parser(argc, argv).options(all).positional(positional)
+              .style(allow_long | long_allow_adjacent | long_allow_next).run(), map);
+  po::notify(map);
+  return map;
+}
+
+void read_distance(const po::variables_map& map, Options& options)
+{
+  if(map.count("distance") + map.count("squared-distance") != 1)
+    throw Error("give one of --distance and --squared-distance");
+  options.squared = map.count("squared-distance") != 0;
+  const std::string name = options.squared ? "squared-distance" : "distance";
+  options.distance_text = map[name].as<std::string>();
+  const auto distance = parse_exact(trimmed(options.distance_text));
+  if(!distance)
+    throw Error("--" + name + ": '" + options.distance_text + "' is no number");
+  if(*distance < 0)
+    throw Error("--" + name + ": " + options.distance_text + " is negative");
+  options.distance = *distance;
+}
+
+void read_columns(const po::variables_map& map, Options& options)
+{
+  if(!map.count("columns"))
+    return;
+  std::istringstream list(map["columns"].as<std::string>());
+  for(std::string name; std::getline(list, name, ','); )
+    options.columns.emplace_back(trimmed(name));
+  const std::size_t most = options.geographic ? 2 : 3;
+  if(options.columns.size() < 2 || options.columns.size() > most)
+    throw Error(options.geographic ? "--columns needs two names with --geographic"
+                                   : "--columns needs two or three names");
+  const int given = static_cast<int>(options.columns.size());
+  if(!options.geographic && options.dimension != 0 && options.dimension != given)
+    throw Error("--columns and --dimension disagree");
+}
+
+void check_choices(const po::variables_map& map, const Options& options)
+{
+  const std::initializer_list<const char*> kernels = {"double", "epick", "epeck", "exact"};
+  if(std::find(kernels.begin(), kernels.end(), options.kernel) == kernels.end())
+    throw Error("--kernel: '" + options.kernel + "' is none of double, epick, epeck, exact");
+  if(map.count("dimension") && options.dimension != 2 && options.dimension != 3)
+    throw Error("--dimension: 2 or 3");
+  if(options.geographic && options.dimension == 2)
+    throw Error("--geographic is always in dimension 3");
+  if(options.geographic && options.decimal)
+    throw Error("--decimal is for coordinates in the file; those of --geographic are computed");
+  if((map.count("pairs") && options.pairs.empty()) ||
+     (map.count("picture") && options.picture.empty()))
+    throw Error("empty name of an output file");
+  if(!options.pairs.empty() && options.pairs == options.picture)
+    throw Error("--pairs and --picture name the same file");
+#ifndef CGAL_LINKED_WITH_TBB
+  if(options.parallel)
+    throw Error("--parallel: this program was built without TBB");
+#endif
+}
+
+// Boost's messages in one line each are good enough for what it finds by itself.
+Options parse_and_check(int argc, const char* const* argv)
+{
+  Options options;
+  po::options_description visible;
+  add_scene_options(visible, options);
+  add_search_options(visible, options);
+  const po::variables_map map = parse(argc, argv, visible);
+  if(options.help)
+    return options;
+  if(!map.count("file") || map["file"].as<std::vector<std::string>>().size() != 1)
+    throw Error("give one input file (--help lists the options)");
+  options.file = map["file"].as<std::vector<std::string>>().front();
+  read_distance(map, options);
+  check_choices(map, options);
+  read_columns(map, options);
+  return options;
+}
+
+} // namespace
+
+Options parse_options(int argc, const char* const* argv)
+{
+  try {
+    return parse_and_check(argc, argv);
+  }
+  catch(const po::error& error) {
+    throw Error(error.what());
+  }
+}
+
+std::string help_text()
+{
+  Options ignored;
+  po::options_description visible;
+  add_scene_options(visible, ignored);
+  add_search_options(visible, ignored);
+  std::ostringstream text;
+  text << "near_pairs [options] FILE\n"
+          "reports every pair of points of FILE (.csv, .xyz, .off, .ply, .tsp) within a distance.\n"
+       << visible << "\nExit status: 0, or 2 with one line on the standard error.\n";
+  return text.str();
+}
+
+} // namespace near_pairs

@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// What the user asked for on the command line, checked as far as that is possible without looking
+// at the file.
+
+#ifndef NEAR_PAIRS_OPTIONS_H
+#define NEAR_PAIRS_OPTIONS_H
+
+#include <CGAL/Exact_rational.h>
+
+#include <string>
+#include <vector>
+
+namespace near_pairs {
+
+struct Options
+{
+  std::string file;
+
+  std::string distance_text;     // as typed
+  CGAL::Exact_rational distance; // its exact value: the distance, or its square if `squared`
+  bool squared = false;
+  bool open = false;
+
+  int dimension = 0; // 0: what the file has
+  bool geographic = false;
+  std::vector<std::string> columns;
+  bool decimal = false;
+
+  std::string kernel = "epick";
+  bool parallel = false;
+
+  std::string pairs;   // file name, "-" for the standard output, or empty
+  std::string picture; // file name, or empty
+  bool explain = false;
+  bool progress = false;
+  bool help = false;
+};
+
+// Throws Error if the command line cannot be used. With --help, nothing else is checked.
+Options parse_options(int argc, const char* const* argv);
+
+std::string help_text();
+
+} // namespace near_pairs
+
+#endif // NEAR_PAIRS_OPTIONS_H

@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Atomic output files and the table of pairs; see outputs.h.
+
+#include "outputs.h"
+
+#include "error.h"
+
+#include <cerrno>
+#include <cstring>
+#include <iostream>
+#include <random>
+#include <system_error>
+
+namespace near_pairs {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A field of a CSV file, in quotes if it needs them.
+std::string csv_field(const std::string& text)
+{
+  if(text.find_first_of(",\"\r\n") == std::string::npos)
+    return text;
+  std::string quoted = "\"";
+  for(char letter : text)
+    quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+  return quoted + "\"";
+}
+
+} // namespace
+
+Output_file::Output_file(const std::string& file, const std::string& input)
+  : name_(file)
+{
+  std::error_code ignored;
+  if(file == "-")
+    return;
+  if(fs::is_directory(file, ignored))
+    throw Error(file, "is a directory");
+  if(fs::equivalent(file, input, ignored))
+    throw Error(file, "is the input file");
+  target_ = fs::weakly_canonical(file, ignored); // a link stays one: its target is replaced
+  if(target_.empty())
+    target_ = file;
+  if(fs::exists(target_, ignored)) {
+    file_.open(target_, std::ios::app); // changes nothing: asks whether it may be replaced
+    if(!file_)
+      throw Error(file, std::strerror(errno));
+    if(!fs::is_regular_file(target_, ignored))
+      return;
+    file_.close();
+  }
+  open_temporary();
+}
+
+void Output_file::open_temporary()
+{
+  std::random_device random;
+  std::error_code ignored;
+  do {
+    temporary_ = target_;
+    temporary_ += ".part" + std::to_string(random());
+  } while(fs::exists(temporary_, ignored));
+  file_.open(temporary_);
+  if(!file_)
+    throw Error(name_, std::strerror(errno));
+}
+
+Output_file::~Output_file()
+{
+  if(temporary_.empty())
+    return;
+  file_.close();
+  std::error_code ignored;
+  fs::remove(temporary_, ignored);
+}
+
+std::ostream& Output_file::stream()
+{
+  return name_ == "-" ? std::cout : file_;
+}
+
+void Output_file::commit()
+{
+  stream().flush();
+  if(name_ != "-")
+    file_.close();
+  if(!stream())
+    throw Error(name_, "cannot be written to its end");
+  if(temporary_.empty())
+    return;
+  std::error_code error;
+  fs::rename(temporary_, target_, error);
+  if(error)
+    throw Error(name_, error.message());
+  temporary_.clear();
+}
+
+Pair_table::Pair_table(std::ostream& stream, const Scene& scene)
+  : stream_(stream), scene_(scene)
+{
+  stream_.precision(10);
+  stream_ << (scene.ids.empty() ? "i,j,distance\n" : "i,j,id_i,id_j,distance\n");
+}
+
+void Pair_table::add(std::size_t i, std::size_t j)
+{
+  stream_ << i << ',' << j << ',';
+  if(!scene_.ids.empty())
+    stream_ << csv_field(scene_.ids[i]) << ',' << csv_field(scene_.ids[j]) << ',';
+  stream_ << scene_.distance(i, j) << '\n';
+}
+
+} // namespace near_pairs

@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Files that appear whole or not at all, and the table of pairs.
+
+#ifndef NEAR_PAIRS_OUTPUTS_H
+#define NEAR_PAIRS_OUTPUTS_H
+
+#include "point_file.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <ostream>
+#include <string>
+
+namespace near_pairs {
+
+// Writes to a temporary file in the same directory, which takes the wanted name when commit() is
+// called, and is removed if it is not. "-" is the standard output; a device is written directly.
+class Output_file
+{
+public:
+  // Throws Error if the file cannot be written, or if it is the input file.
+  Output_file(const std::string& file, const std::string& input);
+  Output_file(const Output_file&) = delete;
+  Output_file& operator=(const Output_file&) = delete;
+  ~Output_file();
+
+  std::ostream& stream();
+
+  // Throws Error if something could not be written, and leaves no file then.
+  void commit();
+
+private:
+  void open_temporary();
+
+  std::string name_; // as the user wrote it
+  std::filesystem::path target_;
+  std::filesystem::path temporary_; // empty if the target is written directly
+  std::ofstream file_;
+};
+
+// CSV of pairs: positions, ids if the scene has them, and the distance rounded for reading.
+class Pair_table
+{
+public:
+  Pair_table(std::ostream& stream, const Scene& scene);
+
+  void add(std::size_t i, std::size_t j);
+
+private:
+  std::ostream& stream_;
+  const Scene& scene_;
+};
+
+} // namespace near_pairs
+
+#endif // NEAR_PAIRS_OUTPUTS_H

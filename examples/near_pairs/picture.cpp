@@ -1,0 +1,247 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// SVG drawing; see picture.h.
+
+#include "picture.h"
+
+#include <CGAL/number_utils.h> // to_double
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <map>
+
+namespace near_pairs {
+namespace {
+
+// Colours of Okabe and Ito, which colour-blind people can tell apart too.
+const char* const pair_colour = "#D55E00";
+const char* const inset_colour = "#0072B2";
+const char* const point_colour = "#555555";
+
+constexpr double main_left = 96, main_top = 64, main_width = 600, main_height = 520;
+constexpr double caption_width = 500, legend_width = 330, inset_side = 300;
+constexpr double shortest_line = 6;           // pixels: a shorter pair is a mark
+constexpr std::size_t most_lines = 20000;     // more cannot be told apart anyway
+constexpr std::ptrdiff_t most_inset_points = 250;
+const double degree = std::acos(-1.) / 180;
+
+// Where a point is drawn: at its x and y, or at its longitude and latitude.
+Position position_of(const Scene& scene, std::size_t i, bool geographic)
+{
+  const double x = scene.coordinate(i, 0), y = scene.coordinate(i, 1);
+  if(!geographic)
+    return {x, y};
+  const double z = scene.coordinate(i, 2);
+  return {std::atan2(y, x) / degree, std::atan2(z, std::hypot(x, y)) / degree};
+}
+
+} // namespace
+
+Picture::Picture(const Scene& scene, const Options& options, const std::string& distance)
+  : title_("Pairs of points of " + std::filesystem::path(options.file).filename().string()),
+    caption_("distance " + distance), unit_(scene.unit), geographic_(options.geographic),
+    reach_(CGAL::to_double(options.distance)), units_per_position_(1)
+{
+  if(options.squared)
+    reach_ = std::sqrt(reach_);
+  if(geographic_) { // lengths are drawn along the surface, in degrees
+    reach_ = 2 * std::asin(std::min(1., reach_ / (2 * earth_radius))) / degree;
+    units_per_position_ = earth_radius * degree;
+  }
+  positions_.reserve(scene.size());
+  for(std::size_t i = 0; i < scene.size(); ++i)
+    positions_.push_back(position_of(scene, i, geographic_));
+  const bool is_map = geographic_ || unit_ == "deg";
+  axis_names_[0] = is_map ? "longitude (deg)" : scene.names[0];
+  axis_names_[1] = is_map ? "latitude (deg)" : scene.names[1];
+  if(scene.dimension == 3)
+    caption_ += geographic_ ? ", along the chord" : ", in space; drawn without z";
+  place_main_panel();
+  has_inset_ = !positions_.empty() && reach_ > 0 && reach_ * main_.y_scale < shortest_line;
+  if(has_inset_)
+    place_inset();
+}
+
+// How many times shorter a degree of longitude is than a degree of latitude.
+double Picture::aspect_at(double latitude) const
+{
+  return geographic_ ? std::max(0.05, std::cos(latitude * degree)) : 1;
+}
+
+void Picture::place_main_panel()
+{
+  Position low = {0, 0}, high = {0, 0};
+  if(!positions_.empty())
+    low = high = positions_.front();
+  double latitudes = 0;
+  for(const Position& p : positions_) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    latitudes += p.y;
+  }
+  const double aspect = aspect_at(latitudes / std::max<std::size_t>(positions_.size(), 1));
+  const double width = (high.x - low.x) * aspect, height = high.y - low.y;
+  double extent = std::max(width, height);
+  if(extent == 0)
+    extent = std::max({1., std::abs(low.x), std::abs(low.y)});
+  const double x_room = (std::max(width, extent / 4) - width) / 2 + extent / 30;
+  const double y_room = (std::max(height, extent / 4) - height) / 2 + extent / 30;
+  main_.low = {low.x - x_room / aspect, low.y - y_room};
+  main_.high = {high.x + x_room / aspect, high.y + y_room};
+  main_.y_scale = std::min(main_width / (width + 2 * x_room), main_height / (height + 2 * y_room));
+  main_.x_scale = main_.y_scale * aspect;
+  main_.left = main_left;
+  main_.top = main_top;
+}
+
+// Takes a window of 16 distances, and smaller ones until the points can be told apart.
+void Picture::place_inset()
+{
+  for(double side = 16 * reach_; ; side /= 2) {
+    const Position centre = densest_place(side / 4);
+    const double aspect = aspect_at(centre.y);
+    inset_.low = {centre.x - side / aspect / 2, centre.y - side / 2};
+    inset_.high = {centre.x + side / aspect / 2, centre.y + side / 2};
+    inset_.y_scale = inset_side / side;
+    inset_.x_scale = inset_.y_scale * aspect;
+    const auto count = std::count_if(positions_.begin(), positions_.end(),
+                                     [&](Position p) { return inset_.shows(p); });
+    if(count <= most_inset_points || side <= 6 * reach_)
+      break;
+  }
+  inset_.left = legend_left();
+  inset_.top = main_top;
+}
+
+// The mean of the points in the fullest cell of a grid with this side.
+Position Picture::densest_place(double side) const
+{
+  const double aspect = aspect_at(main_.centre().y);
+  const auto cell = [&](Position p) {
+    return std::make_pair(std::floor(p.x * aspect / side), std::floor(p.y / side));
+  };
+  std::map<std::pair<double, double>, std::size_t> counts;
+  for(const Position& p : positions_)
+    ++counts[cell(p)];
+  const auto fullest = std::max_element(counts.begin(), counts.end(),
+    [](const auto& a, const auto& b) { return a.second < b.second; });
+  Position sum = {0, 0};
+  for(const Position& p : positions_)
+    if(cell(p) == fullest->first)
+      sum = {sum.x + p.x, sum.y + p.y};
+  return {sum.x / fullest->second, sum.y / fullest->second};
+}
+
+void Picture::add_pair(std::size_t i, std::size_t j)
+{
+  ++pairs_;
+  if(!has_inset_) {
+    if(main_pairs_.size() < most_lines)
+      main_pairs_.emplace_back(i, j);
+    return;
+  }
+  const Position mark = main_.place(positions_[i]);
+  marks_.insert(pixels({std::round(mark.x), std::round(mark.y)}));
+  if((inset_.shows(positions_[i]) || inset_.shows(positions_[j])) &&
+     inset_pairs_.size() < most_lines)
+    inset_pairs_.emplace_back(i, j);
+}
+
+double Picture::legend_left() const
+{
+  return main_left + std::max(main_.width(), caption_width) + 44;
+}
+
+double Picture::bottom() const
+{
+  const double legend = has_inset_ ? inset_.bottom() + 150 : main_top + 100;
+  return std::max(main_.bottom() + 56, legend);
+}
+
+void Picture::write(std::ostream& svg) const
+{
+  const double right = legend_left() + legend_width;
+  svg << "<svg xmlns='http://www.w3.org/2000/svg' width='" << right << "' height='" << bottom()
+      << "' viewBox='0 0 " << right << ' ' << bottom()
+      << "' font-family='sans-serif' font-size='13' fill='#222'>\n"
+      << "<rect width='100%' height='100%' fill='white'/>\n<defs><clipPath id='inset'><rect x='"
+      << legend_left() << "' y='" << main_top << "' width='" << inset_side << "' height='"
+      << inset_side << "'/></clipPath></defs>\n";
+  write_text(svg, {main_left, 30}, title_, "font-size='19'");
+  write_text(svg, {main_left, 51}, "n = " + std::to_string(positions_.size()) + " points, k = "
+             + std::to_string(pairs_) + " pairs, " + caption_);
+  write_axes(svg, main_, axis_names_[0], axis_names_[1]);
+  if(has_inset_) {
+    write_points(svg, main_, 1.6);
+    write_dots(svg, marks_, pair_colour, 3);
+    write_inset(svg);
+  }
+  else {
+    write_pairs(svg, main_, main_pairs_);
+    write_points(svg, main_, 3);
+  }
+  write_legend(svg);
+  svg << "</svg>\n";
+}
+
+void Picture::write_points(std::ostream& svg, const Panel& panel, double size) const
+{
+  std::set<std::string> places;
+  for(const Position& p : positions_)
+    if(panel.shows(p))
+      places.insert(pixels(panel.place(p)));
+  write_dots(svg, places, point_colour, size);
+}
+
+// A pair across the 180th meridian would run around the map: it is left out.
+void Picture::write_pairs(std::ostream& svg, const Panel& panel, const Pairs& pairs) const
+{
+  svg << "<path fill='none' stroke-opacity='0.7' stroke='" << pair_colour << "' d='";
+  for(const auto& [i, j] : pairs)
+    if(!geographic_ || std::abs(positions_[i].x - positions_[j].x) < 180)
+      svg << 'M' << pixels(panel.place(positions_[i])) << 'L'
+          << pixels(panel.place(positions_[j]));
+  svg << "'/>\n";
+}
+
+void Picture::write_inset(std::ostream& svg) const
+{
+  const Position centre = main_.place(inset_.centre());
+  svg << "<circle cx='" << centre.x << "' cy='" << centre.y << "' r='9' fill='none' stroke='"
+      << inset_colour << "' stroke-width='2'/>\n<g clip-path='url(#inset)'>\n";
+  write_pairs(svg, inset_, inset_pairs_);
+  write_points(svg, inset_, 3);
+  svg << "</g>\n";
+  write_frame(svg, inset_, inset_colour);
+  write_scale_bar(svg, inset_, units_per_position_, unit_);
+  write_text(svg, {inset_.left, main_top - 13}, "detail around "
+             + short_number(inset_.centre().x, 6) + ", " + short_number(inset_.centre().y, 6));
+}
+
+void Picture::write_legend(std::ostream& svg) const
+{
+  const double x = legend_left() + 12;
+  double y = has_inset_ ? inset_.bottom() + 50 : main_top + 10;
+  const auto row = [&](const std::string& shape, const std::string& text) {
+    svg << "<g transform='translate(" << x << ' ' << y << ")'>" << shape << "</g>\n";
+    write_text(svg, {x + 22, y + 5}, text);
+    y += 24;
+  };
+  const std::string orange = std::string(" stroke='") + pair_colour + "'";
+  row(std::string("<circle r='1.6' fill='") + point_colour + "'/>", "point");
+  if(has_inset_)
+    row("<path d='M0 0h0' stroke-linecap='round' stroke-width='5'" + orange + "/>",
+        "place with at least one pair");
+  row("<path d='M-10 0h20' stroke-width='1.5'" + orange + "/>",
+      has_inset_ ? "pair, in the detail" : "pair");
+  if(has_inset_)
+    row(std::string("<circle r='9' fill='none' stroke-width='2' stroke='") + inset_colour + "'/>",
+        "the densest place, in the detail");
+  if(pairs_ > most_lines && (main_pairs_.size() == most_lines || inset_pairs_.size() == most_lines))
+    write_text(svg, {x - 12, y + 5}, "only " + std::to_string(most_lines) + " lines are drawn");
+}
+
+} // namespace near_pairs

@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The scene and its pairs as an SVG drawing, seen from above: x and y, or longitude and latitude.
+// Where pairs are too short to be seen they become marks, and an inset shows the densest place.
+
+#ifndef NEAR_PAIRS_PICTURE_H
+#define NEAR_PAIRS_PICTURE_H
+
+#include "options.h"
+#include "point_file.h"
+#include "svg.h"
+
+#include <cstddef>
+#include <ostream>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace near_pairs {
+
+class Picture
+{
+public:
+  Picture(const Scene& scene, const Options& options, const std::string& distance);
+
+  // Remembers what is to be drawn of the pair: the size of the drawing is bounded.
+  void add_pair(std::size_t i, std::size_t j);
+
+  void write(std::ostream& svg) const;
+
+private:
+  using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
+
+  double legend_left() const;
+  double bottom() const;
+  void place_main_panel();
+  void place_inset();
+  Position densest_place(double side) const;
+  double aspect_at(double latitude) const;
+
+  void write_points(std::ostream& svg, const Panel& panel, double size) const;
+  void write_pairs(std::ostream& svg, const Panel& panel, const Pairs& pairs) const;
+  void write_inset(std::ostream& svg) const;
+  void write_legend(std::ostream& svg) const;
+
+  std::string title_, caption_;
+  std::string axis_names_[2];
+  std::string unit_;          // of the scale bar
+  bool geographic_;
+  double reach_;              // the distance, in the unit of the positions
+  double units_per_position_; // of the distance: metres in a degree, or 1
+  std::vector<Position> positions_;
+
+  Panel main_;
+  bool has_inset_ = false;
+  Panel inset_;
+  std::size_t pairs_ = 0;
+  std::set<std::string> marks_; // pixels of the main panel, if there is an inset
+  Pairs main_pairs_;            // lines of the main panel, if there is none
+  Pairs inset_pairs_;
+};
+
+} // namespace near_pairs
+
+#endif // NEAR_PAIRS_PICTURE_H

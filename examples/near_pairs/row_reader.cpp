@@ -1,0 +1,186 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The formats whose numbers are separated by blanks, .xyz and .tsp, and the choice of a format; see
+// row_reader.h.
+
+#include "row_reader.h"
+
+#include "csv_reader.h"
+#include "decimal.h"
+#include "error.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <sstream>
+
+namespace near_pairs {
+namespace {
+
+std::string plural(std::size_t count, const std::string& word)
+{
+  return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
+}
+
+// The numbers of a point on each line; lines that begin with # and blank lines are skipped.
+class Xyz_reader : public Row_reader
+{
+public:
+  explicit Xyz_reader(const Options& options)
+    : lines_(options.file)
+  {
+    dimension = options.dimension == 0 ? 3 : options.dimension;
+  }
+
+  bool next(Row& row) override
+  {
+    for(std::string line; lines_.next(line); ) {
+      const std::vector<std::string> texts = words(line);
+      if(texts.empty() || texts.front().front() == '#')
+        continue;
+      if(texts.size() < std::size_t(dimension))
+        throw Error(lines_.file(), lines_.number(), plural(texts.size(), "number")
+                    + " where " + std::to_string(dimension) + " are needed");
+      row.line = lines_.number();
+      std::copy_n(texts.begin(), dimension, row.coordinates.begin());
+      return true;
+    }
+    return false;
+  }
+
+private:
+  Lines lines_;
+};
+
+// TSPLIB: a head of "KEY : value" lines, then NODE_COORD_SECTION with a node number and its
+// coordinates on each line, up to EOF or the next section.
+class Tsp_reader : public Row_reader
+{
+public:
+  explicit Tsp_reader(const Options& options)
+    : lines_(options.file)
+  {
+    read_head();
+    more_ = lines_.next(line_);
+    const std::size_t in_file = std::max<std::size_t>(words(line_).size(), 1) - 1;
+    dimension = in_file == 3 ? 3 : 2;
+    if(options.dimension > dimension)
+      throw Error(options.file, lines_.number(), "the nodes have no third coordinate");
+    words_per_node_ = 1 + dimension;
+    if(options.dimension != 0)
+      dimension = options.dimension;
+  }
+
+  bool next(Row& row) override
+  {
+    const std::vector<std::string> texts = words(line_);
+    if(!more_ || texts.empty() || is_end(texts.front())) {
+      check_count();
+      return false;
+    }
+    if(texts.size() != words_per_node_)
+      throw Error(lines_.file(), lines_.number(), plural(texts.size(), "word")
+                  + " where a node has " + std::to_string(words_per_node_));
+    row.line = lines_.number();
+    std::copy_n(texts.begin() + 1, dimension, row.coordinates.begin());
+    ++count_;
+    more_ = lines_.next(line_);
+    return true;
+  }
+
+private:
+  void read_head()
+  {
+    while(lines_.next(line_)) {
+      const std::string key = line_.substr(0, line_.find(':'));
+      if(trimmed(key) == "NODE_COORD_SECTION")
+        return;
+      if(trimmed(key) == "DIMENSION" && key.size() < line_.size())
+        promised_ = std::strtoull(line_.c_str() + key.size() + 1, nullptr, 10);
+    }
+    throw Error(lines_.file(), "no NODE_COORD_SECTION");
+  }
+
+  static bool is_end(const std::string& word)
+  {
+    const std::string suffix = "_SECTION";
+    return word == "EOF" || word == "-1" ||
+      (word.size() > suffix.size() && word.substr(word.size() - suffix.size()) == suffix);
+  }
+
+  void check_count() const
+  {
+    if(promised_ != 0 && count_ != promised_)
+      throw Error(lines_.file(), lines_.number(), plural(count_, "node") + " where DIMENSION says "
+                  + std::to_string(promised_));
+  }
+
+  Lines lines_;
+  std::string line_; // the next one, if more_
+  bool more_ = false;
+  std::size_t words_per_node_ = 0;
+  std::size_t count_ = 0;
+  std::size_t promised_ = 0; // 0: the head does not say
+};
+
+} // namespace
+
+Lines::Lines(const std::string& file)
+  : file_(file), stream_(file, std::ios::binary)
+{
+  if(std::filesystem::is_directory(file))
+    throw Error(file, "is a directory");
+  if(!stream_)
+    throw Error(file, std::strerror(errno));
+}
+
+bool Lines::next(std::string& line)
+{
+  if(!std::getline(stream_, line)) {
+    if(stream_.bad())
+      throw Error(file_, "cannot be read to its end");
+    return false;
+  }
+  ++number_;
+  if(!line.empty() && line.back() == '\r')
+    line.pop_back();
+  return true;
+}
+
+std::unique_ptr<Row_reader> open_rows(const Options& options)
+{
+  const std::string format = extension(options.file);
+  if(format == ".csv")
+    return std::make_unique<Csv_reader>(options);
+  if(options.geographic || !options.columns.empty())
+    throw Error(options.file, std::string(options.geographic ? "--geographic" : "--columns")
+                + " needs a .csv file");
+  if(format == ".xyz")
+    return std::make_unique<Xyz_reader>(options);
+  if(format == ".tsp")
+    return std::make_unique<Tsp_reader>(options);
+  throw Error(options.file, "unknown format (known are .csv, .xyz, .off, .ply and .tsp)");
+}
+
+std::string extension(const std::string& file)
+{
+  std::string format = std::filesystem::path(file).extension().string();
+  for(char& letter : format)
+    letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  return format;
+}
+
+std::vector<std::string> words(const std::string& line)
+{
+  std::istringstream stream(line);
+  std::vector<std::string> result;
+  for(std::string word; stream >> word; )
+    result.push_back(word);
+  return result;
+}
+
+} // namespace near_pairs

@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Text files of points, one row at a time: where the numbers of each point stand, as text, and on
+// which line. What the text means is left to point_file.cpp.
+
+#ifndef NEAR_PAIRS_ROW_READER_H
+#define NEAR_PAIRS_ROW_READER_H
+
+#include "options.h"
+
+#include <array>
+#include <cstddef>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace near_pairs {
+
+struct Row
+{
+  std::size_t line = 0;
+  std::array<std::string, 3> coordinates; // as many as the reader's dimension
+  std::string id;                         // empty if the file has no ids
+};
+
+class Row_reader
+{
+public:
+  virtual ~Row_reader() = default;
+
+  // Reads the next row; returns false at the end.
+  virtual bool next(Row& row) = 0;
+
+  // Coordinates per row, known from the beginning.
+  int dimension = 0;
+
+  // Their names, for messages and axes, and their unit if the file tells it.
+  std::array<std::string, 3> names = {"x", "y", "z"};
+  std::string unit;
+
+  bool has_ids = false;
+};
+
+// The lines of a file, with their numbers and without line ends.
+class Lines
+{
+public:
+  explicit Lines(const std::string& file);
+
+  bool next(std::string& line);
+  std::size_t number() const { return number_; }
+  const std::string& file() const { return file_; }
+
+private:
+  std::string file_;
+  std::ifstream stream_;
+  std::size_t number_ = 0;
+};
+
+// Opens options.file by its extension: .csv, .xyz or .tsp.
+// With --geographic the coordinates of a row are latitude and longitude, in this order.
+std::unique_ptr<Row_reader> open_rows(const Options& options);
+
+// The extension of a file name, in lower case, with its point.
+std::string extension(const std::string& file);
+
+// The words of a line that is separated by blanks.
+std::vector<std::string> words(const std::string& line);
+
+} // namespace near_pairs
+
+#endif // NEAR_PAIRS_ROW_READER_H

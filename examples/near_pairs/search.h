@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The search, one function per kernel. Each is compiled in a file of its own from the template in
+// search_with_kernel.h.
+
+#ifndef NEAR_PAIRS_SEARCH_H
+#define NEAR_PAIRS_SEARCH_H
+
+#include "options.h"
+#include "point_file.h"
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <string>
+
+namespace near_pairs {
+
+struct Search_result
+{
+  std::size_t pairs = 0;
+  std::size_t on_boundary = 0; // pairs exactly at the distance, if the bound is closed
+  double seconds = 0;
+  std::string tier;            // the arithmetic that the scene needed
+  std::string profile;         // a description of the scene, with --explain
+};
+
+// Set this, also from a signal handler, to end a search early: it then throws Error.
+inline std::atomic<bool> stop_requested = false;
+
+// Receives each pair once, i < j. It is never called by two threads at once.
+using Pair_sink = std::function<void(std::size_t i, std::size_t j)>;
+
+Search_result search_double(const Scene& scene, const Options& options, const Pair_sink& sink);
+Search_result search_epick(const Scene& scene, const Options& options, const Pair_sink& sink);
+Search_result search_epeck(const Scene& scene, const Options& options, const Pair_sink& sink);
+Search_result search_exact(const Scene& scene, const Options& options, const Pair_sink& sink);
+
+} // namespace near_pairs
+
+#endif // NEAR_PAIRS_SEARCH_H

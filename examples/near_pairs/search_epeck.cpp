@@ -1,0 +1,18 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The search with lazily exact points, EPECK.
+
+#include "search_with_kernel.h"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+
+namespace near_pairs {
+
+Search_result search_epeck(const Scene& scene, const Options& options, const Pair_sink& sink)
+{
+  using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+  return search_with_kernel<Kernel>(scene, options, sink);
+}
+
+} // namespace near_pairs

@@ -1,0 +1,18 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The search with exact rational numbers in the points.
+
+#include "search_with_kernel.h"
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Simple_cartesian.h>
+
+namespace near_pairs {
+
+Search_result search_exact(const Scene& scene, const Options& options, const Pair_sink& sink)
+{
+  return search_with_kernel<CGAL::Simple_cartesian<CGAL::Exact_rational>>(scene, options, sink);
+}
+
+} // namespace near_pairs

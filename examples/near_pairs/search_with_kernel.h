@@ -1,0 +1,135 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The search of search.h for any CGAL kernel, in the plane and in space: this is where the library
+// is used.
+
+#ifndef NEAR_PAIRS_SEARCH_WITH_KERNEL_H
+#define NEAR_PAIRS_SEARCH_WITH_KERNEL_H
+
+#include "decimal.h"
+#include "error.h"
+#include "search.h"
+
+#include <CGAL/Distance_bound.h>
+#include <CGAL/Scene_profile.h>
+#include <CGAL/Thick_point_traits_d.h>
+#include <CGAL/fixed_radius_near_neighbors.h>
+#include <CGAL/tags.h>
+
+#include <chrono>
+#include <cstdio>
+#include <mutex>
+#include <sstream>
+#include <type_traits>
+#include <vector>
+
+namespace near_pairs {
+
+template <class FT>
+FT coordinate_as(const Scene& scene, std::size_t at)
+{
+  if constexpr(!std::is_floating_point_v<FT>)
+    if(!scene.exact.empty())
+      return FT(scene.exact[at]);
+  return FT(scene.doubles[at]);
+}
+
+template <class Kernel, int dimension>
+auto points_of(const Scene& scene)
+{
+  using FT = typename Kernel::FT;
+  using Point = std::conditional_t<dimension == 2, typename Kernel::Point_2,
+                                                   typename Kernel::Point_3>;
+  std::vector<Point> points;
+  points.reserve(scene.size());
+  for(std::size_t at = 0; at < scene.size() * dimension; at += dimension) {
+    const FT x = coordinate_as<FT>(scene, at), y = coordinate_as<FT>(scene, at + 1);
+    if constexpr(dimension == 2)
+      points.emplace_back(x, y);
+    else
+      points.emplace_back(x, y, coordinate_as<FT>(scene, at + 2));
+  }
+  return points;
+}
+
+// The bound that the user typed, in the unit of the coordinates of the scene.
+inline CGAL::Distance_bound<CGAL::Exact_rational> bound_of(const Scene& scene,
+                                                           const Options& options)
+{
+  const int exponent = options.squared ? 2 * scene.scale : scene.scale;
+  const CGAL::Exact_rational value = options.distance * power_of_ten(exponent);
+  const auto bound = options.squared ? CGAL::within_squared_distance(value)
+                                     : CGAL::within_distance(value);
+  return options.open ? bound.open() : bound;
+}
+
+// Shows the percentage that is done on the standard error.
+inline void show_progress(double done)
+{
+  const int percent = static_cast<int>(100 * done);
+  std::fprintf(stderr, "\r%3d %%%s", percent, percent >= 100 ? "\n" : "");
+}
+
+// Returns false iff the search was stopped.
+template <class Points, class Bound, class Callback>
+bool report_pairs(const Points& points, const Bound& bound, const Options& options,
+                  Callback& callback)
+{
+  const std::function<bool(double)> go_on = [&](double done) {
+    if(options.progress)
+      show_progress(done);
+    return !stop_requested;
+  };
+  const auto parameters = CGAL::parameters::callback(go_on);
+#ifdef CGAL_LINKED_WITH_TBB
+  using CGAL::Parallel_tag;
+  if(options.parallel)
+    return CGAL::fixed_radius_near_neighbors<Parallel_tag>(points, bound, callback, parameters);
+#endif
+  using CGAL::Sequential_tag;
+  return CGAL::fixed_radius_near_neighbors<Sequential_tag>(points, bound, callback, parameters);
+}
+
+template <class Point>
+Search_result search_points(const std::vector<Point>& points, const Scene& scene,
+                            const Options& options, const Pair_sink& sink)
+{
+  Search_result result;
+  const auto bound = bound_of(scene, options);
+  const CGAL::Thick_point_traits_d<Point> strict_traits(bound.open());
+  const auto is_closer = strict_traits.do_intersect_d_object();
+  std::mutex mutex; // the library may call from several threads
+  auto callback = [&](std::size_t i, std::size_t j) {
+    const bool is_on_boundary = !options.open && !is_closer(points[i], points[j]);
+    const std::lock_guard<std::mutex> lock(mutex);
+    ++result.pairs;
+    result.on_boundary += is_on_boundary;
+    sink(i, j);
+  };
+
+  const CGAL::Scene_profile profile = CGAL::profile_scene(points, bound);
+  std::ostringstream tier, description;
+  tier << profile.tier();
+  description << profile;
+  result.tier = tier.str();
+  result.profile = description.str();
+
+  const auto start = std::chrono::steady_clock::now();
+  if(!report_pairs(points, bound, options, callback))
+    throw Error("stopped");
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+template <class Kernel>
+Search_result search_with_kernel(const Scene& scene, const Options& options, const Pair_sink& sink)
+{
+  if(scene.dimension == 2)
+    return search_points(points_of<Kernel, 2>(scene), scene, options, sink);
+  return search_points(points_of<Kernel, 3>(scene), scene, options, sink);
+}
+
+} // namespace near_pairs
+
+#endif // NEAR_PAIRS_SEARCH_WITH_KERNEL_H

@@ -1,0 +1,290 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Thick_intersection_d authors.
+# SPDX-License-Identifier: LGPL-3.0-or-later
+#
+# Checks the command line of the example near_pairs on small files that it writes itself, and on the
+# ship positions of examples/data.
+#
+#   check_near_pairs.sh BINARY DATA_DIR
+#
+# Prints a line per check and a count at the end; the status is 1 if a check failed.
+
+set -u
+
+if [ $# -ne 2 ]; then
+  echo "usage: $0 BINARY DATA_DIR" >&2
+  exit 2
+fi
+if [ ! -x "$1" ] || [ ! -d "$2" ]; then
+  echo "$0: $1 is no program, or $2 no directory" >&2
+  exit 2
+fi
+binary=$(realpath "$1")
+data=$(realpath "$2")
+ships=$data/ships_us_2022-01-03.csv
+directory=$(mktemp -d)
+trap 'rm -rf "$directory"' EXIT
+cd "$directory" || exit 2
+
+passed=0
+failed=0
+
+# verdict NAME TEST...: runs a test command and counts it.
+verdict() {
+  local name=$1
+  shift
+  if "$@"; then
+    passed=$((passed + 1))
+    echo "ok      $name"
+  else
+    failed=$((failed + 1))
+    echo "FAILED  $name"
+    sed 's/^/        stdout: /' out | head -n 5
+    sed 's/^/        stderr: /' err | head -n 5
+  fi
+}
+
+# run ARGUMENT...: runs the program; what it printed is in the files out and err.
+run() {
+  "$binary" "$@" > out 2> err
+  status=$?
+}
+
+# summary NAME: the value of a line of the summary.
+summary() {
+  sed -n "s/^$1  *//p" out
+}
+
+# The program must end well, with this number of pairs.
+expect_pairs() { # NAME PAIRS ARGUMENT...
+  local name=$1 pairs=$2
+  shift 2
+  run "$@"
+  verdict "$name: $pairs pairs" test "$status $(summary pairs)" = "0 $pairs"
+}
+
+expect_boundary() { # PAIRS
+  verdict "  of them on the boundary: $1" test "$(summary 'on boundary')" = "$1"
+}
+
+is_one_error() { # MESSAGE
+  [ "$status" -eq 2 ] && [ "$(wc -l < err)" -eq 1 ] && [ ! -s out ] &&
+    [ "$(head -c 12 err)" = "near_pairs: " ] && grep -qF -- "$1" err
+}
+
+# The program must end with status 2, exactly one line on stderr that has the message, and no output.
+expect_error() { # NAME MESSAGE ARGUMENT...
+  local name=$1 message=$2
+  shift 2
+  rm -f none.csv none.svg
+  run "$@" --pairs none.csv --picture none.svg
+  verdict "$name: $message" is_one_error "$message"
+  verdict "  and leaves no file" test -z "$(ls -A | grep -E 'none|part')"
+}
+
+sorted_pairs() { # FILE
+  tail -n +2 "$1" | cut -d, -f1,2 | sort
+}
+
+same_pairs() { # FILE FILE
+  [ "$(sorted_pairs "$1")" = "$(sorted_pairs "$2")" ]
+}
+
+# ---------------------------------------------------------------- small scenes
+
+{ echo x,y; for i in $(seq 0 99); do echo "$((i / 10)).$((i % 10)),0"; done; } > ties.csv
+printf 'x,y\n0,0\n2,3\n3,2\n10,10\n' > thirteen.csv
+printf 'x,y\n0,0\n1,0\n3,0\n' > thirds.csv
+printf 'id,x,y,z,note\n"a, b",0,0,0,"says ""hi"""\nc,1,0,0,"two\nlines"\nd,1,1,5,\n' > quoted.csv
+printf 'x,y\n' > empty.csv
+printf 'x,y\n1,2\n' > single.csv
+printf 'x,y\n7,7\n7,7\n7,7\n' > equal.csv
+printf '\xEF\xBB\xBFx,y\r\n0,0\r\n1,0\r\n' > windows.csv
+printf 'Latitude,Longitude\n90,0\n90,120\n0,179.9999999\n0,-179.9999999\n' > globe.csv
+printf '# two close points\n0 0 0 label\n\n\t0.5 0 0\n5 5 5\n' > points.xyz
+printf 'OFF\n3 0 0\n0 0 0\n0.5 0 0\n5 5 5\n' > points.off
+printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\n%s\n' \
+       $'property double z\nend_header\n0 0 0\n0.5 0 0\n5 5 5' > points.ply
+printf 'NAME : t\nTYPE : TSP\nDIMENSION : 3\nEDGE_WEIGHT_TYPE : EUC_2D\nNODE_COORD_SECTION\n%s\n' \
+       $'1 0 0\n2 5e-1 0\n3 5 5\nEOF' > points.tsp
+
+expect_pairs "tenths as decimals, closed" 99 ties.csv --decimal --distance 0.1
+expect_boundary 99
+expect_pairs "tenths as decimals, open" 0 ties.csv --decimal --distance 0.1 --open
+expect_pairs "tenths as decimals, distance 1/10" 99 ties.csv --decimal --distance 1/10
+expect_pairs "tenths as decimals, distance 1e-1" 99 ties.csv --decimal --distance 1e-1
+expect_pairs "tenths as decimals, a hair less" 0 ties.csv --decimal --distance 0.0999999999999999999999
+expect_pairs "tenths as decimals, squared distance" 99 ties.csv --decimal --squared-distance 0.01
+run ties.csv --distance 0.1
+verdict "tenths as doubles are not all within one tenth" test "$status" -eq 0 -a "$(summary pairs)" -lt 99
+
+# The same from the definition: a double is within the tenth if its exact difference is.
+doubles=$(python3 - << 'END' 2> /dev/null
+from fractions import Fraction
+x = [Fraction(float("%d.%d" % (i // 10, i % 10))) for i in range(100)]
+print(sum(b - a <= Fraction(1, 10) for a, b in zip(x, x[1:])))
+END
+)
+if [ -n "$doubles" ]; then
+  verdict "  but $doubles of them are" test "$(summary pairs)" = "$doubles"
+fi
+
+expect_pairs "squared distance 13" 3 thirteen.csv --squared-distance 13
+expect_boundary 2
+expect_pairs "squared distance 13, open" 1 thirteen.csv --squared-distance 13 --open
+expect_pairs "distance as a quotient" 1 thirds.csv --distance 3/3
+expect_boundary 1
+expect_pairs "distance just below one" 0 thirds.csv --distance 999999999999999999999/1000000000000000000000
+expect_pairs "no points" 0 empty.csv --distance 1
+expect_pairs "one point" 0 single.csv --distance 1
+expect_pairs "equal points at distance 0" 3 equal.csv --distance 0
+expect_boundary 3
+expect_pairs "byte order mark and CRLF" 1 windows.csv --distance 1
+expect_pairs "the pole and the antimeridian are no borders" 2 globe.csv --geographic --distance 0.1
+expect_pairs ".xyz" 1 points.xyz --distance 0.5
+expect_pairs ".off" 1 points.off --distance 0.5
+expect_pairs ".ply" 1 points.ply --distance 0.5
+expect_pairs ".tsp" 1 points.tsp --distance 0.5
+expect_pairs "in space the third axis counts" 1 quoted.csv --distance 2
+expect_pairs "in the plane it does not" 3 quoted.csv --distance 2 --dimension 2
+expect_pairs "columns by number" 1 quoted.csv --distance 1 --columns 2,4
+expect_pairs "columns by name, in upper case" 1 quoted.csv --distance 1 --columns Y,Z
+
+# ---------------------------------------------------------------- outputs
+
+run quoted.csv --distance 1 --pairs pairs.csv --picture picture.svg
+printf 'i,j,id_i,id_j,distance\n0,1,"a, b",c,1\n' > expected
+verdict "pairs with ids" cmp -s pairs.csv expected
+run thirteen.csv --squared-distance 13 --open --pairs -
+printf 'i,j,distance\n1,2,1.414213562\n' > expected
+verdict "pairs on stdout" cmp -s out expected
+verdict "  with the summary on stderr" grep -q '^pairs  *1$' err
+verdict "the picture is an SVG file" grep -q '^</svg>' picture.svg
+if command -v python3 > /dev/null; then
+  verdict "  and well-formed" python3 -c 'import xml.dom.minidom as m; m.parse("picture.svg")'
+fi
+for scene in empty single equal; do
+  run $scene.csv --distance 0 --picture picture.svg
+  has_no_nan() { [ "$status" -eq 0 ] && ! grep -qE 'nan|inf[^o]' picture.svg; }
+  verdict "picture of the scene $scene" has_no_nan
+done
+run ties.csv --distance 1 --explain
+verdict "--explain describes the scene" grep -q 'reach' out
+run ties.csv --distance 1 --progress
+verdict "--progress shows a percentage" grep -q '100 %' err
+run --help
+verdict "--help" test "$status" -eq 0 -a -s out -a ! -s err
+verdict "no temporary file is left" test -z "$(find . -name '*part*')"
+
+# ---------------------------------------------------------------- errors
+
+printf 'x,y\n0,0\n1,oops\n' > word.csv
+printf 'x,y\n0,0\n\n,1\n' > hole.csv
+printf 'x,y\n0,0\n1,nan\n' > nan.csv
+printf 'x,y\n0,0\n1,-inf\n' > infinite.csv
+printf 'x,y\n0,0\n1,1e400\n' > huge.csv
+printf 'x,y\n0,0\n1\n' > short.csv
+printf 'x,y\n0,"0\n' > open_quote.csv
+printf 'x,y\n0,a"b,"c\n' > bad_quote.csv
+printf 'a,b\n0,0\n' > names.csv
+printf 'lat,lon\n10,10\n90.5,10\n' > pole.csv
+printf 'x,y\n0.1,0\n0.12345678901234567890,0\n' > long.csv
+printf '0 0 0\n# comment\n1 2\n' > short.xyz
+printf 'OFF\n3 0 0\n0 0 0\n' > cut.off
+printf 'NODE_COORD_SECTION\n1 0 0\n2 zero 0\nEOF\n' > word.tsp
+printf 'DIMENSION: 3\nNODE_COORD_SECTION\n1 0 0\n2 1 0\n' > cut.tsp
+printf 'TYPE : TSP\n' > head.tsp
+printf '' > nothing.csv
+mkdir directory.csv
+
+expect_error "missing file" "missing.csv: No such file" missing.csv --distance 1
+expect_error "a directory" "directory.csv: is a directory" directory.csv --distance 1
+expect_error "unknown format" "names.txt: unknown format" names.txt --distance 1
+expect_error "no header" "nothing.csv: is empty" nothing.csv --distance 1
+expect_error "no number" "word.csv:3: y: 'oops'" word.csv --distance 1
+expect_error "no number, as decimals" "word.csv:3: y: 'oops'" word.csv --distance 1 --decimal
+expect_error "empty field" "hole.csv:4: x is empty" hole.csv --distance 1
+expect_error "NaN" "nan.csv:3: y: 'nan'" nan.csv --distance 1
+expect_error "infinity" "infinite.csv:3: y: '-inf'" infinite.csv --distance 1
+expect_error "beyond double" "huge.csv:3: y: '1e400'" huge.csv --distance 1
+expect_error "short record" "short.csv:3: 1 fields" short.csv --distance 1
+expect_error "open quote" "open_quote.csv:2: " open_quote.csv --distance 1
+expect_error "misplaced quote" "bad_quote.csv:2: " bad_quote.csv --distance 1
+expect_error "no known columns" "names.csv:1: no columns x, y or lat*, lon*; choose with --columns among a, b" names.csv --distance 1
+expect_error "unknown column" "names.csv:1: no column 'c' among a, b" names.csv --distance 1 --columns a,c
+expect_error "column number out of range" "no column '3'" names.csv --distance 1 --columns 1,3
+expect_error "latitude beyond the pole" "pole.csv:3: lat: latitude 90.5" pole.csv --distance 1 --geographic
+expect_error "decimals beyond 53 bits" "use --kernel exact" long.csv --distance 1 --decimal
+expect_error "short line" "short.xyz:3: 2 numbers" short.xyz --distance 1
+expect_error "cut .off file" "cut.off: " cut.off --distance 1
+expect_error "no number in .tsp" "word.tsp:3: x: 'zero'" word.tsp --distance 1
+expect_error "cut .tsp file" "cut.tsp:4: 2 nodes" cut.tsp --distance 1
+expect_error ".tsp without nodes" "head.tsp: no NODE_COORD_SECTION" head.tsp --distance 1
+expect_error "no third axis" "points.tsp:6: " points.tsp --distance 1 --dimension 3
+expect_error "no distance" "--distance" ties.csv
+expect_error "two distances" "--distance" ties.csv --distance 1 --squared-distance 1
+expect_error "negative distance" "-1 is negative" ties.csv --distance -1
+expect_error "negative quotient" "1/-3 is negative" ties.csv --squared-distance 1/-3
+expect_error "distance is no number" "'1,5' is no number" ties.csv --distance 1,5
+expect_error "distance is NaN" "'nan' is no number" ties.csv --distance nan
+expect_error "distance is infinite" "'inf' is no number" ties.csv --distance inf
+expect_error "division by zero" "'1/0' is no number" ties.csv --distance 1/0
+expect_error "absurd exponent" "is no number" ties.csv --distance 1e999999999
+expect_error "unknown option" "--distanc" ties.csv --distanc 1
+expect_error "unknown kernel" "--kernel: 'float'" ties.csv --distance 1 --kernel float
+expect_error "dimension 4" "--dimension" ties.csv --distance 1 --dimension 4
+expect_error "dimension is a word" "--dimension" ties.csv --distance 1 --dimension two
+expect_error "two files" "one input file" ties.csv thirds.csv --distance 1
+expect_error "no file" "one input file" --distance 1
+
+run ties.csv --distance 1 --pairs no/such/place.csv
+verdict "unwritable output" is_one_error "no/such/place.csv: "
+run ties.csv --distance 1 --pairs directory.csv
+verdict "output is a directory" is_one_error "directory.csv: is a directory"
+cp ties.csv copy.csv
+run copy.csv --distance 1 --pairs copy.csv
+verdict "output is the input" is_one_error "copy.csv: is the input file"
+verdict "  which is untouched" cmp -s ties.csv copy.csv
+if [ -w /dev/full ]; then
+  run "$ships" --distance 1 --pairs /dev/full
+  verdict "full device" is_one_error "/dev/full: "
+fi
+echo old > old.csv
+run word.csv --distance 1 --pairs old.csv
+verdict "an error leaves the old output" test "$status $(cat old.csv)" = "2 old"
+"$binary" "$ships" --distance 1 --pairs - --picture closed.svg 2> err | head -n 1 > out
+status=${PIPESTATUS[0]}
+true > out
+verdict "a pipe that is closed early" is_one_error "near_pairs: -: "
+verdict "  and leaves no temporary file" test -z "$(find . -name 'closed.svg.part*')"
+
+# ---------------------------------------------------------------- kernels, and many points
+
+expect_pairs "decimals beyond 53 bits, exact kernel" 1 long.csv --decimal --kernel exact --distance 0.0234567890123456789
+expect_boundary 1
+expect_pairs "decimals beyond 53 bits, epeck" 0 long.csv --decimal --kernel epeck --distance 0.0234567890123456788
+
+for kernel in epick double epeck exact; do
+  expect_pairs "ships, 0.00069 degrees, $kernel" 4931 "$ships" --decimal --distance 0.00069 \
+               --kernel $kernel --pairs $kernel.csv
+  expect_boundary 0
+  verdict "  the same as epick" same_pairs $kernel.csv epick.csv
+  run ties.csv --distance 0.1 --kernel $kernel --pairs ties_$kernel.csv
+  verdict "  also on the tenths as doubles" same_pairs ties_$kernel.csv ties_epick.csv
+done
+expect_pairs "ships, 0.019 degrees" 101850 "$ships" --decimal --distance 0.019
+expect_pairs "ships, 0.00069 degrees, open" 4931 "$ships" --decimal --distance 0.00069 --open
+expect_pairs "ships, 69 m on the sphere" 5092 "$ships" --geographic --distance 69 --pairs sphere.csv
+
+run "$ships" --decimal --distance 0.00069 --parallel --pairs parallel.csv
+if grep -q "built without TBB" err; then
+  verdict "--parallel is refused without TBB" is_one_error "--parallel"
+else
+  verdict "ships in parallel" test "$status $(summary pairs)" = "0 4931"
+  verdict "  the same as in sequence" same_pairs parallel.csv epick.csv
+  run "$ships" --geographic --distance 69 --parallel --pairs parallel.csv
+  verdict "  also on the sphere" same_pairs parallel.csv sphere.csv
+fi
+
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]
