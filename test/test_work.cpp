@@ -101,6 +101,29 @@ BOOST_AUTO_TEST_CASE(degenerate_scenes)
   check_work("a heap and an outlier", heaps, 3, 1, 1.5);
 }
 
+// Half of the sites at the lowest height, a quarter a little higher, and so on, all far apart; and a
+// crowd that is close to each of these heights. A cut at a median would put the crowd in a strip for
+// each of them, a cut at the last site close to the lowest in two strips at most.
+BOOST_AUTO_TEST_CASE(a_crowd_above_a_chain_of_cuts)
+{
+  std::vector<Site> sites;
+  long x = 0;
+  for(long height = 0; height < 5; ++height)
+    for(long i = 0; i < 16384 >> height; ++i)
+      sites.emplace_back(std::vector<long>{x += 1000, height});
+  for(int i = 0; i < 1024; ++i)
+    sites.emplace_back(std::vector<long>{0, 90});
+  sites.emplace_back(std::vector<long>{0, 10000});
+
+  Calls calls;
+  const Lattice_traits traits(2, 100, 100, calls);
+  const double k = static_cast<double>(book_pairs(sites, traits, Book_options()).size());
+  const double n = static_cast<double>(sites.size());
+  BOOST_TEST_MESSAGE("closeness " << static_cast<double>(calls.is_close) / k << " k");
+  BOOST_CHECK_LE(static_cast<double>(calls.do_intersect), 1.1 * k);
+  BOOST_CHECK_LE(static_cast<double>(calls.is_close), 1.5 * k + n * std::log2(n));
+}
+
 // A reach twice the distance, the 2D of the paper, costs four times the calls in the plane.
 BOOST_AUTO_TEST_CASE(literal_reach_costs_what_it_costs)
 {

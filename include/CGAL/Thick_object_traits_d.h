@@ -141,6 +141,7 @@ private:
   void add(const ObjectRange& objects)
   {
     for(const Object& object : objects) {
+      Thick_intersection_d::internal::settle(object);
       const Box box = object.bbox();
       for(int i = 0; i < dimension_; ++i)
         reaches_[i] = (std::max)(reaches_[i], (box.max)(i) - (box.min)(i));

@@ -41,6 +41,15 @@ struct Convert_exactly
   }
 };
 
+// Makes the bounding box of a lazy object final: it would shrink when a predicate evaluates the
+// object exactly, in the middle of a search that has ordered objects by their boxes.
+template <class Object>
+void settle(const Object& object)
+{
+  if constexpr(Is_lazy<typename Kernel_traits<Object>::Kernel::FT>::value)
+    CGAL::exact(object);
+}
+
 template <class Object>
 bool do_objects_intersect(const Object& a, const Object& b)
 {

@@ -92,13 +92,17 @@ private:
     return divide(first, last, axis, cut);
   }
 
-  // Finds where to cut [first, last) along `axis`: at a median or random object. The four cases of
-  // the paper are the four answers to: is the lowest object close to the cut, is the highest?
+  // Finds where to cut [first, last) along `axis`. The four cases of the paper are the answers to:
+  // is the lowest object close to a median or random one, is the highest?
   //
   //   both       Case 1: two reaches hold the range, it needs no cut, and false is returned
-  //   neither    Case 2: recurse on both sides
-  //   lowest     Case 3: recurse above; the side below is in the strip as a whole
-  //   highest    Case 4: recurse below; the side above is in the strip as a whole
+  //   neither    Case 2: cut at that object, recurse on both sides
+  //   lowest     Case 3: cut at the last object close to the lowest, recurse above
+  //   highest    Case 4: cut at the first object close to the highest, recurse below
+  //
+  // A side that is not recursed into is in the strip as a whole. Cases 3 and 4 do not cut at the
+  // median itself, lest an object above it be close to the next cut too, and to the one after that:
+  // it is in two strips at most. [V03, section 2.3.2]
   bool find_cut(Member_iterator first, Member_iterator last, int axis, Cut& cut)
   {
     const auto extremes = std::minmax_element(first, last, Less{scene_, axis});
@@ -109,7 +113,33 @@ private:
 
     const Member pivot = choose_pivot(first, last, axis);
     cut = {pivot, !scene_.is_close(lowest, pivot, axis), !scene_.is_close(pivot, highest, axis)};
-    return cut.recurse_below || cut.recurse_above;
+    if(cut.recurse_below == cut.recurse_above)
+      return cut.recurse_below; // Case 1 or 2
+    if(cut.recurse_above)
+      cut.at = last_close_to(lowest, cut.at, first, last, axis);
+    else
+      cut.at = first_close_to(highest, cut.at, first, last, axis);
+    return !scene_.is_close(cut.at, cut.recurse_above ? highest : lowest, axis); // else Case 1
+  }
+
+  // The last of the objects close to `lowest`, of which `close` is one.
+  Member last_close_to(const Member& lowest, Member close, Member_iterator first,
+                       Member_iterator last, int axis) const
+  {
+    for(Member_iterator m = first; m != last; ++m)
+      if(scene_.less(close, *m, axis) && scene_.is_close(lowest, *m, axis))
+        close = *m;
+    return close;
+  }
+
+  // The first of the objects close to `highest`, of which `close` is one.
+  Member first_close_to(const Member& highest, Member close, Member_iterator first,
+                        Member_iterator last, int axis) const
+  {
+    for(Member_iterator m = first; m != last; ++m)
+      if(scene_.less(*m, close, axis) && scene_.is_close(*m, highest, axis))
+        close = *m;
+    return close;
   }
 
   Member choose_pivot(Member_iterator first, Member_iterator last, int axis)
