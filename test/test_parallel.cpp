@@ -36,17 +36,36 @@ Points large_scene(int dimension)
   return shuffled(points, 2);
 }
 
-template <class Point>
-Pairs parallel_pairs(const std::vector<Point>& points, double r)
+// The pairs that search(callback) reports from several threads.
+template <class Search>
+Pairs collected(const Search& search)
 {
   tbb::enumerable_thread_specific<Pairs> found;
-  CGAL::fixed_radius_near_neighbors<CGAL::Parallel_tag>(
-    points, CGAL::within_distance(r),
-    [&](std::size_t i, std::size_t j) { found.local().emplace_back(i, j); });
+  search([&](std::size_t i, std::size_t j) { found.local().emplace_back(i, j); });
   Pairs all;
   for(const Pairs& some : found)
     all.insert(all.end(), some.begin(), some.end());
   return all;
+}
+
+template <class Point>
+Pairs parallel_pairs(const std::vector<Point>& points, double r)
+{
+  return collected([&](const auto& callback) {
+    CGAL::fixed_radius_near_neighbors<CGAL::Parallel_tag>(points, CGAL::within_distance(r),
+                                                          callback);
+  });
+}
+
+template <class Point>
+Pairs parallel_pairs_by_the_book(const std::vector<Point>& points, double r)
+{
+  return collected([&](const auto& callback) {
+    CGAL::thick_self_intersection_d<CGAL::Parallel_tag>(
+      points, callback,
+      CGAL::parameters::geom_traits(
+        CGAL::Thick_point_traits_d<Point>(CGAL::within_distance(r))));
+  });
 }
 
 template <class Maker>
@@ -60,6 +79,9 @@ void check_same_pairs(int dimension)
     for(int repetition = 0; repetition < 3; ++repetition) {
       const Pairs_difference difference = compare(expected, parallel_pairs(points, r));
       BOOST_CHECK_MESSAGE(difference.empty(), difference);
+      const Pairs_difference by_the_book
+        = compare(expected, parallel_pairs_by_the_book(points, r));
+      BOOST_CHECK_MESSAGE(by_the_book.empty(), "by the book: " << by_the_book);
     }
   }
 }

@@ -101,9 +101,9 @@ BOOST_AUTO_TEST_CASE(degenerate_scenes)
   check_work("a heap and an outlier", heaps, 3, 1, 1.5);
 }
 
-// Half of the sites at the lowest height, a quarter a little higher, and so on, all far apart; and a
-// crowd that is close to each of these heights. A cut at a median would put the crowd in a strip for
-// each of them, a cut at the last site close to the lowest in two strips at most.
+// Half of the sites at the lowest height, a quarter a little higher, and so on, all far apart; and
+// a crowd that is close to each of these heights. A cut at a median would put the crowd in a strip
+// for each of them, a cut at the last site close to the lowest in two strips at most.
 BOOST_AUTO_TEST_CASE(a_crowd_above_a_chain_of_cuts)
 {
   std::vector<Site> sites;

@@ -117,6 +117,9 @@ public:
       filter_ = Thick_intersection_d::internal::make_certified_filter(bound);
   }
 
+  // What doubles decide.
+  const Thick_intersection_d::internal::Distance_filter& filter() const { return filter_; }
+
   // Throws unless `p` is a point of this dimension with finite coordinates.
   void check(const Point& p, std::size_t position) const
   {

@@ -13,11 +13,52 @@
 
 #include <CGAL/Thick_intersection_d/internal/Elements.h>
 #include <CGAL/Thick_intersection_d/internal/report_intersections.h>
+#include <CGAL/Thick_intersection_d/internal/slab_route.h>
 
 namespace CGAL {
 
 namespace Thick_intersection_d {
 namespace internal {
+
+// The dimension of a type of points, or `fallback` if it does not tell.
+template <class Point>
+constexpr int dimension_or(int fallback)
+{
+  using Dimension = typename Ambient_dimension<Point>::type;
+  if constexpr(std::is_same_v<Dimension, Dynamic_dimension_tag>)
+    return fallback;
+  else
+    return Dimension::value;
+}
+
+// Whether the slab route can take a scene: positions have 32 bits there, and coordinates are
+// doubles with a finite error.
+inline bool fits_slabs(const Scene_profile& profile)
+{
+  for(int axis = 0; axis < profile.dimension(); ++axis)
+    if(!std::isfinite(profile.range(axis).first) || !std::isfinite(profile.range(axis).second))
+      return false;
+  return profile.size() < (std::numeric_limits<Place>::max)();
+}
+
+// Searches by slabs. Returns false iff the search was stopped.
+template <class ConcurrencyTag, int Dimension, class Elements, class Exact, class Callback,
+          class NamedParameters>
+bool report_by_slabs(const Elements& points, std::optional<std::size_t> first_set_size,
+                     const Squared_bound<Exact>& bound, const Distance_filter& filter,
+                     Callback& callback, const NamedParameters& np)
+{
+  auto progress = make_progress(np, points.size());
+  const Slab_route<ConcurrencyTag, Dimension, Elements, Exact> route(points, bound, filter);
+  if(!first_set_size) {
+    Pair_reporter<Callback> report(callback);
+    return route.search(report, progress);
+  }
+  const auto callback_of_two_sets
+    = [&](std::size_t i, std::size_t j) { return callback(i, j - *first_set_size); };
+  Pair_reporter<decltype(callback_of_two_sets)> report(callback_of_two_sets);
+  return route.search(*first_set_size, report, progress);
+}
 
 template <class ConcurrencyTag, class Elements, class NT, class Callback, class NamedParameters>
 bool report_near_pairs(const Elements& points, std::optional<std::size_t> first_set_size,
@@ -25,9 +66,23 @@ bool report_near_pairs(const Elements& points, std::optional<std::size_t> first_
                        const NamedParameters& np)
 {
   using Point = typename Elements::value_type;
-  const Squared_bound<Exact_number_t<Coordinate_t<Point>>> squared_bound(bound);
+  using Exact = Exact_number_t<Coordinate_t<Point>>;
+  const Squared_bound<Exact> squared_bound(bound);
   const Scene_profile profile = profile_elements(points, squared_bound, "point");
+  if(points.size() == 0)
+    return true;
+
   const Thick_point_traits_d<Point> traits(squared_bound, profile);
+  if(fits_slabs(profile)) {
+    if constexpr(dimension_or<Point>(2) == 2)
+      if(profile.dimension() == 2)
+        return report_by_slabs<ConcurrencyTag, 2>(points, first_set_size, squared_bound,
+                                                  traits.filter(), callback, np);
+    if constexpr(dimension_or<Point>(3) == 3)
+      if(profile.dimension() == 3)
+        return report_by_slabs<ConcurrencyTag, 3>(points, first_set_size, squared_bound,
+                                                  traits.filter(), callback, np);
+  }
   return report_intersections<ConcurrencyTag>(points, first_set_size, traits, callback, np);
 }
 

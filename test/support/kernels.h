@@ -14,6 +14,7 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Fraction_traits.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
+#include <CGAL/thick_intersection_d.h>
 
 #include <sstream>
 
@@ -102,6 +103,18 @@ Pairs near_pairs(const std::vector<Point>& points, const CGAL::Distance_bound<NT
     points, bound, [&](std::size_t i, std::size_t j) { pairs.emplace_back(i, j); });
   if(!is_complete)
     pairs.emplace_back(points.size(), points.size()); // nobody stopped it: shows as an extra pair
+  return pairs;
+}
+
+// The same by the book route, which is taken for traits of any kind.
+template <class Point, class NT>
+Pairs near_pairs_by_the_book(const std::vector<Point>& points,
+                             const CGAL::Distance_bound<NT>& bound, int dimension)
+{
+  Pairs pairs;
+  CGAL::thick_self_intersection_d(
+    points, [&](std::size_t i, std::size_t j) { pairs.emplace_back(i, j); },
+    CGAL::parameters::geom_traits(CGAL::Thick_point_traits_d<Point>(bound, dimension)));
   return pairs;
 }
 

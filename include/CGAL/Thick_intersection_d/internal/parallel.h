@@ -10,9 +10,12 @@
 #include <CGAL/tags.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #endif
 
+#include <cstddef>
 #include <type_traits>
 
 namespace CGAL {
@@ -46,6 +49,23 @@ bool invoke_all(const Task1& task1, const Task2& task2, const Task3& task3)
   else
 #endif
     return task1() && task2() && task3();
+}
+
+// Calls task(first, last) on blocks that cover the indices [0, count): on one block in sequence, on
+// several at the same time in parallel.
+template <class ConcurrencyTag, class Task>
+void for_each_block(std::size_t count, const Task& task)
+{
+  static_assert(has_tbb || !is_parallel_v<ConcurrencyTag>,
+                "Parallel_tag is enabled but TBB is unavailable.");
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr(is_parallel_v<ConcurrencyTag>)
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count), [&](const auto& block) {
+      task(block.begin(), block.end());
+    });
+  else
+#endif
+    task(std::size_t(0), count);
 }
 
 } // namespace internal
