@@ -118,37 +118,55 @@ private:
     return columns;
   }
 
+  // A pair that may be within the bound.
   struct Candidate
   {
     Place i;
     Place j;
-    double s; // the squared distance
   };
+
+  static double squared_distance(const Columns& x, Place i, const Columns& y, Place j)
+  {
+    const double d = x[0][i] - y[0][j];
+    double s = d * d;
+    for(int axis = 1; axis < Dimension; ++axis) {
+      const double difference = x[axis][i] - y[axis][j];
+      s += difference * difference;
+    }
+    return s;
+  }
 
   // Collects the pairs of i with the places from `first` on, until one is beyond the reach along
   // axis 0 or `last`, that may be within the bound. Whether a pair is near is anybody's guess, so
-  // each is written, and counted if it is.
+  // each is written, and counted if it is. Distances are computed by blocks, which compilers turn
+  // into vector instructions; those beyond the reach do no harm.
   void collect_window(const Columns& x, Place i, const Columns& y, Place first, Place last)
   {
     const double limit = x[0][i] + reach_; // not below any coordinate within reach
     const double outside = filter_.outside;
     Candidate* const candidates = candidates_.data();
     Place count = count_;
-    const auto collect = [&](Place j) {
-      double s = 0;
-      for(int axis = 0; axis < Dimension; ++axis) {
-        const double difference = x[axis][i] - y[axis][j];
-        s += difference * difference;
-      }
-      candidates[count] = {i, j, s};
+    const auto collect = [&](Place j, double s) {
+      candidates[count] = {i, j};
       count += s <= outside;
     };
 
     Place j = first;
     for(const Place usual = first + (std::min)(last - first, usual_steps); j != usual; ++j)
-      collect(j);
-    for(; j != last && y[0][j] <= limit; ++j) {
-      collect(j);
+      collect(j, squared_distance(x, i, y, j));
+    while(j != last && y[0][j] <= limit) {
+      if(last - j >= block) {
+        double s[block];
+        for(Place lane = 0; lane < block; ++lane)
+          s[lane] = squared_distance(x, i, y, j + lane);
+        for(Place lane = 0; lane < block; ++lane)
+          collect(j + lane, s[lane]);
+        j += block;
+      }
+      else {
+        collect(j, squared_distance(x, i, y, j));
+        ++j;
+      }
       if(count >= capacity) {
         count_ = count;
         if(!flush())
@@ -164,19 +182,23 @@ private:
   // Reports the collected pairs that are within the bound.
   bool flush()
   {
+    const Columns x = columns(a_);
+    const Columns y = columns(b_);
+    const bool is_certain = filter_.inside == filter_.outside;
     const Place count = count_;
     count_ = 0;
     for(Place c = 0; c < count && !is_stopped_; ++c) {
-      const Candidate& pair = candidates_[c];
+      const Candidate pair = candidates_[c];
       const Place i = a_.positions[pair.i];
       const Place j = b_.positions[pair.j];
-      if(pair.s <= filter_.inside || decide_(i, j))
+      if(is_certain || squared_distance(x, pair.i, y, pair.j) <= filter_.inside || decide_(i, j))
         is_stopped_ = !report_((std::min)(i, j), (std::max)(i, j));
     }
     return !is_stopped_;
   }
 
   static constexpr Place capacity = 1024;
+  static constexpr Place block = 8;
 
   // Most windows are no longer than this, and most move by no more from one point to the next: so
   // many steps are made without asking, because a wrong guess of a branch costs more.
@@ -190,7 +212,7 @@ private:
   Report& report_;
   Place count_ = 0;
   bool is_stopped_ = false;
-  std::array<Candidate, capacity + usual_steps> candidates_;
+  std::array<Candidate, capacity + block> candidates_;
 };
 
 } // namespace internal
