@@ -78,9 +78,8 @@ Exact_rational rational_of_floating(const NT& x)
     value += Exact_rational(head);
     rest -= NT(head);
   }
-  const Exact_rational two(exponent < 0 ? 0.5 : 2.);
   Exact_rational scale(1);
-  Exact_rational power = two;
+  Exact_rational power(exponent < 0 ? 0.5 : 2.); // invariant: scale * power^e = 2^exponent
   for(unsigned int e = std::abs(exponent); e != 0; e >>= 1) {
     if(e & 1)
       scale *= power;
