@@ -212,7 +212,7 @@ private:
   Report& report_;
   Place count_ = 0;
   bool is_stopped_ = false;
-  std::array<Candidate, capacity + block> candidates_;
+  std::array<Candidate, capacity + usual_steps + block> candidates_; // all that one round may add
 };
 
 } // namespace internal
