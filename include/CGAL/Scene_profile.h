@@ -11,10 +11,9 @@
 #include <CGAL/Distance_bound.h>
 #include <CGAL/Named_function_parameters.h>
 
+#include <CGAL/Thick_intersection_d/internal/Coordinate_scan.h>
 #include <CGAL/Thick_intersection_d/internal/Elements.h>
-#include <CGAL/Thick_intersection_d/internal/Grid_scan.h>
 #include <CGAL/Thick_intersection_d/internal/Squared_bound.h>
-#include <CGAL/Thick_intersection_d/internal/coordinates.h>
 
 #include <optional>
 #include <ostream>
@@ -139,31 +138,23 @@ private:
 namespace Thick_intersection_d {
 namespace internal {
 
+template <class Number, class Exact>
+Scene_profile make_profile(std::size_t size, const Coordinate_scan& scan,
+                           const Squared_bound<Exact>& bound)
+{
+  return Scene_profile(size, scan.box, bound.reach(),
+                       is_held_by_double_v<Number> ? std::optional<int>(scan.grid.exponent())
+                                                   : std::nullopt);
+}
+
 // Throws if a point has a NaN or infinite coordinate or another dimension than the first one.
 template <class Elements, class Exact>
 Scene_profile profile_elements(const Elements& points, const Squared_bound<Exact>& bound,
                                const std::string& name)
 {
-  using Number = Coordinate_t<typename Elements::value_type>;
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-
-  const int dimension = points.size() == 0 ? 0 : points[0].dimension();
-  std::vector<std::pair<double, double>> box(dimension, {infinity, -infinity});
-  Grid_scan grid;
-  for(std::size_t position = 0; position < points.size(); ++position) {
-    const auto& point = points[position];
-    check_point(point, dimension, name, position);
-    for(int i = 0; i < dimension; ++i) {
-      const std::pair<double, double> x = bounds(coordinate(point, i));
-      box[i].first = (std::min)(box[i].first, x.first);
-      box[i].second = (std::max)(box[i].second, x.second);
-      if constexpr(is_held_by_double_v<Number>)
-        grid.add(x.first);
-    }
-  }
-  return Scene_profile(points.size(), box, bound.reach(),
-                       is_held_by_double_v<Number> ? std::optional<int>(grid.exponent())
-                                                   : std::nullopt);
+  const auto store_nothing = [](std::size_t, int, double) {};
+  return make_profile<Coordinate_t<typename Elements::value_type>>(
+    points.size(), scan_coordinates<Sequential_tag>(points, name, store_nothing), bound);
 }
 
 } // namespace internal

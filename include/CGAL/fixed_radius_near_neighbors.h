@@ -31,25 +31,23 @@ constexpr int dimension_or(int fallback)
     return Dimension::value;
 }
 
-// Whether the slab route can take a scene: positions have 32 bits there, and coordinates are
-// doubles with a finite error.
+// Whether the slab route can take a scene: it needs coordinates that are doubles with a finite
+// error, and keeps positions in 32 bits, one of which is room for more.
 inline bool fits_slabs(const Scene_profile& profile)
 {
   for(int axis = 0; axis < profile.dimension(); ++axis)
     if(!std::isfinite(profile.range(axis).first) || !std::isfinite(profile.range(axis).second))
       return false;
-  return profile.size() < (std::numeric_limits<Place>::max)();
+  return profile.size() < (std::numeric_limits<Place>::max)() / 2;
 }
 
 // Searches by slabs. Returns false iff the search was stopped.
-template <class ConcurrencyTag, int Dimension, class Elements, class Exact, class Callback,
-          class NamedParameters>
-bool report_by_slabs(const Elements& points, std::optional<std::size_t> first_set_size,
-                     const Squared_bound<Exact>& bound, const Distance_filter& filter,
-                     Callback& callback, const NamedParameters& np)
+template <class Route, class Callback, class NamedParameters>
+bool report_by_slabs(const Route& route, std::size_t size,
+                     std::optional<std::size_t> first_set_size, Callback& callback,
+                     const NamedParameters& np)
 {
-  auto progress = make_progress(np, points.size());
-  const Slab_route<ConcurrencyTag, Dimension, Elements, Exact> route(points, bound, filter);
+  auto progress = make_progress(np, size);
   if(!first_set_size) {
     Pair_reporter<Callback> report(callback);
     return route.search(report, progress);
@@ -68,20 +66,28 @@ bool report_near_pairs(const Elements& points, std::optional<std::size_t> first_
   using Point = typename Elements::value_type;
   using Exact = Exact_number_t<Coordinate_t<Point>>;
   const Squared_bound<Exact> squared_bound(bound);
-  const Scene_profile profile = profile_elements(points, squared_bound, "point");
+  Doubles<Elements> doubles(points);
+  const Coordinate_scan scan = scan_coordinates<ConcurrencyTag>(
+    points, "point",
+    [&](std::size_t position, int axis, double x) { doubles.set(position, axis, x); });
+  const Scene_profile profile
+    = make_profile<Coordinate_t<Point>>(points.size(), scan, squared_bound);
   if(points.size() == 0)
     return true;
 
   const Thick_point_traits_d<Point> traits(squared_bound, profile);
+  const auto search_slabs = [&](auto dimension) {
+    const Slab_route<ConcurrencyTag, decltype(dimension)::value, Elements, Exact> route(
+      points, doubles, scan.error, profile, squared_bound, traits.filter());
+    return report_by_slabs(route, points.size(), first_set_size, callback, np);
+  };
   if(fits_slabs(profile)) {
     if constexpr(dimension_or<Point>(2) == 2)
       if(profile.dimension() == 2)
-        return report_by_slabs<ConcurrencyTag, 2>(points, first_set_size, squared_bound,
-                                                  traits.filter(), callback, np);
+        return search_slabs(std::integral_constant<int, 2>());
     if constexpr(dimension_or<Point>(3) == 3)
       if(profile.dimension() == 3)
-        return report_by_slabs<ConcurrencyTag, 3>(points, first_set_size, squared_bound,
-                                                  traits.filter(), callback, np);
+        return search_slabs(std::integral_constant<int, 3>());
   }
   return report_intersections<ConcurrencyTag>(points, first_set_size, traits, callback, np);
 }

@@ -7,6 +7,7 @@
 
 // The coarsest grid 2^e Z that holds a sequence of doubles.
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 
@@ -31,6 +32,9 @@ public:
     if(mantissa != 0 && !is_multiple(mantissa, exponent))
       exponent_ = lowest_bit(mantissa, exponent);
   }
+
+  // Refines the grid until it holds all that the other one holds.
+  void add(const Grid_scan& other) { exponent_ = (std::min)(exponent_, other.exponent_); }
 
   // Returns e, or 0 if no number but zero was added.
   int exponent() const { return exponent_ == none ? 0 : exponent_; }

@@ -26,13 +26,16 @@ public:
   // by this thread.
   bool operator()(std::size_t i, std::size_t j)
   {
-    if(is_stopped())
-      return false;
-    if constexpr(std::is_void_v<std::invoke_result_t<Callback&, std::size_t, std::size_t>>)
+    if constexpr(std::is_void_v<std::invoke_result_t<Callback&, std::size_t, std::size_t>>) {
       callback_(i, j);
-    else if(!callback_(i, j))
-      stop();
-    return !is_stopped();
+      return true;
+    }
+    else {
+      const bool goes_on = static_cast<bool>(callback_(i, j));
+      if(!goes_on)
+        stop();
+      return goes_on;
+    }
   }
 
   void stop() { stopped_.store(true, std::memory_order_relaxed); }

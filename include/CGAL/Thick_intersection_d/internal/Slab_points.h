@@ -5,8 +5,7 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLAB_POINTS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLAB_POINTS_H
 
-// Points as the slab route sees them: a column of doubles per axis, and the positions of the points
-// in the user's range. A place is an index into the columns, which are reordered together.
+// Points as the slab route sees them: doubles, and the position in the user's range.
 
 #include <CGAL/Thick_intersection_d/internal/coordinates.h>
 
@@ -18,6 +17,7 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
+// A position of a point, or an index into an array of points.
 using Place = std::uint32_t;
 
 // Memory that is written before it is read: not cleared first.
@@ -27,48 +27,105 @@ std::unique_ptr<T[]> make_uninitialized(std::size_t size)
   return std::unique_ptr<T[]>(new T[size]);
 }
 
-template <int Dimension>
-class Slab_points
+// Memory that is used again and again, for as much as is asked for.
+template <class T>
+class Buffer
 {
 public:
-  // The points at the positions [first, last).
-  template <class Elements>
-  Slab_points(const Elements& points, std::size_t first, std::size_t last)
-    : positions(make_uninitialized<Place>(last - first)), size_(static_cast<Place>(last - first))
+  // Returns memory for `size` elements; what was there before may be lost.
+  T* require(std::size_t size)
   {
-    for(auto& column : columns) {
-      column = make_uninitialized<double>(size_ + std::size_t(1));
-      column[size_] = 0; // a sweep may look at one place behind the last
+    if(!data_ || size > size_) { // moved from, or too small
+      data_.reset(); // first, so that both are never held at once
+      size_ = size + size / 8;
+      data_ = make_uninitialized<T>(size_);
     }
-    for(Place i = 0; i < size_; ++i) {
-      load(points[first + i], i);
-      positions[i] = static_cast<Place>(first + i);
-    }
+    return data_.get();
   }
 
-  Place size() const { return size_; }
-
-  // Coordinates are not less than their doubles, and not greater by more than this.
-  double error() const { return error_; }
-
-  std::array<std::unique_ptr<double[]>, Dimension> columns;
-  std::unique_ptr<Place[]> positions;
+  T* data() const { return data_.get(); }
 
 private:
-  template <class Point>
-  void load(const Point& p, Place i)
+  std::unique_ptr<T[]> data_;
+  std::size_t size_ = 0;
+};
+
+template <int Dimension>
+struct Slab_point
+{
+  std::array<double, Dimension> x;
+  Place position;
+};
+
+// The doubles of points whose coordinates are doubles: read where they are.
+template <class Elements>
+class Held_doubles
+{
+public:
+  explicit Held_doubles(const Elements& points) : points_(points) {}
+
+  void set(std::size_t, int, double) {}
+
+  double at(std::size_t position, int axis) const
   {
-    for(int axis = 0; axis < Dimension; ++axis) {
-      const std::pair<double, double> x = bounds(coordinate(p, axis));
-      columns[axis][i] = x.first;
-      if constexpr(!is_held_by_double_v<Coordinate_t<Point>>)
-        error_ = (std::max)(error_, x.second - x.first);
+    return static_cast<double>(coordinate(points_[position], axis));
+  }
+
+  template <int Dimension>
+  std::array<double, Dimension> at(std::size_t position) const
+  {
+    const auto& point = points_[position];
+    std::array<double, Dimension> x;
+    for(int axis = 0; axis < Dimension; ++axis)
+      x[axis] = static_cast<double>(coordinate(point, axis));
+    return x;
+  }
+
+private:
+  const Elements& points_;
+};
+
+// Lower bounds of other coordinates, computed once. Empty if the points are not for the slab route.
+template <class Elements>
+class Copied_doubles
+{
+public:
+  explicit Copied_doubles(const Elements& points)
+  {
+    const int dimension = points.size() == 0 ? 0 : points[0].dimension();
+    if(dimension == 2 || dimension == 3) {
+      dimension_ = static_cast<std::size_t>(dimension);
+      doubles_ = make_uninitialized<double>(points.size() * dimension_);
     }
   }
 
-  Place size_;
-  double error_ = 0;
+  void set(std::size_t position, int axis, double x)
+  {
+    if(doubles_)
+      doubles_[position * dimension_ + static_cast<std::size_t>(axis)] = x;
+  }
+
+  double at(std::size_t position, int axis) const
+  {
+    return doubles_[position * dimension_ + static_cast<std::size_t>(axis)];
+  }
+
+  template <int Dimension>
+  std::array<double, Dimension> at(std::size_t position) const
+  {
+    std::array<double, Dimension> x;
+    std::copy_n(&doubles_[position * Dimension], Dimension, x.begin());
+    return x;
+  }
+
+private:
+  std::unique_ptr<double[]> doubles_;
+  std::size_t dimension_ = 0;
 };
+
+template <class Elements>
+using Doubles = std::conditional_t<is_held_by_double_v<Coordinate_t<typename Elements::value_type>>,
+                                   Held_doubles<Elements>, Copied_doubles<Elements>>;
 
 } // namespace internal
 } // namespace Thick_intersection_d

@@ -210,14 +210,18 @@ std::pair<double, double> bounds(const NT& x)
   }
 }
 
-// Whether x is neither NaN nor infinite. A number too large for a double has the largest double
-// below it, an infinite one has not.
+// Whether a number with these bounds is neither NaN nor infinite. A number too large for a double
+// has the largest double below it, an infinite one has not.
+inline bool are_bounds_of_finite(const std::pair<double, double>& b)
+{
+  return b.first <= (std::numeric_limits<double>::max)()
+         && b.second >= std::numeric_limits<double>::lowest();
+}
+
 template <class NT>
 bool is_finite_number(const NT& x)
 {
-  const std::pair<double, double> b = bounds(x);
-  return b.first <= (std::numeric_limits<double>::max)()
-         && b.second >= std::numeric_limits<double>::lowest();
+  return are_bounds_of_finite(bounds(x));
 }
 
 } // namespace internal

@@ -68,6 +68,21 @@ void for_each_block(std::size_t count, const Task& task)
     task(std::size_t(0), count);
 }
 
+// How many blocks elements are divided into when each block has a result of its own.
+template <class ConcurrencyTag>
+constexpr std::size_t block_count_v = is_parallel_v<ConcurrencyTag> ? 16 : 1;
+
+// Calls task(block, first, last) for block_count_v blocks that cover the indices [0, count).
+template <class ConcurrencyTag, class Task>
+void for_each_numbered_block(std::size_t count, const Task& task)
+{
+  constexpr std::size_t blocks = block_count_v<ConcurrencyTag>;
+  for_each_block<ConcurrencyTag>(blocks, [&](std::size_t block, std::size_t end) {
+    for(; block != end; ++block)
+      task(block, block * count / blocks, (block + 1) * count / blocks);
+  });
+}
+
 } // namespace internal
 } // namespace Thick_intersection_d
 } // namespace CGAL

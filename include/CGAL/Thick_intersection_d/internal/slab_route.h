@@ -8,11 +8,13 @@
 // The fast route for points in the plane and in space: their doubles are ordered into slabs, and
 // swept; only pairs that the doubles do not decide are looked up in the user's range.
 
+#include <CGAL/Scene_profile.h>
 #include <CGAL/Thick_intersection_d/internal/Is_within_distance.h>
-#include <CGAL/Thick_intersection_d/internal/Slab_order.h>
+#include <CGAL/Thick_intersection_d/internal/Slab_stream.h>
 #include <CGAL/Thick_intersection_d/internal/Slab_sweep.h>
 
 #include <cmath>
+#include <deque>
 #include <limits>
 
 namespace CGAL {
@@ -37,16 +39,64 @@ Distance_filter widen(const Distance_filter& filter, const Squared_bound<Exact>&
   return wide;
 }
 
+// Consecutive slabs, or parts of slabs, of which only those near the one being swept are held.
+template <int Dimension>
+class Slab_window
+{
+public:
+  Slab_window(const Slabs<Dimension>& slabs, double reach, Place first,
+              const Part_sizes& sizes = Part_sizes())
+    : stream_(slabs, reach, first, sizes), end_(slabs.count())
+  {}
+
+  // Returns the strips at `index` in the window, or nullptr if there are no more.
+  const Strips<Dimension>* operator[](std::size_t index)
+  {
+    while(index >= parts_.size()) {
+      parts_.push_back(std::move(spare_));
+      if(!stream_.next(parts_.back().strips)) {
+        parts_.pop_back();
+        return nullptr;
+      }
+      parts_.back().slab = stream_.slab();
+    }
+    return &parts_[index].strips;
+  }
+
+  // The number of the slab that the first strips belong to, or that of slabs if there are none.
+  Place slab() { return (*this)[0] ? parts_.front().slab : end_; }
+
+  void pop()
+  {
+    spare_ = std::move(parts_.front());
+    parts_.pop_front();
+  }
+
+private:
+  struct Part
+  {
+    Strips<Dimension> strips;
+    Place slab = 0;
+  };
+
+  Slab_stream<Dimension> stream_;
+  const Place end_;
+  std::deque<Part> parts_;
+  Part spare_; // whose memory is used again
+};
+
 template <class ConcurrencyTag, int Dimension, class Elements, class Exact>
 class Slab_route
 {
   using Point = typename Elements::value_type;
-  using Points = Slab_points<Dimension>;
 
 public:
-  Slab_route(const Elements& points, const Squared_bound<Exact>& bound,
-             const Distance_filter& filter)
-    : points_(points), bound_(bound), filter_(filter),
+  // Coordinates are not less than their doubles, and not greater by more than `error`.
+  Slab_route(const Elements& points, const Doubles<Elements>& doubles, double error,
+             const Scene_profile& profile, const Squared_bound<Exact>& bound,
+             const Distance_filter& filter, const Part_sizes& sizes = Part_sizes())
+    : points_(points), doubles_(doubles), profile_(profile), reach_(padded(bound.reach(), error)),
+      filter_(filter), wide_filter_(widen(filter, bound, error)), sizes_(sizes),
       is_within_(bound, filter, Dimension)
   {}
 
@@ -54,61 +104,118 @@ public:
   template <class Report, class Progress>
   bool search(Report& report, Progress& progress) const
   {
-    Points points(points_, 0, points_.size());
-    const double reach = padded_reach(points.error());
-    const Parts slabs = Slab_order<ConcurrencyTag, Dimension>(points, reach)();
-    return sweep_slabs(points, points, slabs, report, progress, [&](auto& sweep, std::size_t s) {
-      return sweep.part_with_followers(slabs[s], slabs.data() + s + 1,
-                                       slabs.data() + slabs.size());
+    if(is_within_bound_as_a_whole())
+      return report_all(points_.size(), 0, report, progress);
+    const Slabs<Dimension> slabs = make_slabs(0, points_.size());
+    sweep_slabs(slabs.count(), report, [&](auto& sweep, Place first, Place last) {
+      Slab_window<Dimension> window(slabs, reach_, first, sizes_);
+      for(; window.slab() < last && !report.is_stopped(); window.pop()) {
+        const Range range = window[0]->range(axis);
+        sweep.within(*window[0]);
+        for(std::size_t f = 1; window[f] && window[f]->range(axis).low - range.high <= reach_; ++f)
+          sweep.between(*window[0], *window[f]);
+        advance(progress, window[0]->size(), report);
+      }
     });
+    return !report.is_stopped();
   }
 
   // Reports the pairs between the first `first_set_size` points and the others, likewise.
   template <class Report, class Progress>
   bool search(std::size_t first_set_size, Report& report, Progress& progress) const
   {
-    Points a(points_, 0, first_set_size);
-    Points b(points_, first_set_size, points_.size());
-    const double reach = padded_reach((std::max)(a.error(), b.error()));
-    const Parts slabs = Slab_order<ConcurrencyTag, Dimension>(a, reach)();
-    const Parts others = Slab_order<ConcurrencyTag, Dimension>(b, reach)();
-    return sweep_slabs(a, b, slabs, report, progress,
-                       [&](auto& sweep, std::size_t s) {
-                         return sweep.part_with_others(slabs[s], others);
-                       })
-           && progress.advance(b.size());
-  }
-
-private:
-  // Calls sweep_slab(sweep, s) for each slab s.
-  template <class Report, class Progress, class Sweep_slab>
-  bool sweep_slabs(const Points& a, const Points& b, const Parts& slabs, Report& report,
-                   Progress& progress, const Sweep_slab& sweep_slab) const
-  {
-    const auto decide
-      = [&](Place i, Place j) { return is_within_(points_[i], points_[j]); };
-    const double error = (std::max)(a.error(), b.error());
-    const Distance_filter filter = widen(filter_, bound_, error);
-    for_each_block<ConcurrencyTag>(slabs.size(), [&](std::size_t first, std::size_t last) {
-      Slab_sweep<Dimension, decltype(decide), Report> sweep(a, b, padded_reach(error), filter,
-                                                            decide, report);
-      for(std::size_t s = first; s != last && !report.is_stopped(); ++s)
-        if(sweep_slab(sweep, s) && !progress.advance(slabs[s].end - slabs[s].begin))
-          report.stop();
+    if(is_within_bound_as_a_whole())
+      return report_all(first_set_size, first_set_size, report, progress);
+    const Slabs<Dimension> slabs = make_slabs(0, first_set_size);
+    const Slabs<Dimension> others = make_slabs(first_set_size, points_.size());
+    sweep_slabs(slabs.count(), report, [&](auto& sweep, Place first, Place last) {
+      Slab_window<Dimension> window(slabs, reach_, first, sizes_);
+      if(window.slab() >= last)
+        return;
+      Slab_window<Dimension> near(others, reach_,
+                                  others.slab_of(window[0]->range(axis).low - reach_), sizes_);
+      for(; window.slab() < last && !report.is_stopped(); window.pop()) {
+        const Range range = window[0]->range(axis);
+        while(near[0] && range.low - near[0]->range(axis).high > reach_)
+          near.pop();
+        for(std::size_t f = 0; near[f] && near[f]->range(axis).low - range.high <= reach_; ++f)
+          sweep.between(*window[0], *near[f]);
+        advance(progress, window[0]->size(), report);
+      }
     });
+    advance(progress, others.size(), report);
     return !report.is_stopped();
   }
 
+private:
+  static constexpr int axis = Dimension - 1; // that slabs are cut along
+
+  // Whether no two points of the scene are farther apart than the bound, for sure.
+  bool is_within_bound_as_a_whole() const
+  {
+    double s = 0;
+    for(int i = 0; i < Dimension; ++i) {
+      const double extent = profile_.range(i).second - profile_.range(i).first;
+      s += extent * extent;
+    }
+    return s <= filter_.inside;
+  }
+
+  // Reports each point before `end` with all points that are behind it and not before `first`.
+  template <class Report, class Progress>
+  bool report_all(std::size_t end, std::size_t first, Report& report, Progress& progress) const
+  {
+    for_each_block<ConcurrencyTag>(end, [&](std::size_t i, std::size_t last) {
+      for(; i != last && !report.is_stopped(); ++i) {
+        for(std::size_t j = (std::max)(i + 1, first); j < points_.size(); ++j)
+          if(!report(i, j))
+            return;
+        advance(progress, 1, report);
+      }
+    });
+    advance(progress, points_.size() - end, report);
+    return !report.is_stopped();
+  }
+
+  template <class Progress, class Report>
+  static void advance(Progress& progress, std::size_t finished, Report& report)
+  {
+    if(!report.is_stopped() && !progress.advance(finished))
+      report.stop();
+  }
+
+  // Calls task(sweep, first, last) for blocks of slabs.
+  template <class Report, class Task>
+  void sweep_slabs(Place count, Report& report, const Task& task) const
+  {
+    const auto decide = [&](Place i, Place j) { return is_within_(points_[i], points_[j]); };
+    for_each_block<ConcurrencyTag>(count, [&](std::size_t first, std::size_t last) {
+      Slab_sweep<Dimension, decltype(decide), Report> sweep(reach_, wide_filter_, decide, report);
+      task(sweep, static_cast<Place>(first), static_cast<Place>(last));
+    });
+  }
+
+  // Returns the slabs of the points at the positions [first, last).
+  Slabs<Dimension> make_slabs(std::size_t first, std::size_t last) const
+  {
+    const Range range = {profile_.range(axis).first, profile_.range(axis).second};
+    return Slabs<Dimension>(ConcurrencyTag(), doubles_, first, last, range, reach_, sizes_);
+  }
+
   // Doubles that are off by up to `error` upwards differ by that much more.
-  double padded_reach(double error) const
+  static double padded(double reach, double error)
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    return error == 0 ? bound_.reach() : std::nextafter(bound_.reach() + error, infinity);
+    return error == 0 ? reach : std::nextafter(reach + error, infinity);
   }
 
   const Elements& points_;
-  const Squared_bound<Exact>& bound_;
+  const Doubles<Elements>& doubles_;
+  const Scene_profile& profile_;
+  const double reach_;
   const Distance_filter filter_;
+  const Distance_filter wide_filter_;
+  const Part_sizes sizes_;
   const Is_within_distance<Point> is_within_;
 };
 

@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_COORDINATE_SCAN_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_COORDINATE_SCAN_H
+
+// One pass over the coordinates of all points, by blocks: checks them, and finds what a profile and
+// a search want to know.
+
+#include <CGAL/Thick_intersection_d/internal/Grid_scan.h>
+#include <CGAL/Thick_intersection_d/internal/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/parallel.h>
+
+#include <array>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+struct Coordinate_scan
+{
+  std::vector<std::pair<double, double>> box; // rounded outwards
+  Grid_scan grid;                             // of the coordinates that are doubles
+  double error = 0;                           // the greatest distance of two bounds
+  std::size_t first_bad = (std::numeric_limits<std::size_t>::max)(); // position
+
+  void add(const Coordinate_scan& other)
+  {
+    for(std::size_t i = 0; i < box.size(); ++i) {
+      box[i].first = (std::min)(box[i].first, other.box[i].first);
+      box[i].second = (std::max)(box[i].second, other.box[i].second);
+    }
+    grid.add(other.grid);
+    error = (std::max)(error, other.error);
+    first_bad = (std::min)(first_bad, other.first_bad);
+  }
+};
+
+// Adds the points [first, last) to `scan`, and calls store(position, axis, lower bound).
+template <class Elements, class Store>
+void scan_block(const Elements& points, std::size_t first, std::size_t last, int dimension,
+                Coordinate_scan& scan, const Store& store)
+{
+  using Number = Coordinate_t<typename Elements::value_type>;
+  for(std::size_t position = first; position < last; ++position) {
+    const auto& point = points[position];
+    bool is_good = point.dimension() == dimension;
+    for(int i = 0; is_good && i < dimension; ++i) {
+      const std::pair<double, double> x = bounds(coordinate(point, i));
+      is_good = are_bounds_of_finite(x);
+      scan.box[i].first = (std::min)(scan.box[i].first, x.first);
+      scan.box[i].second = (std::max)(scan.box[i].second, x.second);
+      if constexpr(is_held_by_double_v<Number>)
+        scan.grid.add(x.first);
+      else
+        scan.error = (std::max)(scan.error, x.second - x.first);
+      store(position, i, x.first);
+    }
+    if(!is_good) {
+      scan.first_bad = position;
+      return;
+    }
+  }
+}
+
+// Throws if a point, called `name` in the message, has a NaN or infinite coordinate or another
+// dimension than the first one.
+template <class ConcurrencyTag, class Elements, class Store>
+Coordinate_scan scan_coordinates(const Elements& points, const std::string& name,
+                                 const Store& store)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const int dimension = points.size() == 0 ? 0 : points[0].dimension();
+  Coordinate_scan scan;
+  scan.box.resize(static_cast<std::size_t>(dimension), {infinity, -infinity});
+  std::vector<Coordinate_scan> scans(block_count_v<ConcurrencyTag>, scan);
+  for_each_numbered_block<ConcurrencyTag>(
+    points.size(), [&](std::size_t block, std::size_t first, std::size_t last) {
+      scan_block(points, first, last, dimension, scans[block], store);
+    });
+  for(const Coordinate_scan& each : scans)
+    scan.add(each);
+  if(scan.first_bad < points.size())
+    check_point(points[scan.first_bad], dimension, name, scan.first_bad);
+  return scan;
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_COORDINATE_SCAN_H
