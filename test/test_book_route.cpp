@@ -14,6 +14,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <pthread.h>
+
 #include <random>
 
 using namespace test_support;
@@ -175,11 +177,33 @@ BOOST_AUTO_TEST_CASE(order_of_reports_is_a_function_of_the_input)
                         name(options));
 }
 
-// The walk makes as many rounds as there are equal points: it must not recurse.
-BOOST_AUTO_TEST_CASE(walk_over_many_equal_points)
+namespace {
+
+extern "C" void* walk_over_equal_sites(void* pairs)
 {
   std::vector<Site> sites;
   for(int i = 0; i < 3000; ++i)
     sites.emplace_back(std::vector<long>{7, 7});
-  check_sites(sites, 0, 0, 1);
+  Calls calls;
+  const Lattice_traits traits(2, 0, 0, calls);
+  *static_cast<std::size_t*>(pairs)
+    = book_pairs(sites, traits, {Pivot::MEDIAN, Base_case::WALK, 0}).size();
+  return nullptr;
+}
+
+} // namespace
+
+// The walk makes as many rounds as there are equal points: if it recursed, each would take at least
+// a return address and four registers, and the stack of this thread has 32 bytes for each.
+BOOST_AUTO_TEST_CASE(walk_over_many_equal_points_on_a_small_stack)
+{
+  pthread_attr_t attributes;
+  BOOST_REQUIRE_EQUAL(pthread_attr_init(&attributes), 0);
+  BOOST_REQUIRE_EQUAL(pthread_attr_setstacksize(&attributes, 3000 * 32), 0);
+  pthread_t thread;
+  std::size_t pairs = 0;
+  BOOST_REQUIRE_EQUAL(pthread_create(&thread, &attributes, walk_over_equal_sites, &pairs), 0);
+  BOOST_REQUIRE_EQUAL(pthread_join(thread, nullptr), 0);
+  pthread_attr_destroy(&attributes);
+  BOOST_CHECK_EQUAL(pairs, 3000u * 2999 / 2);
 }
