@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <cstdlib>
+#include <sstream>
 
 namespace near_pairs {
 namespace {
@@ -136,6 +137,26 @@ std::optional<double> scaled_to_double(const Decimal& decimal, int scale)
 double nearest_double(std::string_view text)
 {
   return std::strtod(std::string(text).c_str(), nullptr); // the locale is "C": nobody sets another
+}
+
+std::string exact_text(const CGAL::Exact_rational& value)
+{
+  const auto text_of = [](const CGAL::Exact_rational& number) {
+    std::ostringstream text;
+    text << number;
+    return text.str();
+  };
+  CGAL::Exact_rational scaled = value;
+  for(std::size_t decimals = 0; decimals <= 30; ++decimals) {
+    std::string digits = text_of(scaled);
+    if(digits.find('/') == std::string::npos) {
+      if(decimals != 0 && digits.size() <= decimals)
+        digits.insert(0, decimals + 1 - digits.size(), '0');
+      return decimals == 0 ? digits : digits.insert(digits.size() - decimals, ".");
+    }
+    scaled *= 10;
+  }
+  return text_of(value);
 }
 
 std::string_view trimmed(std::string_view text)

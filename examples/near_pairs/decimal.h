@@ -45,6 +45,10 @@ std::optional<double> scaled_to_double(const Decimal& decimal, int scale);
 // Returns the double nearest to the number that parse_decimal() accepted; infinite on overflow.
 double nearest_double(std::string_view text);
 
+// Returns the text of a number that is not negative: a decimal if a short one is exact, otherwise a
+// quotient.
+std::string exact_text(const CGAL::Exact_rational& value);
+
 std::string_view trimmed(std::string_view text);
 
 } // namespace near_pairs

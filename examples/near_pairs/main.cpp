@@ -1,9 +1,11 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// near_pairs: reports every pair of points of a file that are within a distance of each other.
+// near_pairs: reports every pair of points of a file that are within a distance of each other, or the
+// closest pair.
 // Reads the options and the file, searches, writes the outputs, and prints a summary.
 
+#include "decimal.h"
 #include "error.h"
 #include "options.h"
 #include "outputs.h"
@@ -35,6 +37,17 @@ Search_result search(const Scene& scene, const Options& options, const Pair_sink
   return search_epick(scene, options, sink);
 }
 
+Closest_result find_closest(const Scene& scene, const Options& options)
+{
+  if(options.kernel == "double")
+    return closest_double(scene, options);
+  if(options.kernel == "epeck")
+    return closest_epeck(scene, options);
+  if(options.kernel == "exact")
+    return closest_exact(scene, options);
+  return closest_epick(scene, options);
+}
+
 // Returns nothing if the name is empty.
 std::unique_ptr<Output_file> open_output(const std::string& name, const Options& options)
 {
@@ -58,23 +71,52 @@ std::string distance_in_words(const Scene& scene, const Options& options)
   return words;
 }
 
+std::ostream& print_name(std::ostream& out, const char* name)
+{
+  return out << std::left << std::setw(13) << name;
+}
+
+void print_costs(std::ostream& out, double seconds, const char* of_what)
+{
+  out << std::fixed << std::setprecision(6);
+  print_name(out, "search") << seconds << " s" << of_what << '\n';
+  out << std::setprecision(1);
+  print_name(out, "peak memory") << peak_memory() << " MiB\n";
+}
+
+void print_kernel(std::ostream& out, const Options& options)
+{
+  print_name(out, "kernel") << options.kernel << (options.parallel ? ", parallel" : "") << '\n';
+}
+
 void print_summary(std::ostream& out, const Scene& scene, const Options& options,
                    const Search_result& result)
 {
-  const auto line = [&](const char* name) -> std::ostream& {
-    return out << std::left << std::setw(13) << name;
-  };
-  line("points") << scene.size() << '\n';
-  line("pairs") << result.pairs << '\n';
+  print_name(out, "points") << scene.size() << '\n';
+  print_name(out, "pairs") << result.pairs << '\n';
   if(!options.open)
-    line("on boundary") << result.on_boundary << '\n';
-  line("distance") << distance_in_words(scene, options) << '\n';
-  line("kernel") << options.kernel << (options.parallel ? ", parallel" : "") << '\n';
-  line("arithmetic") << result.tier << '\n';
-  out << std::fixed << std::setprecision(6);
-  line("search") << result.seconds << " s, with its outputs\n";
-  out << std::setprecision(1);
-  line("peak memory") << peak_memory() << " MiB\n";
+    print_name(out, "on boundary") << result.on_boundary << '\n';
+  print_name(out, "distance") << distance_in_words(scene, options) << '\n';
+  print_kernel(out, options);
+  print_name(out, "arithmetic") << result.tier << '\n';
+  print_costs(out, result.seconds, ", with its outputs");
+}
+
+void print_summary(std::ostream& out, const Scene& scene, const Options& options,
+                   const Closest_result& result)
+{
+  const auto [i, j] = result.pair;
+  print_name(out, "points") << scene.size() << '\n';
+  print_name(out, "closest pair") << i << ' ' << j;
+  if(!scene.ids.empty())
+    out << ", " << scene.ids[i] << " and " << scene.ids[j];
+  out << '\n';
+  print_name(out, "squared") << exact_text(result.squared_distance) << ", exactly\n";
+  out << std::setprecision(10);
+  print_name(out, "distance") << scene.distance(i, j) << (scene.unit.empty() ? "" : " ")
+                              << scene.unit << ", rounded\n";
+  print_kernel(out, options);
+  print_costs(out, result.seconds, "");
 }
 
 // Lets an interrupted search end by an error, so that no temporary file stays. A pipe that nobody
@@ -90,25 +132,43 @@ void catch_signals()
   std::signal(SIGPIPE, SIG_IGN);
 }
 
+// The options of a search for the pairs at the distance of the closest one.
+Options options_at(const CGAL::Exact_rational& squared_distance, Options options)
+{
+  options.squared = true;
+  options.distance = squared_distance;
+  options.distance_text = exact_text(squared_distance);
+  return options;
+}
+
 void run(const Options& options)
 {
   const Scene scene = read_scene(options);
   catch_signals();
   const auto pairs_file = open_output(options.pairs, options);
   const auto picture_file = open_output(options.picture, options);
+  std::optional<Closest_result> closest;
+  if(options.closest)
+    closest = find_closest(scene, options);
+  const Options drawn = closest ? options_at(closest->squared_distance, options) : options;
   std::optional<Pair_table> table;
   if(pairs_file)
     table.emplace(pairs_file->stream(), scene);
   std::optional<Picture> picture;
   if(picture_file)
-    picture.emplace(scene, options, distance_in_words(scene, options));
+    picture.emplace(scene, drawn, distance_in_words(scene, drawn));
 
-  const Search_result result = search(scene, options, [&](std::size_t i, std::size_t j) {
+  const auto sink = [&](std::size_t i, std::size_t j) {
     if(table)
       table->add(i, j);
     if(picture)
       picture->add_pair(i, j);
-  });
+  };
+  Search_result result;
+  if(closest)
+    sink(closest->pair.first, closest->pair.second);
+  else
+    result = search(scene, options, sink);
 
   if(picture) {
     picture->write(picture_file->stream());
@@ -117,9 +177,13 @@ void run(const Options& options)
   if(pairs_file)
     pairs_file->commit();
   std::ostream& out = options.pairs == "-" ? std::cerr : std::cout;
-  if(options.explain)
-    out << result.profile << '\n';
-  print_summary(out, scene, options, result);
+  if(closest)
+    print_summary(out, scene, options, *closest);
+  else {
+    if(options.explain)
+      out << result.profile << '\n';
+    print_summary(out, scene, options, result);
+  }
 }
 
 } // namespace

@@ -27,7 +27,9 @@ void add_scene_options(po::options_description& all, Options& options)
      "report pairs at most this far apart; a decimal or a quotient (0.1, 1e-3, 1/3), taken exactly")
     ("squared-distance", po::value<std::string>()->value_name("TEXT"),
      "the same, given by its square")
-    ("open", po::bool_switch(&options.open), "report strictly closer pairs only");
+    ("open", po::bool_switch(&options.open), "report strictly closer pairs only")
+    ("closest", po::bool_switch(&options.closest),
+     "report the closest pair and its exact squared distance, in place of all pairs within one");
   po::options_description points("How the file is read");
   points.add_options()
     ("dimension", po::value<int>(&options.dimension)->value_name("2|3"),
@@ -81,8 +83,13 @@ po::variables_map parse(int argc, const char* const* argv, const po::options_des
 
 void read_distance(const po::variables_map& map, Options& options)
 {
-  if(map.count("distance") + map.count("squared-distance") != 1)
-    throw Error("give one of --distance and --squared-distance");
+  if(map.count("distance") + map.count("squared-distance") + options.closest != 1)
+    throw Error("give one of --distance, --squared-distance and --closest");
+  if(options.closest) {
+    if(options.open || options.explain || options.progress)
+      throw Error("--open, --explain and --progress are for the pairs within a distance");
+    return;
+  }
   options.squared = map.count("squared-distance") != 0;
   const std::string name = options.squared ? "squared-distance" : "distance";
   options.distance_text = map[name].as<std::string>();
@@ -171,7 +178,8 @@ std::string help_text()
   add_search_options(visible, ignored);
   std::ostringstream text;
   text << "near_pairs [options] FILE\n"
-          "reports every pair of points of FILE (.csv, .xyz, .off, .ply, .tsp) within a distance.\n"
+          "reports every pair of points of FILE (.csv, .xyz, .off, .ply, .tsp) within a distance,\n"
+          "or the closest one.\n"
        << visible << "\nExit status: 0, or 2 with one line on the standard error.\n";
   return text.str();
 }

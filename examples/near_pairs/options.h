@@ -22,6 +22,7 @@ struct Options
   CGAL::Exact_rational distance; // its exact value: the distance, or its square if `squared`
   bool squared = false;
   bool open = false;
+  bool closest = false;          // the closest pair instead; there is no distance then
 
   int dimension = 0; // 0: what the file has
   bool geographic = false;

@@ -10,10 +10,13 @@
 #include "options.h"
 #include "point_file.h"
 
+#include <CGAL/Exact_rational.h>
+
 #include <atomic>
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <utility>
 
 namespace near_pairs {
 
@@ -26,6 +29,13 @@ struct Search_result
   std::string profile;         // a description of the scene, with --explain
 };
 
+struct Closest_result
+{
+  std::pair<std::size_t, std::size_t> pair;
+  CGAL::Exact_rational squared_distance; // in the unit of the file, exactly
+  double seconds = 0;
+};
+
 // Set this, also from a signal handler, to end a search early: it then throws Error.
 inline std::atomic<bool> stop_requested = false;
 
@@ -36,6 +46,12 @@ Search_result search_double(const Scene& scene, const Options& options, const Pa
 Search_result search_epick(const Scene& scene, const Options& options, const Pair_sink& sink);
 Search_result search_epeck(const Scene& scene, const Options& options, const Pair_sink& sink);
 Search_result search_exact(const Scene& scene, const Options& options, const Pair_sink& sink);
+
+// The closest pair. Throws std::invalid_argument if there are fewer than two points.
+Closest_result closest_double(const Scene& scene, const Options& options);
+Closest_result closest_epick(const Scene& scene, const Options& options);
+Closest_result closest_epeck(const Scene& scene, const Options& options);
+Closest_result closest_exact(const Scene& scene, const Options& options);
 
 } // namespace near_pairs
 

@@ -3,6 +3,7 @@
 
 // The search with plain doubles in the points.
 
+#include "closest_with_kernel.h"
 #include "search_with_kernel.h"
 
 #include <CGAL/Simple_cartesian.h>
@@ -12,6 +13,11 @@ namespace near_pairs {
 Search_result search_double(const Scene& scene, const Options& options, const Pair_sink& sink)
 {
   return search_with_kernel<CGAL::Simple_cartesian<double>>(scene, options, sink);
+}
+
+Closest_result closest_double(const Scene& scene, const Options& options)
+{
+  return closest_with_kernel<CGAL::Simple_cartesian<double>>(scene, options);
 }
 
 } // namespace near_pairs

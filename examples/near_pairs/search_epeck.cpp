@@ -3,6 +3,7 @@
 
 // The search with lazily exact points, EPECK.
 
+#include "closest_with_kernel.h"
 #include "search_with_kernel.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -13,6 +14,12 @@ Search_result search_epeck(const Scene& scene, const Options& options, const Pai
 {
   using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
   return search_with_kernel<Kernel>(scene, options, sink);
+}
+
+Closest_result closest_epeck(const Scene& scene, const Options& options)
+{
+  using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+  return closest_with_kernel<Kernel>(scene, options);
 }
 
 } // namespace near_pairs

@@ -3,6 +3,7 @@
 
 // The search with exact rational numbers in the points.
 
+#include "closest_with_kernel.h"
 #include "search_with_kernel.h"
 
 #include <CGAL/Exact_rational.h>
@@ -13,6 +14,11 @@ namespace near_pairs {
 Search_result search_exact(const Scene& scene, const Options& options, const Pair_sink& sink)
 {
   return search_with_kernel<CGAL::Simple_cartesian<CGAL::Exact_rational>>(scene, options, sink);
+}
+
+Closest_result closest_exact(const Scene& scene, const Options& options)
+{
+  return closest_with_kernel<CGAL::Simple_cartesian<CGAL::Exact_rational>>(scene, options);
 }
 
 } // namespace near_pairs

@@ -150,6 +150,28 @@ expect_pairs "in the plane it does not" 3 quoted.csv --distance 2 --dimension 2
 expect_pairs "columns by number" 1 quoted.csv --distance 1 --columns 2,4
 expect_pairs "columns by name, in upper case" 1 quoted.csv --distance 1 --columns Y,Z
 
+# ---------------------------------------------------------------- the closest pair
+
+# The program must end well, with this pair at this squared distance.
+expect_closest() { # NAME PAIR SQUARED ARGUMENT...
+  local name=$1 pair=$2 squared=$3
+  shift 3
+  run "$@" --closest
+  verdict "$name: closest pair $pair" test "$status $(summary 'closest pair')" = "0 $pair"
+  verdict "  at squared distance $squared" test "$(summary squared)" = "$squared, exactly"
+}
+
+expect_closest "a pair of four" "1 2" 2 thirteen.csv
+expect_closest "the first of 99 ties" "0 1" 0.01 ties.csv --decimal
+expect_closest "equal points" "0 1" 0 equal.csv
+expect_closest "with ids" "0 1, a, b and c" 1 quoted.csv
+expect_closest "by columns" "0 1, a, b and c" 0 quoted.csv --columns z,z
+expect_closest "in space" "0 1" 0.25 points.xyz
+run quoted.csv --closest --pairs pairs.csv --picture picture.svg
+printf 'i,j,id_i,id_j,distance\n0,1,"a, b",c,1\n' > expected
+verdict "the closest pair as a table" cmp -s pairs.csv expected
+verdict "  and as a picture" grep -q '^</svg>' picture.svg
+
 # ---------------------------------------------------------------- outputs
 
 run quoted.csv --distance 1 --pairs pairs.csv --picture picture.svg
@@ -223,6 +245,10 @@ expect_error ".tsp without nodes" "head.tsp: no NODE_COORD_SECTION" head.tsp --d
 expect_error "no third axis" "points.tsp:6: " points.tsp --distance 1 --dimension 3
 expect_error "no distance" "--distance" ties.csv
 expect_error "two distances" "--distance" ties.csv --distance 1 --squared-distance 1
+expect_error "a distance and none" "--closest" ties.csv --distance 1 --closest
+expect_error "open and no distance" "--open" ties.csv --closest --open
+expect_error "closest of one point" "fewer than two points" single.csv --closest
+expect_error "closest of none" "fewer than two points" empty.csv --closest
 expect_error "negative distance" "-1 is negative" ties.csv --distance -1
 expect_error "negative quotient" "1/-3 is negative" ties.csv --squared-distance 1/-3
 expect_error "distance is no number" "'1,5' is no number" ties.csv --distance 1,5
@@ -269,6 +295,7 @@ for kernel in epick double epeck exact; do
                --kernel $kernel --pairs $kernel.csv
   expect_boundary 0
   verdict "  the same as epick" same_pairs $kernel.csv epick.csv
+  expect_closest "ships, $kernel" "2233 7823" 2e-10 "$ships" --decimal --kernel $kernel
   run ties.csv --distance 0.1 --kernel $kernel --pairs ties_$kernel.csv
   verdict "  also on the tenths as doubles" same_pairs ties_$kernel.csv ties_epick.csv
 done

@@ -76,9 +76,9 @@ Coordinate_scan scan_coordinates(const Elements& points, const std::string& name
   const int dimension = points.size() == 0 ? 0 : points[0].dimension();
   Coordinate_scan scan;
   scan.box.resize(static_cast<std::size_t>(dimension), {infinity, -infinity});
-  std::vector<Coordinate_scan> scans(block_count_v<ConcurrencyTag>, scan);
+  std::vector<Coordinate_scan> scans(block_count<ConcurrencyTag>(), scan);
   for_each_numbered_block<ConcurrencyTag>(
-    points.size(), [&](std::size_t block, std::size_t first, std::size_t last) {
+    scans.size(), points.size(), [&](std::size_t block, std::size_t first, std::size_t last) {
       scan_block(points, first, last, dimension, scans[block], store);
     });
   for(const Coordinate_scan& each : scans)

@@ -106,21 +106,22 @@ public:
     const Place count = cut_.count();
 
     // Each block of points has its own counts, which become the places that it writes to.
-    std::vector<Place> next(block_count_v<ConcurrencyTag> * count, 0);
+    const std::size_t blocks = block_count<ConcurrencyTag>();
+    std::vector<Place> next(blocks * count, 0);
     for_each_numbered_block<ConcurrencyTag>(
-      size, [&](std::size_t block, std::size_t i, std::size_t end) {
+      blocks, size, [&](std::size_t block, std::size_t i, std::size_t end) {
         for(; i != end; ++i)
           ++next[block * count + cut_(doubles.at(first + i, axis))];
       });
     Place sum = 0;
     for(Place part = 0; part < count; ++part) {
       begins_.push_back(sum);
-      for(std::size_t block = 0; block < block_count_v<ConcurrencyTag>; ++block)
+      for(std::size_t block = 0; block < blocks; ++block)
         sum += std::exchange(next[block * count + part], sum);
     }
     begins_.push_back(sum);
     for_each_numbered_block<ConcurrencyTag>(
-      size, [&](std::size_t block, std::size_t i, std::size_t end) {
+      blocks, size, [&](std::size_t block, std::size_t i, std::size_t end) {
         for(; i != end; ++i) {
           const std::array<double, Dimension> p = doubles.template at<Dimension>(first + i);
           points_[next[block * count + cut_(p[axis])]++] = {p, static_cast<Place>(first + i)};

@@ -13,6 +13,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
+#include <tbb/task_arena.h>
 #endif
 
 #include <cstddef>
@@ -68,15 +69,23 @@ void for_each_block(std::size_t count, const Task& task)
     task(std::size_t(0), count);
 }
 
-// How many blocks elements are divided into when each block has a result of its own.
+// How many blocks elements are divided into when each block is some work of its own: few, but with
+// more than one per thread the threads finish at about the same time.
 template <class ConcurrencyTag>
-constexpr std::size_t block_count_v = is_parallel_v<ConcurrencyTag> ? 16 : 1;
-
-// Calls task(block, first, last) for block_count_v blocks that cover the indices [0, count).
-template <class ConcurrencyTag, class Task>
-void for_each_numbered_block(std::size_t count, const Task& task)
+std::size_t block_count()
 {
-  constexpr std::size_t blocks = block_count_v<ConcurrencyTag>;
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr(is_parallel_v<ConcurrencyTag>)
+    return 4 * static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+  else
+#endif
+    return 1;
+}
+
+// Calls task(block, first, last) for `blocks` blocks that cover the indices [0, count).
+template <class ConcurrencyTag, class Task>
+void for_each_numbered_block(std::size_t blocks, std::size_t count, const Task& task)
+{
   for_each_block<ConcurrencyTag>(blocks, [&](std::size_t block, std::size_t end) {
     for(; block != end; ++block)
       task(block, block * count / blocks, (block + 1) * count / blocks);

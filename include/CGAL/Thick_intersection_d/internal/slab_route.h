@@ -189,10 +189,11 @@ private:
   void sweep_slabs(Place count, Report& report, const Task& task) const
   {
     const auto decide = [&](Place i, Place j) { return is_within_(points_[i], points_[j]); };
-    for_each_block<ConcurrencyTag>(count, [&](std::size_t first, std::size_t last) {
-      Slab_sweep<Dimension, decltype(decide), Report> sweep(reach_, wide_filter_, decide, report);
-      task(sweep, static_cast<Place>(first), static_cast<Place>(last));
-    });
+    for_each_numbered_block<ConcurrencyTag>(
+      block_count<ConcurrencyTag>(), count, [&](std::size_t, std::size_t first, std::size_t last) {
+        Slab_sweep<Dimension, decltype(decide), Report> sweep(reach_, wide_filter_, decide, report);
+        task(sweep, static_cast<Place>(first), static_cast<Place>(last));
+      });
   }
 
   // Returns the slabs of the points at the positions [first, last).
