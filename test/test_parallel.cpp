@@ -135,3 +135,23 @@ BOOST_AUTO_TEST_CASE(progress_comes_in_order)
   BOOST_CHECK(is_ordered);
   BOOST_CHECK_EQUAL(last, 1);
 }
+
+// The same lists for any number of threads.
+BOOST_AUTO_TEST_CASE(neighbor_lists)
+{
+  for(int dimension : {2, 3}) {
+    const auto check = [&](const auto& points) {
+      const auto bound = CGAL::within_distance(1. / 64);
+      const CGAL::Neighbor_lists lists = CGAL::fixed_radius_neighbor_lists(points, bound);
+      BOOST_CHECK_GT(lists.number_of_pairs(), points.size());
+      for(const std::size_t threads : {std::size_t(1), thread_count}) {
+        const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+        BOOST_CHECK(CGAL::fixed_radius_neighbor_lists<CGAL::Parallel_tag>(points, bound) == lists);
+      }
+    };
+    if(dimension == 2)
+      check(make_points<Cartesian_points<Epick, 2>>(large_scene(2)));
+    else
+      check(make_points<Cartesian_points<Epick, 3>>(large_scene(3)));
+  }
+}

@@ -8,10 +8,12 @@
 // All pairs of points within a distance, of one range or between two.
 
 #include <CGAL/Distance_bound.h>
+#include <CGAL/Neighbor_lists.h>
 #include <CGAL/Scene_profile.h>
 #include <CGAL/Thick_point_traits_d.h>
 
 #include <CGAL/Thick_intersection_d/internal/Elements.h>
+#include <CGAL/Thick_intersection_d/internal/Neighbor_collector.h>
 #include <CGAL/Thick_intersection_d/internal/report_intersections.h>
 #include <CGAL/Thick_intersection_d/internal/slab_route.h>
 
@@ -198,6 +200,37 @@ bool fixed_radius_near_neighbors(const PointRangeA& points_a, const PointRangeB&
   const internal::Joined_elements elements(elements_a, elements_b);
   return internal::report_near_pairs<ConcurrencyTag>(elements, elements_a.size(), bound, callback,
                                                      np);
+}
+
+/*!
+\ingroup PkgThickIntersectionDRef
+
+returns for each point of a range all other points whose distance is within a bound.
+
+It takes \f$ O(n \log n + k \log k) \f$ time and \f$ O(n + k) \f$ space in fixed dimension, \f$ k \f$
+being the number of pairs \cgalCite{v-riato-03}. The result does not depend on the number of threads.
+
+The parameters are those of `fixed_radius_near_neighbors()`.
+
+\return the lists. If the progress functor cancels, those of the pairs found until then.
+
+\throws std::invalid_argument as `fixed_radius_near_neighbors()`.
+\throws std::length_error if there are \f$ 2^{32} \f$ points or more.
+*/
+template <class ConcurrencyTag = Sequential_tag, class PointRange, class NT,
+          class NamedParameters = parameters::Default_named_parameters>
+Neighbor_lists fixed_radius_neighbor_lists(const PointRange& points,
+                                           const Distance_bound<NT>& bound,
+                                           const NamedParameters& np = parameters::default_values())
+{
+  namespace internal = Thick_intersection_d::internal;
+  const auto elements = internal::make_elements(points, np);
+  if(elements.size() > (std::numeric_limits<Neighbor_lists::Position>::max)())
+    throw std::length_error("There are more points than a list of neighbors can tell apart.");
+  internal::Neighbor_collector<ConcurrencyTag> collector(elements.size());
+  const auto collect = [&](std::size_t i, std::size_t j) { collector.add(i, j); };
+  internal::report_near_pairs<ConcurrencyTag>(elements, std::nullopt, bound, collect, np);
+  return collector.lists();
 }
 
 } // namespace CGAL

@@ -11,11 +11,13 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
 #endif
 
+#include <algorithm>
 #include <cstddef>
 #include <type_traits>
 
@@ -91,6 +93,40 @@ void for_each_numbered_block(std::size_t blocks, std::size_t count, const Task& 
       task(block, block * count / blocks, (block + 1) * count / blocks);
   });
 }
+
+// A value for each thread that asks for one: a copy of the first.
+template <class ConcurrencyTag, class T>
+class Per_thread
+{
+public:
+  explicit Per_thread(const T& first) : values_(first) {}
+
+  T& local()
+  {
+    if constexpr(is_parallel_v<ConcurrencyTag>)
+      return values_.local();
+    else
+      return values_;
+  }
+
+  template <class Task>
+  void for_each(const Task& task)
+  {
+    if constexpr(is_parallel_v<ConcurrencyTag>)
+      std::for_each(values_.begin(), values_.end(), task);
+    else
+      task(values_);
+  }
+
+private:
+#ifdef CGAL_LINKED_WITH_TBB
+  using Values = tbb::enumerable_thread_specific<T, tbb::cache_aligned_allocator<T>,
+                                                 tbb::ets_key_per_instance>;
+  std::conditional_t<is_parallel_v<ConcurrencyTag>, Values, T> values_;
+#else
+  T values_;
+#endif
+};
 
 } // namespace internal
 } // namespace Thick_intersection_d

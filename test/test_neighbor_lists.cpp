@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Lists of neighbours against brute force: each neighbour once, on both sides, in order.
+
+#define BOOST_TEST_MODULE neighbor_lists
+#include "support/brute_force.h"
+#include "support/kernels.h"
+#include "support/point_generators.h"
+
+#include <CGAL/Epick_d.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <list>
+
+using namespace test_support;
+
+using Kernel = CGAL::Simple_cartesian<double>;
+
+namespace {
+
+std::vector<std::vector<std::size_t>> neighbors_by_brute_force(const Points& points, double r)
+{
+  std::vector<std::vector<std::size_t>> lists(points.size());
+  for(const Pair& p : brute_force(points, Radius::of_length(r)).pairs) {
+    lists[p.first].push_back(p.second);
+    lists[p.second].push_back(p.first);
+  }
+  for(auto& list : lists)
+    std::sort(list.begin(), list.end());
+  return lists;
+}
+
+void check_lists(const CGAL::Neighbor_lists& lists, const Points& points, double r)
+{
+  const auto expected = neighbors_by_brute_force(points, r);
+  BOOST_REQUIRE_EQUAL(lists.size(), points.size());
+  std::size_t neighbors = 0;
+  for(std::size_t i = 0; i < lists.size(); ++i) {
+    BOOST_CHECK_EQUAL_COLLECTIONS(lists[i].begin(), lists[i].end(), expected[i].begin(),
+                                  expected[i].end());
+    neighbors += expected[i].size();
+  }
+  BOOST_CHECK_EQUAL(2 * lists.number_of_pairs(), neighbors);
+  BOOST_CHECK_EQUAL(lists.begins().back(), lists.positions().size());
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(short_and_long_lists)
+{
+  // Lists of up to 64 neighbours are sorted in a way of their own, and bins have 4096 points.
+  for(const double r : {0., 0.01, 0.12, 0.13, 0.5, 2.}) {
+    const Points points = uniform_points(2, 1500, 0, 1, 3);
+    check_lists(CGAL::fixed_radius_neighbor_lists(make_points<Cartesian_points<Kernel, 2>>(points),
+                                                  CGAL::within_distance(r)),
+                points, r);
+  }
+  const Points many = uniform_points(3, 9000, 0, 1, 4);
+  check_lists(CGAL::fixed_radius_neighbor_lists(make_points<Cartesian_points<Kernel, 3>>(many),
+                                                CGAL::within_distance(0.05)),
+              many, 0.05);
+}
+
+BOOST_AUTO_TEST_CASE(lists_of_lattices_with_ties)
+{
+  const Points lattice = lattice_points(2, 20, 0.1, 0);
+  check_lists(CGAL::fixed_radius_neighbor_lists(make_points<Cartesian_points<Kernel, 2>>(lattice),
+                                                CGAL::within_distance(0.1)),
+              lattice, 0.1);
+}
+
+BOOST_AUTO_TEST_CASE(lists_in_higher_dimension)
+{
+  const Points points = uniform_points(5, 300, 0, 1, 5);
+  using Maker = Points_d<CGAL::Epick_d<CGAL::Dimension_tag<5>>>;
+  check_lists(CGAL::fixed_radius_neighbor_lists(make_points<Maker>(points),
+                                                CGAL::within_distance(0.4)),
+              points, 0.4);
+}
+
+BOOST_AUTO_TEST_CASE(lists_of_few_points_and_bad_ones)
+{
+  using Point = Kernel::Point_2;
+  const auto bound = CGAL::within_distance(1);
+  BOOST_CHECK_EQUAL(CGAL::fixed_radius_neighbor_lists(std::vector<Point>(), bound).size(), 0u);
+  const CGAL::Neighbor_lists one
+    = CGAL::fixed_radius_neighbor_lists(std::list<Point>{Point(0, 0)}, bound);
+  BOOST_CHECK_EQUAL(one.size(), 1u);
+  BOOST_CHECK(one[0].empty());
+  BOOST_CHECK(CGAL::Neighbor_lists() == CGAL::Neighbor_lists());
+  const std::vector<Point> bad = {Point(0, 0), Point(0, std::nan(""))};
+  BOOST_CHECK_THROW(CGAL::fixed_radius_neighbor_lists(bad, bound), std::invalid_argument);
+}
+
+// What was found until the progress functor cancels.
+BOOST_AUTO_TEST_CASE(lists_of_a_cancelled_search)
+{
+  const std::vector<Kernel::Point_2> points(100, Kernel::Point_2(1, 2));
+  const auto bound = CGAL::within_distance(1);
+  const auto cancel = [](double done) { return done < 0.5; };
+  const CGAL::Neighbor_lists lists
+    = CGAL::fixed_radius_neighbor_lists(points, bound, CGAL::parameters::callback(cancel));
+  BOOST_CHECK_EQUAL(lists.size(), 100u);
+  BOOST_CHECK_GT(lists.number_of_pairs(), 0u);
+  BOOST_CHECK_LT(lists.number_of_pairs(), 4950u);
+}
