@@ -207,8 +207,9 @@ bool fixed_radius_near_neighbors(const PointRangeA& points_a, const PointRangeB&
 
 returns for each point of a range all other points whose distance is within a bound.
 
-It takes \f$ O(n \log n + k \log k) \f$ time and \f$ O(n + k) \f$ space in fixed dimension, \f$ k \f$
-being the number of pairs \cgalCite{v-riato-03}. The result does not depend on the number of threads.
+It takes \f$ O(n \log n + k \log k) \f$ time and \f$ O(n + k) \f$ space in fixed dimension,
+\f$ k \f$ being the number of pairs \cgalCite{v-riato-03}. The result does not depend on the number
+of threads.
 
 The parameters are those of `fixed_radius_near_neighbors()`.
 

@@ -76,7 +76,8 @@ private:
   template <class Task>
   void for_each_neighbor(std::size_t bin, const Task& task)
   {
-    bins_.for_each([&](const Bins& bins) { std::for_each(bins[bin].begin(), bins[bin].end(), task); });
+    bins_.for_each(
+      [&](const Bins& bins) { std::for_each(bins[bin].begin(), bins[bin].end(), task); });
   }
 
   // Fills the lists of a bin, and empties it.
@@ -87,7 +88,8 @@ private:
     const std::size_t last = (std::min)(first + bin_size, size_);
     std::vector<std::size_t> next(begins.begin() + static_cast<std::ptrdiff_t>(first),
                                   begins.begin() + static_cast<std::ptrdiff_t>(last));
-    for_each_neighbor(bin, [&](const Neighbor& n) { positions[next[n.of - first]++] = n.position; });
+    for_each_neighbor(
+      bin, [&](const Neighbor& n) { positions[next[n.of - first]++] = n.position; });
     bins_.for_each([&](Bins& bins) { std::vector<Neighbor>().swap(bins[bin]); });
     for(std::size_t i = first; i < last; ++i)
       sort(positions.data() + begins[i], positions.data() + begins[i + 1]);

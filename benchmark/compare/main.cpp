@@ -1,0 +1,201 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// compare: the time of many methods on the same scenes, as a program of Google Benchmark. Before a
+// method is timed its pairs are compared with ours. A measurement is called
+//
+//   <dimension>/<scene>/<k/n aimed at>/<n>/<method>
+
+#include "../support/Search.h"
+#include "../support/run_facts.h"
+#include "../support/scenes.h"
+#include "methods.h"
+
+#include <benchmark/benchmark.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <cstring>
+#include <iostream>
+#include <sstream>
+
+namespace thick_benchmark {
+namespace {
+
+struct Scene_kind
+{
+  std::string name;
+  bool has_variants; // whether the variants of methods are measured as well
+  std::function<Scene()> make;
+};
+
+// The scene and the method that were prepared last: the library runs a measurement several times.
+class Stage
+{
+public:
+  const Scene& scene(const Scene_kind& kind)
+  {
+    if(scene_name_ != kind.name) {
+      run_ = nullptr;
+      method_name_.clear();
+      scene_ = kind.make();
+      scene_name_ = kind.name;
+      pairs_ = search_epick(scene_).sequential();
+    }
+    return scene_;
+  }
+
+  const Tally& pairs() const { return pairs_; }
+
+  // After this, found() is what the method finds.
+  const Run& run(const Method& method)
+  {
+    if(method_name_ != method.name) {
+      run_ = nullptr;
+      run_ = method.prepare(scene_);
+      method_name_ = method.name;
+      found_ = run_();
+    }
+    return run_;
+  }
+
+  const Tally& found() const { return found_; }
+
+private:
+  std::string scene_name_;
+  Scene scene_;
+  Tally pairs_;
+  std::string method_name_;
+  Run run_;
+  Tally found_;
+};
+
+std::string difference_in_words(const Tally& expected, const Tally& found)
+{
+  std::ostringstream words;
+  words << found << " instead of " << expected;
+  return words.str();
+}
+
+void measure(benchmark::State& state, Stage& stage, const Scene_kind& kind, const Method& method)
+{
+  const Scene& scene = stage.scene(kind);
+  const Run& run = stage.run(method);
+  if(method.answer == Answer::EXACT && stage.found() != stage.pairs()) {
+    state.SkipWithError(difference_in_words(stage.pairs(), stage.found()).c_str());
+    return;
+  }
+  for(auto _ : state)
+    benchmark::DoNotOptimize(run());
+  state.counters["n"] = static_cast<double>(scene.size());
+  state.counters["k"] = static_cast<double>(stage.pairs().pairs);
+  state.counters["r"] = scene.r;
+  if(method.answer == Answer::ROUNDED)
+    state.counters["pairs_too_many"] = static_cast<double>(stage.found().pairs)
+                                       - static_cast<double>(stage.pairs().pairs);
+}
+
+std::string name(int dimension, const char* kind, double neighbours, std::size_t n)
+{
+  std::ostringstream name;
+  name << dimension << "D/" << kind << '/' << neighbours << '/' << n;
+  return name.str();
+}
+
+// Time against n, against k/n, and on other scenes.
+std::vector<Scene_kind> scene_kinds(std::size_t largest_n)
+{
+  std::vector<Scene_kind> kinds;
+  const std::size_t n = std::min<std::size_t>(largest_n, 1000000);
+  const auto add_uniform = [&](int d, double neighbours, std::size_t size, bool has_variants) {
+    kinds.push_back({name(d, "uniform", neighbours, size), has_variants, [=] {
+                       return uniform(d, size, neighbours * static_cast<double>(size));
+                     }});
+  };
+  for(int d : {2, 3}) {
+    for(std::size_t size = 1000; size <= largest_n; size *= 10)
+      for(double neighbours : {0.5, 10.})
+        add_uniform(d, neighbours, size, true);
+    for(double neighbours : {0.01, 0.1, 2., 40., 100.})
+      add_uniform(d, neighbours, n, false);
+    kinds.push_back({name(d, "clusters", 2, n), false, [=] {
+                       return with_fitting_distance(clusters(d, n), count_pairs);
+                     }});
+  }
+  return kinds;
+}
+
+Methods all_methods()
+{
+  Methods methods;
+  add_ours(methods);
+  add_book_variants(methods);
+  add_box_intersection(methods);
+  add_delaunay_epick(methods);
+  add_delaunay_epeck(methods);
+  add_kd_tree(methods);
+  add_rtree(methods);
+#ifdef THICK_BENCHMARK_HAS_NANOFLANN
+  add_nanoflann(methods);
+#endif
+#ifdef THICK_BENCHMARK_HAS_ANN
+  add_ann(methods);
+#endif
+  return methods;
+}
+
+void register_all(Stage& stage, std::size_t largest_n)
+{
+  const Methods methods = all_methods();
+  for(const Scene_kind& kind : scene_kinds(largest_n)) {
+    const std::size_t n = std::stoul(kind.name.substr(kind.name.rfind('/') + 1));
+    for(const Method& method : methods)
+      if(n <= method.largest_n && (kind.has_variants || !method.is_variant))
+        benchmark::RegisterBenchmark(
+          (kind.name + "/" + method.name).c_str(),
+          [&stage, kind, method](benchmark::State& state) { measure(state, stage, kind, method); })
+          ->Unit(benchmark::kMillisecond)
+          ->UseRealTime();
+  }
+}
+
+// Takes "--largest=<n>", the only option of our own, out of the arguments.
+std::size_t largest_n(int& argc, char** argv)
+{
+  const std::string option = "--largest=";
+  std::size_t n = 1000000;
+  int kept = 1;
+  for(int a = 1; a < argc; ++a)
+    if(std::strncmp(argv[a], option.c_str(), option.size()) == 0)
+      n = std::stoul(argv[a] + option.size());
+    else
+      argv[kept++] = argv[a];
+  argc = kept;
+  return n;
+}
+
+} // namespace
+} // namespace thick_benchmark
+
+int main(int argc, char** argv)
+{
+  using namespace thick_benchmark;
+#ifdef CGAL_LINKED_WITH_TBB
+  const tbb::global_control two_threads(tbb::global_control::max_allowed_parallelism, 2);
+#endif
+  const std::size_t largest = largest_n(argc, argv);
+  benchmark::Initialize(&argc, argv);
+  if(benchmark::ReportUnrecognizedArguments(argc, argv)) {
+    std::cerr << "compare: besides those of Google Benchmark there is --largest=<n>\n";
+    return 1;
+  }
+  for(const Run_fact& fact : run_facts())
+    benchmark::AddCustomContext(fact.name, fact.value);
+  Stage stage;
+  register_all(stage, largest);
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
+}

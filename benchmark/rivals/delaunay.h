@@ -1,0 +1,117 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Breadth-first search on the Delaunay triangulation, from each point through the points near it:
+// these are connected to it inside their ball. [L] Points must be distinct.
+
+#ifndef THICK_INTERSECTION_BENCHMARK_RIVALS_DELAUNAY_H
+#define THICK_INTERSECTION_BENCHMARK_RIVALS_DELAUNAY_H
+
+#include "near_points.h"
+
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace thick_benchmark {
+
+template <class Kernel, int Dimension>
+struct Delaunay;
+
+template <class Kernel>
+struct Delaunay<Kernel, 2>
+{
+  using Vertex_base = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
+  using Data = CGAL::Triangulation_data_structure_2<Vertex_base>;
+  using Triangulation = CGAL::Delaunay_triangulation_2<Kernel, Data>;
+  using Edge = typename Triangulation::Edge;
+
+  static std::pair<std::uint32_t, std::uint32_t> ends(const Edge& e)
+  {
+    return {e.first->vertex(Triangulation::cw(e.second))->info(),
+            e.first->vertex(Triangulation::ccw(e.second))->info()};
+  }
+};
+
+template <class Kernel>
+struct Delaunay<Kernel, 3>
+{
+  using Vertex_base = CGAL::Triangulation_vertex_base_with_info_3<std::uint32_t, Kernel>;
+  using Cell_base = CGAL::Delaunay_triangulation_cell_base_3<Kernel>;
+  using Data = CGAL::Triangulation_data_structure_3<Vertex_base, Cell_base>;
+  using Triangulation = CGAL::Delaunay_triangulation_3<Kernel, Data>;
+  using Edge = typename Triangulation::Edge;
+
+  static std::pair<std::uint32_t, std::uint32_t> ends(const Edge& e)
+  {
+    return {e.first->vertex(e.second)->info(), e.first->vertex(e.third)->info()};
+  }
+};
+
+// The neighbours of vertex v are others[begin[v]], ..., others[begin[v + 1] - 1].
+struct Adjacency
+{
+  std::vector<std::uint32_t> begin;
+  std::vector<std::uint32_t> others;
+};
+
+template <class Kernel, class Point>
+Adjacency delaunay_neighbours(const std::vector<Point>& points)
+{
+  using Kind = Delaunay<Kernel, dimension_of<Point>>;
+  std::vector<std::pair<Point, std::uint32_t>> vertices;
+  for(std::size_t i = 0; i < points.size(); ++i)
+    vertices.emplace_back(points[i], static_cast<std::uint32_t>(i));
+  const typename Kind::Triangulation triangulation(vertices.begin(), vertices.end());
+
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  Adjacency adjacency{std::vector<std::uint32_t>(points.size() + 2, 0), {}};
+  for(const typename Kind::Edge& e : triangulation.finite_edges()) {
+    edges.push_back(Kind::ends(e));
+    ++adjacency.begin[edges.back().first + 2];
+    ++adjacency.begin[edges.back().second + 2];
+  }
+  for(std::size_t v = 2; v < adjacency.begin.size(); ++v)
+    adjacency.begin[v] += adjacency.begin[v - 1];
+  adjacency.others.resize(2 * edges.size());
+  for(const auto& [u, v] : edges) { // begin[v + 1] grows from where v begins to where it ends
+    adjacency.others[adjacency.begin[u + 1]++] = v;
+    adjacency.others[adjacency.begin[v + 1]++] = u;
+  }
+  return adjacency;
+}
+
+template <class Kernel, class Point, class Callback>
+void delaunay_search(const std::vector<Point>& points, double r, Callback& callback)
+{
+  const Is_near<Point> is_near = make_is_near<Point>(r);
+  const Adjacency adjacency = delaunay_neighbours<Kernel>(points);
+  std::vector<std::uint32_t> last_source(points.size(), ~std::uint32_t(0));
+  std::vector<std::uint32_t> reached;
+  for(std::uint32_t source = 0; source < points.size(); ++source) {
+    reached.assign(1, source);
+    last_source[source] = source;
+    for(std::size_t next = 0; next < reached.size(); ++next)
+      for(std::uint32_t e = adjacency.begin[reached[next]];
+          e != adjacency.begin[reached[next] + 1]; ++e) {
+        const std::uint32_t v = adjacency.others[e];
+        if(last_source[v] == source)
+          continue;
+        last_source[v] = source;
+        if(!is_near(points[source], points[v]))
+          continue;
+        reached.push_back(v);
+        if(source < v)
+          callback(source, v);
+      }
+  }
+}
+
+} // namespace thick_benchmark
+
+#endif // THICK_INTERSECTION_BENCHMARK_RIVALS_DELAUNAY_H

@@ -1,0 +1,15 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "kernel_search.h"
+
+#include <CGAL/Simple_cartesian.h>
+
+namespace thick_benchmark {
+
+Search search_double(const Scene& scene)
+{
+  return kernel_search<CGAL::Simple_cartesian<double>>(scene);
+}
+
+} // namespace thick_benchmark

@@ -1,0 +1,424 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "rows.h"
+
+#include "../support/Search.h"
+#include "../support/scenes.h"
+#include "../support/timing.h"
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/parallel_invoke.h>
+#endif
+
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+#include <stdexcept>
+
+namespace thick_benchmark {
+
+namespace {
+
+using Rows = std::vector<Row>;
+using Quotient = std::function<double(const Seconds&)>;
+
+const int rounds = 7;
+const Goal speed_up = {Goal::AT_LEAST, 1.7, 1.9};
+
+Goal at_most(double target) { return {Goal::AT_MOST, target, std::nullopt}; }
+Goal at_most(double target, double good) { return {Goal::AT_MOST, target, good}; }
+
+void check_equal(const std::string& name, const Tally& expected, const Tally& found)
+{
+  std::ostringstream message;
+  message << name << ": " << found << " instead of " << expected;
+  if(expected != found)
+    throw std::runtime_error(message.str());
+}
+
+// The pairs of a scene, after all ways of the search have found the same.
+Tally agreed_pairs(const Scene& scene, const Search& search, const Tally& expected)
+{
+  check_equal(scene.name, expected, search.sequential());
+  if(search.parallel)
+    check_equal(scene.name + " in parallel", expected, search.parallel());
+  return expected;
+}
+
+Tally agreed_pairs(const Scene& scene, const Search& search)
+{
+  return agreed_pairs(scene, search, tally_by_the_book(scene));
+}
+
+// A search whose pairs have been checked, and where its times are compared with.
+struct Subject
+{
+  std::string name;
+  std::size_t n;
+  std::uint64_t k;
+  Search search;
+};
+
+Subject make_subject(const Scene& scene, const std::string& name)
+{
+  const Search search = search_epick(scene);
+  return {name, scene.size(), agreed_pairs(scene, search).pairs, search};
+}
+
+// ---- in parallel --------------------------------------------------------------------------------
+
+#ifdef CGAL_LINKED_WITH_TBB
+
+void sort_numbers(std::uint64_t seed)
+{
+  std::vector<double> numbers(200000);
+  for(double& x : numbers)
+    x = static_cast<double>(seed = seed * 6364136223846793005 + 1442695040888963407);
+  std::sort(numbers.begin(), numbers.end());
+}
+
+void sort_twice()
+{
+  sort_numbers(1);
+  sort_numbers(2);
+}
+
+void sort_two_at_once()
+{
+  tbb::parallel_invoke([] { sort_numbers(1); }, [] { sort_numbers(2); });
+}
+
+// The speed-up of a search by two threads, and that of two sorts, which have nothing to do with
+// each other: how much of two processors the machine had to give at the time.
+Row measure_speed_up(const Subject& subject)
+{
+  const std::vector<Seconds> times
+    = time_in_turns({timed_by_the_clock(subject.search.sequential),
+                     timed_by_the_clock(subject.search.parallel), timed_by_the_clock(sort_twice),
+                     timed_by_the_clock(sort_two_at_once)},
+                    rounds);
+  return {subject.name + ", 2 threads",
+          "speed-up",
+          speed_up,
+          median(times, [](const Seconds& s) { return s[0] / s[1]; }),
+          subject.n,
+          subject.k,
+          median(times, [](const Seconds& s) { return 1000 * s[1]; }),
+          median(times, [](const Seconds& s) { return s[2] / s[3]; })};
+}
+
+#endif // CGAL_LINKED_WITH_TBB
+
+// Times the subject in turns with other jobs: `quotient` is told the seconds of the subject and of
+// the others, in this order. A second row tells the speed-up in parallel.
+Rows measure(const Subject& subject, const std::string& quantity, const Goal& goal,
+             const std::vector<Job>& others, const Quotient& quotient)
+{
+  std::vector<Job> jobs = {timed(subject.search.sequential)};
+  jobs.insert(jobs.end(), others.begin(), others.end());
+  const std::vector<Seconds> times = time_in_turns(jobs, rounds);
+  Rows rows = {{subject.name, quantity, goal, median(times, quotient), subject.n, subject.k,
+                median(times, [](const Seconds& s) { return 1000 * s[0]; })}};
+#ifdef CGAL_LINKED_WITH_TBB
+  rows.push_back(measure_speed_up(subject));
+#endif
+  return rows;
+}
+
+double of_first_other(const Seconds& s) { return s[0] / s[1]; }
+
+// ---- against std::sort --------------------------------------------------------------------------
+
+// Sorts the x-coordinates of a scene, copied anew each time; the copy takes no part in the seconds.
+Job sort_of_x(const Scene& scene)
+{
+  const std::size_t dimension = static_cast<std::size_t>(scene.dimension);
+  std::vector<double> unsorted;
+  for(std::size_t i = 0; i < scene.coordinates.size(); i += dimension)
+    unsorted.push_back(scene.coordinates[i]);
+  return [unsorted] {
+    std::vector<double> x = unsorted;
+    return processor_seconds_of([&] { std::sort(x.begin(), x.end()); });
+  };
+}
+
+// A scene of uniform points, and what it is called.
+struct Uniform_scene
+{
+  int dimension;
+  double neighbours; // k / n
+  Goal goal;         // of the time in that of std::sort
+
+  std::string name() const
+  {
+    return std::to_string(dimension) + "D uniform, k ~ " + (neighbours < 1 ? "n/2" : "10 n");
+  }
+  Scene make(std::size_t n) const
+  {
+    return uniform(dimension, n, neighbours * static_cast<double>(n));
+  }
+};
+
+const Uniform_scene uniform_scenes[] = {{2, 0.5, at_most(0.45, 0.30)},
+                                        {2, 10, at_most(1.0, 0.7)},
+                                        {3, 0.5, at_most(1.0, 0.7)},
+                                        {3, 10, at_most(1.4, 0.9)}};
+
+Rows measure_uniform(const std::string& name, const Uniform_scene& u, std::size_t n)
+{
+  const Scene scene = u.make(n);
+  return measure(make_subject(scene, name), "time / std::sort", u.goal, {sort_of_x(scene)},
+                 of_first_other);
+}
+
+// The quotient to std::sort of ten times as many points, divided by that of n points.
+Rows measure_growth(const std::string& name, const Uniform_scene& u, std::size_t n)
+{
+  const Scene few = u.make(n);
+  const Scene many = u.make(10 * n);
+  return measure(make_subject(many, name), "time / std::sort, / that of n", at_most(1.15, 1.0),
+                 {sort_of_x(many), timed(search_epick(few).sequential), sort_of_x(few)},
+                 [](const Seconds& s) { return (s[0] / s[1]) / (s[2] / s[3]); });
+}
+
+// ---- other kernels ------------------------------------------------------------------------------
+
+struct Kernel
+{
+  std::string name;
+  Search (*search)(const Scene&);
+};
+
+const Kernel double_kernel = {"Cartesian<double>", search_double};
+const Kernel epeck = {"EPECK", search_epeck};
+const Kernel exact_kernel = {"Cartesian<rational>", search_exact};
+
+Rows measure_kernel(const std::string& name, const Kernel& kernel, const Goal& goal,
+                    const Scene& scene)
+{
+  const Search search = kernel.search(scene);
+  const Search epick = search_epick(scene);
+  const Subject subject = {name, scene.size(), agreed_pairs(scene, search).pairs, search};
+  return measure(subject, "time / EPICK", goal, {timed(epick.sequential)}, of_first_other);
+}
+
+// Against reading the coordinates once and searching their doubles.
+Rows measure_exact_kernel(const std::string& name, const Scene& scene)
+{
+  const Search search = exact_kernel.search(scene);
+  const Search epick = search_epick(scene);
+  const Subject subject = {name, scene.size(), agreed_pairs(scene, search).pairs, search};
+  return measure(subject, "time / (to_interval + EPICK)", at_most(1.3),
+                 {timed(search.sum_of_intervals), timed(epick.sequential)},
+                 [](const Seconds& s) { return s[0] / (s[1] + s[2]); });
+}
+
+// ---- against uniform points ---------------------------------------------------------------------
+
+// The time per n + k in that of uniform points with as many pairs.
+Rows measure_against_uniform(const std::string& name, const Scene& scene, const Goal& goal)
+{
+  const Subject subject = make_subject(scene, name);
+  const double k = static_cast<double>(subject.k);
+  const Scene even = uniform(scene.dimension, scene.size(), k);
+  const Subject reference = make_subject(even, name + ": uniform points");
+  const double work = static_cast<double>(subject.n + subject.k)
+                      / static_cast<double>(reference.n + reference.k);
+  return measure(subject, "time / (n + k), / uniform", goal, {timed(reference.search.sequential)},
+                 [=](const Seconds& s) { return s[0] / s[1] / work; });
+}
+
+std::size_t side_of_lattice(int dimension, std::size_t n)
+{
+  return static_cast<std::size_t>(std::lround(std::pow(static_cast<double>(n), 1. / dimension)));
+}
+
+// ---- dense scenes, memory, and many points ------------------------------------------------------
+
+Rows measure_dense(const std::string& name, int dimension, std::size_t n)
+{
+  const Scene scene = dense(dimension, n);
+  const Run naive = naive_double_loop(scene);
+  const Search search = search_epick(scene);
+  const Subject subject = {name, n, agreed_pairs(scene, search, naive()).pairs, search};
+  return measure(subject, "time / naive double loop", at_most(1.0, 0.6), {timed(naive)},
+                 of_first_other);
+}
+
+Rows measure_memory(const std::string& name, int dimension, std::size_t n, double neighbours)
+{
+  const Scene scene = uniform(dimension, n, neighbours * static_cast<double>(n));
+  const Search search = search_epick(scene);
+  const Goal goal = at_most(dimension == 2 ? 48 : 56, 32);
+  Tally tally;
+  const auto bytes_per_point = [&](const Run& run) {
+    return static_cast<double>(peak_bytes_of([&] { tally = run(); })) / static_cast<double>(n);
+  };
+  const double bytes = bytes_per_point(search.sequential);
+  Rows rows = {{name, "bytes / point", goal, bytes, n, tally.pairs, std::nullopt}};
+  if(search.parallel)
+    rows.push_back({name + ", 2 threads", "bytes / point", goal, bytes_per_point(search.parallel),
+                    n, tally.pairs, std::nullopt});
+  return rows;
+}
+
+// The time per point of a hundred times as many points. The book route would take minutes and more
+// memory than there may be: sequential and parallel search are compared with each other alone.
+Rows measure_huge(const std::string& name, std::size_t n)
+{
+  const Search few = search_epick(uniform(2, n, 0.5 * static_cast<double>(n)));
+  const Scene scene = uniform(2, 100 * n, 50 * static_cast<double>(n));
+  const Search search = search_epick(scene);
+  const Tally tally = agreed_pairs(scene, search, search.sequential());
+  const Subject subject = {name, scene.size(), tally.pairs, search};
+  return measure(subject, "time / point, / that of n", at_most(2), {timed(few.sequential)},
+                 [](const Seconds& s) { return s[0] / s[1] / 100; });
+}
+
+// ---- the table ----------------------------------------------------------------------------------
+
+class Experiments
+{
+public:
+  explicit Experiments(const Settings& settings) : n_(settings.n) {}
+
+  // `measurement` is told its name.
+  void add(const std::string& name, const std::function<Rows(const std::string&)>& measurement)
+  {
+    all_.push_back({name, [=] { return measurement(name); }});
+  }
+
+  void add_uniform()
+  {
+    for(const Uniform_scene& u : uniform_scenes)
+      add(u.name(), [=, n = n_](const std::string& name) { return measure_uniform(name, u, n); });
+    for(const Uniform_scene& u : uniform_scenes)
+      add(u.name() + ", 10 times the points",
+          [=, n = n_](const std::string& name) { return measure_growth(name, u, n); });
+  }
+
+  void add_kernels()
+  {
+    for(const Uniform_scene& u : uniform_scenes) {
+      const auto add_kernel = [&](const Kernel& kernel, const Goal& goal) {
+        add(u.name() + ", " + kernel.name, [=, n = n_](const std::string& name) {
+          return measure_kernel(name, kernel, goal, u.make(n));
+        });
+      };
+      add_kernel(double_kernel, at_most(1.0));
+      add_kernel(epeck, at_most(2.5));
+      add(u.name() + ", " + exact_kernel.name, [=, n = n_](const std::string& name) {
+        return measure_exact_kernel(name, u.make(n));
+      });
+    }
+  }
+
+  void add_lattices(const std::string& extra_data)
+  {
+    for(int dimension : {2, 3})
+      for(double unit : {1., 0.1})
+        add_scene(std::to_string(dimension) + "D lattice, r = unit = " + (unit == 1 ? "1" : "0.1"),
+                  ties_, [=, n = n_] {
+                    return lattice(dimension, side_of_lattice(dimension, n), unit);
+                  });
+    const std::string file = extra_data + "/pba38478.tsp";
+    if(!extra_data.empty() && std::filesystem::exists(file))
+      add_scene("2D pba38478, tiled", ties_, [=, n = n_] {
+        return with_fitting_integer_distance(tiled(file, n), count_pairs);
+      });
+  }
+
+  void add_skewed()
+  {
+    const std::size_t n = n_;
+    for(int dimension : {2, 3}) {
+      const std::string prefix = std::to_string(dimension) + "D ";
+      add_scene(prefix + "clusters", skew_,
+                [=] { return with_fitting_distance(clusters(dimension, n), count_pairs); });
+      add_scene(prefix + "Levy flight", skew_,
+                [=] { return with_fitting_distance(levy_flight(dimension, n), count_pairs); });
+      add_scene(prefix + "outlier at 10^15 r", skew_, [=] {
+        return with_outlier(uniform(dimension, n, 2 * static_cast<double>(n)));
+      });
+      add_scene(prefix + "90 % identical", skew_,
+                [=] { return mostly_identical(dimension, n / 50); });
+    }
+    add_scene("3D oblique plane", skew_,
+              [=] { return with_fitting_distance(oblique_plane(n), count_pairs); });
+    add_scene("3D oblique line", skew_,
+              [=] { return with_fitting_distance(oblique_line(n), count_pairs); });
+  }
+
+  void add_dense()
+  {
+    for(int dimension : {2, 3})
+      add(std::to_string(dimension) + "D dense, all pairs", [=, n = n_](const std::string& name) {
+        return measure_dense(name, dimension, n / 50);
+      });
+  }
+
+  void add_memory()
+  {
+    for(int dimension : {2, 3})
+      for(double neighbours : {0.5, 10., 100.})
+        add(std::to_string(dimension) + "D uniform, memory, k ~ "
+              + (neighbours < 1 ? "n/2" : neighbours < 100 ? "10 n" : "100 n"),
+            [=, n = n_](const std::string& name) {
+              return measure_memory(name, dimension, n, neighbours);
+            });
+  }
+
+  void add_huge()
+  {
+    add("2D uniform, k ~ n/2, 100 times the points",
+        [n = n_](const std::string& name) { return measure_huge(name, n); });
+  }
+
+  std::vector<Experiment> all() const { return all_; }
+
+private:
+  void add_scene(const std::string& name, const Goal& goal, const std::function<Scene()>& make)
+  {
+    add(name, [=](const std::string& name) { return measure_against_uniform(name, make(), goal); });
+  }
+
+  const Goal ties_ = at_most(1.3, 1.0);
+  const Goal skew_ = at_most(2, 1.2);
+  const std::size_t n_;
+  std::vector<Experiment> all_;
+};
+
+} // namespace
+
+int decimals(double value) { return value < 10 ? 2 : value < 100 ? 1 : 0; }
+
+std::string verdict(const Row& row)
+{
+  const double unit = std::pow(0.1, decimals(row.measured));
+  const double shown = std::round(row.measured / unit) * unit;
+  const auto reaches = [&](double value) {
+    return row.goal.sense == Goal::AT_MOST ? shown <= value + unit / 2 : shown >= value - unit / 2;
+  };
+  if(!row.goal.target)
+    return "";
+  if(!reaches(*row.goal.target))
+    return "missed";
+  return row.goal.good && reaches(*row.goal.good) ? "good" : "met";
+}
+
+std::vector<Experiment> experiments(const Settings& settings)
+{
+  Experiments all(settings);
+  all.add_uniform();
+  all.add_kernels();
+  all.add_lattices(settings.extra_data);
+  all.add_skewed();
+  all.add_dense();
+  all.add_memory();
+  if(settings.huge)
+    all.add_huge();
+  return all.all();
+}
+
+} // namespace thick_benchmark

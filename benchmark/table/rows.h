@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The rows of the table: what is measured, and what it ought to be.
+
+#ifndef THICK_INTERSECTION_BENCHMARK_TABLE_ROWS_H
+#define THICK_INTERSECTION_BENCHMARK_TABLE_ROWS_H
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace thick_benchmark {
+
+// What a quantity has to reach, and what would be better still; some are only shown.
+struct Goal
+{
+  enum Sense { AT_MOST, AT_LEAST };
+
+  Sense sense = AT_MOST;
+  std::optional<double> target;
+  std::optional<double> good;
+};
+
+struct Row
+{
+  std::string name;
+  std::string quantity;
+  Goal goal;
+  double measured;
+  std::size_t n;
+  std::uint64_t k;
+  std::optional<double> milliseconds; // of the search that the row is about
+  // Of a job that is as parallel as can be, in the same minute; of rows in parallel only.
+  std::optional<double> machine_speed_up = std::nullopt;
+};
+
+// How many decimals of a figure are shown: three digits in all, the others are noise.
+int decimals(double value);
+
+// "good", "met" or "missed", by the figure that is shown; empty for quantities without a target.
+std::string verdict(const Row& row);
+
+struct Settings
+{
+  std::size_t n = 1000000;
+  bool huge = false;      // scenes of 100 n points as well
+  std::string extra_data; // a folder, or empty
+};
+
+// An experiment gives a row or several. It throws if two methods disagree about the pairs.
+struct Experiment
+{
+  std::string name;
+  std::function<std::vector<Row>()> run;
+};
+
+std::vector<Experiment> experiments(const Settings& settings);
+
+// The most bytes allocated during `job` beyond those before it.
+std::size_t peak_bytes_of(const std::function<void()>& job);
+
+} // namespace thick_benchmark
+
+#endif // THICK_INTERSECTION_BENCHMARK_TABLE_ROWS_H
