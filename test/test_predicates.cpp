@@ -127,6 +127,40 @@ BOOST_AUTO_TEST_CASE(near_the_circle_in_every_rounding_mode)
     }
 }
 
+// Points whose differences are no doubles, at a distance that is the rounded one, or the exact one
+// but for a part in 2^110; in each rounding mode.
+BOOST_AUTO_TEST_CASE(near_ties_of_inexact_differences)
+{
+  using Rational = CGAL::Exact_rational;
+  std::mt19937_64 random(12);
+  const auto uniform = [&] { return std::ldexp(static_cast<double>(random() >> 11), -53) - 0.5; };
+  for(const int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO})
+    for(int i = 0; i < 2000; ++i) {
+      const double scale = std::ldexp(1., -static_cast<int>(random() % 60));
+      const Point_3 p(scale * uniform(), scale * uniform(), scale * uniform());
+      const Point_3 q(uniform(), uniform(), uniform());
+      Rational d2 = 0;
+      for(int axis = 0; axis < 3; ++axis) {
+        const Rational difference = Rational(p[axis]) - Rational(q[axis]);
+        d2 += difference * difference;
+      }
+      const double r = std::sqrt(CGAL::to_double(d2));
+      const bool is_within_r = d2 <= Rational(r) * Rational(r);
+      const Rational part = d2 * Rational(std::ldexp(1., -110));
+      const Rational above = d2 + part, below = d2 - part;
+
+      std::fesetround(mode);
+      const bool rounded = is_within(CGAL::within_distance(r), p, q);
+      const bool greater = is_within(CGAL::within_squared_distance(above), p, q);
+      const bool less = is_within(CGAL::within_squared_distance(below), p, q);
+      const bool equal = is_within(CGAL::within_squared_distance(d2), p, q);
+      const bool open = is_within(CGAL::within_squared_distance(d2).open(), p, q);
+      std::fesetround(FE_TONEAREST);
+      BOOST_REQUIRE_EQUAL(rounded, is_within_r);
+      BOOST_REQUIRE(greater && !less && equal && !open);
+    }
+}
+
 // Wrong in doubles though all numbers are floats: [V03], section 3, takes this for safe.
 BOOST_AUTO_TEST_CASE(floats_do_not_make_doubles_exact)
 {

@@ -49,7 +49,7 @@ void scan_block(const Elements& points, std::size_t first, std::size_t last, int
     const auto& point = points[position];
     bool is_good = point.dimension() == dimension;
     for(int i = 0; is_good && i < dimension; ++i) {
-      const std::pair<double, double> x = bounds(coordinate(point, i));
+      const std::pair<double, double> x = coordinate_bounds(point, i);
       is_good = are_bounds_of_finite(x);
       scan.box[i].first = (std::min)(scan.box[i].first, x.first);
       scan.box[i].second = (std::max)(scan.box[i].second, x.second);

@@ -9,6 +9,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/Distance_filter.h>
 #include <CGAL/Thick_intersection_d/internal/Squared_bound.h>
+#include <CGAL/Thick_intersection_d/internal/Twofold_filter.h>
 #include <CGAL/Thick_intersection_d/internal/coordinates.h>
 
 namespace CGAL {
@@ -25,7 +26,10 @@ public:
   Is_within_distance(const Squared_bound<Exact>& bound, const Distance_filter& filter,
                      int dimension)
     : bound_(bound), filter_(filter), dimension_(dimension)
-  {}
+  {
+    if constexpr(is_held_by_double_v<Number>)
+      twofold_filter_ = Twofold_filter(bound, dimension);
+  }
 
   bool operator()(const Point& p, const Point& q) const
   {
@@ -40,12 +44,22 @@ public:
       return true;
     if(inf > filter_.outside)
       return false;
+    if constexpr(is_held_by_double_v<Number>)
+      if(twofold_filter_.is_usable()) {
+        const auto difference = [&](int i) {
+          return twofold_sum(static_cast<double>(coordinate(p, i)),
+                             -static_cast<double>(coordinate(q, i)));
+        };
+        if(const int sign = twofold_filter_.compare(difference, dimension_))
+          return sign < 0;
+      }
     return bound_.holds_for(exact_squared_distance(p, q, dimension_));
   }
 
 private:
   Squared_bound<Exact> bound_;
   Distance_filter filter_;
+  Twofold_filter twofold_filter_;
   int dimension_;
 };
 

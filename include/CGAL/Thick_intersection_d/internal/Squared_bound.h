@@ -82,6 +82,12 @@ public:
     return open_ ? scaled < numerator_ : scaled <= numerator_;
   }
 
+  // Returns r^2 - x, rounded; for a double x near r^2.
+  double excess(double x) const
+  {
+    return CGAL::to_double(numerator_ - Exact(x) * denominator_) / CGAL::to_double(denominator_);
+  }
+
   // Returns the largest double that is within the bound as a squared distance.
   double largest_double() const
   {

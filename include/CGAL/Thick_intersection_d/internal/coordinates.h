@@ -30,6 +30,28 @@ decltype(auto) coordinate(const Point& p, int i)
 template <class Point>
 using Coordinate_t = std::decay_t<decltype(coordinate(std::declval<const Point&>(), 0))>;
 
+template <class Point>
+using Approximate_coordinate_t = decltype(std::declval<const Point&>().approx().cartesian(0));
+
+// Points of lazy kernels, which hold intervals of their coordinates.
+template <class Point, class = void>
+struct Has_approximation : std::false_type {};
+template <class Point>
+struct Has_approximation<Point, std::void_t<Approximate_coordinate_t<Point>>> : std::true_type {};
+
+// Returns doubles that enclose coordinate i of p. Those of a lazy point are in its approximation;
+// its coordinate would first have to be made, a lazy number with memory of its own.
+template <class Point>
+std::pair<double, double> coordinate_bounds(const Point& p, int i)
+{
+  if constexpr(Has_approximation<Point>::value) {
+    const auto x = p.approx().cartesian(i);
+    return {x.inf(), x.sup()};
+  }
+  else
+    return bounds(coordinate(p, i));
+}
+
 // Doubles between which the distance of two numbers lies. Each is one rounded subtraction away from
 // the bounds of the numbers, hence has a relative error of at most one unit in the last place.
 struct Gap
