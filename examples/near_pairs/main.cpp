@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// near_pairs: reports every pair of points of a file that are within a distance of each other, or the
-// closest pair.
-// Reads the options and the file, searches, writes the outputs, and prints a summary.
+// near_pairs: reports every pair of points of a file that are within a distance of each other, or
+// the closest pair. Reads the options and the file, searches, writes the outputs, and prints a
+// summary.
 
 #include "decimal.h"
 #include "error.h"

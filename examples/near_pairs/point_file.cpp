@@ -60,7 +60,7 @@ Scene empty_scene(const Row_reader& reader)
 
 void keep_id(const Options& options, const Row_reader& reader, const Row& row, Scene& scene)
 {
-  if(reader.has_ids && !options.pairs.empty())
+  if(reader.has_ids && (options.closest || !options.pairs.empty()))
     scene.ids.push_back(row.id);
 }
 

@@ -27,7 +27,7 @@ struct Scene
   std::vector<CGAL::Exact_rational> exact; // in use iff not empty
   int scale = 0;
 
-  std::vector<std::string> ids; // of the points, if pairs are to be written and the file has ids
+  std::vector<std::string> ids; // of the points, if pairs are to be named and the file has ids
   std::array<std::string, 3> names;
   std::string unit; // of the distance; empty if the file does not tell
 

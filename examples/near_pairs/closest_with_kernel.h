@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The closest pair of search.h for any CGAL kernel.
+
+#ifndef NEAR_PAIRS_CLOSEST_WITH_KERNEL_H
+#define NEAR_PAIRS_CLOSEST_WITH_KERNEL_H
+
+#include "search_with_kernel.h"
+
+#include <CGAL/closest_pair.h>
+
+namespace near_pairs {
+
+// In the unit of the file.
+inline CGAL::Exact_rational exact_squared_distance(const Scene& scene, std::size_t i,
+                                                   std::size_t j)
+{
+  const std::size_t dimension = scene.dimension;
+  CGAL::Exact_rational sum(0);
+  for(std::size_t axis = 0; axis < dimension; ++axis) {
+    const CGAL::Exact_rational difference
+      = coordinate_as<CGAL::Exact_rational>(scene, i * dimension + axis)
+        - coordinate_as<CGAL::Exact_rational>(scene, j * dimension + axis);
+    sum += difference * difference;
+  }
+  return sum / power_of_ten(2 * scene.scale);
+}
+
+template <class Point>
+Closest_result closest_of_points(const std::vector<Point>& points, const Scene& scene,
+                                 const Options& options)
+{
+  Closest_result result;
+  const auto start = std::chrono::steady_clock::now();
+#ifdef CGAL_LINKED_WITH_TBB
+  if(options.parallel)
+    result.pair = CGAL::closest_pair<CGAL::Parallel_tag>(points);
+  else
+#endif
+    result.pair = CGAL::closest_pair(points);
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.squared_distance = exact_squared_distance(scene, result.pair.first, result.pair.second);
+  return result;
+}
+
+template <class Kernel>
+Closest_result closest_with_kernel(const Scene& scene, const Options& options)
+{
+  if(scene.dimension == 2)
+    return closest_of_points(points_of<Kernel, 2>(scene), scene, options);
+  return closest_of_points(points_of<Kernel, 3>(scene), scene, options);
+}
+
+} // namespace near_pairs
+
+#endif // NEAR_PAIRS_CLOSEST_WITH_KERNEL_H

@@ -1,0 +1,176 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_CLOSEST_PAIR_H
+#define CGAL_CLOSEST_PAIR_H
+
+// The closest pair of points, and the question whether any two are within a distance.
+
+#include <CGAL/Distance_bound.h>
+#include <CGAL/Scene_profile.h>
+
+#include <CGAL/Thick_intersection_d/internal/closest_pair_search.h>
+
+#include <optional>
+#include <utility>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgThickIntersectionDRef
+
+returns the positions of two points of a range whose distance is the least.
+
+The result is that of real arithmetic on the given coordinates, for every kernel: also for
+`Simple_cartesian<double>`, and also if several pairs are as close. Of these it is the
+lexicographically smallest pair of positions, with any number of threads and any seed. Equal points
+at different positions are a pair, at distance zero.
+
+In the plane and in space it takes expected \f$ O(n) \f$ time: the closest pair of a random sample
+tells how far to look \cgalCite{r-pa-76}, and few points have another one so near. Where doubles do
+not tell the least distance, such as that of points whose squared distances overflow, and in higher
+dimension, it is the divide and conquer of \cgalCite{l-cp}, with \f$ O(n \log n) \f$ comparisons in
+the worst case, in fixed dimension. It uses \f$ O(n) \f$ space. The algebraic degree is 2.
+
+\tparam ConcurrencyTag is `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`.
+`Parallel_tag` requires \tbb.
+
+\tparam PointRange is a range of `Point_2`, `Point_3` or `Point_d` of a kernel of \cgal, with
+forward iterators or better. It is neither copied nor reordered.
+
+\param points the points, all of the same dimension, two of them at least and less than
+\f$ 2^{32} - 1 \f$.
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{point_map}
+    \cgalParamDescription{a property map associating points to the elements of the range}
+    \cgalParamDefault{the elements are the points}
+  \cgalParamNEnd
+  \cgalParamNBegin{geom_traits}
+    \cgalParamDescription{an instance of the kernel of the points}
+    \cgalParamDefault{the kernel deduced from the point type}
+    \cgalParamExtra{Accepted as by other functions of \cgal; the points alone tell their kernel.}
+  \cgalParamNEnd
+  \cgalParamNBegin{random_seed}
+    \cgalParamDescription{the seed of the random numbers that the time depends on}
+    \cgalParamType{unsigned int}
+    \cgalParamDefault{0}
+    \cgalParamExtra{The result does not depend on it.}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return the two positions, the smaller one first.
+
+\throws std::invalid_argument if there are fewer than two points, if a coordinate is NaN or
+infinite, or if the points differ in dimension. The message tells the position of the point.
+
+\sa `find_close_pair()`
+*/
+template <class ConcurrencyTag = Sequential_tag, class PointRange,
+          class NamedParameters = parameters::Default_named_parameters>
+std::pair<std::size_t, std::size_t>
+closest_pair(const PointRange& points, const NamedParameters& np = parameters::default_values())
+{
+  namespace internal = Thick_intersection_d::internal;
+  const auto elements = internal::make_elements(points, np);
+  using Elements = std::decay_t<decltype(elements)>;
+  using Exact = internal::Exact_number_t<internal::Coordinate_t<typename Elements::value_type>>;
+
+  internal::check_size(elements.size());
+  const Scene_profile profile
+    = internal::profile_elements(elements, internal::Squared_bound<Exact>(within_distance(0)),
+                                 "point");
+  if(elements.size() < 2)
+    throw std::invalid_argument("The closest pair of fewer than two points is asked for.");
+  const unsigned int seed
+    = parameters::choose_parameter(parameters::get_parameter(np, internal_np::random_seed), 0u);
+  return internal::Closest_pair_search<ConcurrencyTag, Elements>(elements, profile, seed).find();
+}
+
+/*!
+\ingroup PkgThickIntersectionDRef
+
+returns the positions of two points of a range whose distance is within a bound, if there are any.
+
+It stops at the first such pair. The answer is that of real arithmetic, as for
+`fixed_radius_near_neighbors()`, at distances of exactly the bound and for bounds of any size as
+well. Equal points at different positions are a pair.
+
+The search is that of \cgalCite{l-cp} by a grid with cells as large as the bound, in which more than
+a few points cannot be far from each other. In the plane a cell with more than 4 points has two of
+them closer than the bound, in space one with more than 8, and in dimension \f$ d \f$ one with more
+than \f$ (\lfloor \sqrt d \rfloor + 1)^d \f$; these numbers serve closed bounds and open ones. It
+takes expected \f$ O(n) \f$ time in fixed dimension if the coordinates are doubles, or if the extent
+of the scene is below \f$ 2^{30} \f$ times the bound. Otherwise it takes \f$ O(n \log n) \f$, for
+the coordinates are sorted then. Beyond dimension 5 it is the divide and conquer of
+`closest_pair()`. It uses \f$ O(n) \f$ space. The algebraic degree is 2.
+
+\tparam ConcurrencyTag is `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. In
+sequence, the pair depends on the input alone. `Parallel_tag` requires \tbb.
+
+\tparam PointRange is a range as for `closest_pair()`.
+
+\tparam NT is a number type as described for `Distance_bound`. It need not be that of the kernel.
+
+\param points the points, all of the same dimension, less than \f$ 2^{32} - 1 \f$ of them.
+\param bound made by `within_distance()` or `within_squared_distance()`.
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{point_map}
+    \cgalParamDescription{a property map associating points to the elements of the range}
+    \cgalParamDefault{the elements are the points}
+  \cgalParamNEnd
+  \cgalParamNBegin{geom_traits}
+    \cgalParamDescription{an instance of the kernel of the points}
+    \cgalParamDefault{the kernel deduced from the point type}
+    \cgalParamExtra{Accepted as by other functions of \cgal; the points alone tell their kernel.}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return the two positions, the smaller one first; nothing if no two points are within the bound.
+
+\throws std::invalid_argument if a coordinate is NaN or infinite, if the points differ in dimension,
+or if the bound is negative or NaN. All points are checked, wherever the pair is.
+
+\sa `closest_pair()`
+\sa `fixed_radius_near_neighbors()`
+*/
+template <class ConcurrencyTag = Sequential_tag, class PointRange, class NT,
+          class NamedParameters = parameters::Default_named_parameters>
+std::optional<std::pair<std::size_t, std::size_t>>
+find_close_pair(const PointRange& points, const Distance_bound<NT>& bound,
+                const NamedParameters& np = parameters::default_values())
+{
+  namespace internal = Thick_intersection_d::internal;
+  const auto elements = internal::make_elements(points, np);
+  using Elements = std::decay_t<decltype(elements)>;
+  using Exact = internal::Exact_number_t<internal::Coordinate_t<typename Elements::value_type>>;
+
+  internal::check_size(elements.size());
+  const internal::Squared_bound<Exact> squared_bound(bound);
+  const Scene_profile profile = internal::profile_elements(elements, squared_bound, "point");
+  return internal::Close_pair_search<ConcurrencyTag, Elements>(elements, squared_bound, profile)
+    .find();
+}
+
+/*!
+\ingroup PkgThickIntersectionDRef
+
+returns whether two points of a range are within a bound: whether `find_close_pair()` finds a pair.
+*/
+template <class ConcurrencyTag = Sequential_tag, class PointRange, class NT,
+          class NamedParameters = parameters::Default_named_parameters>
+bool has_close_pair(const PointRange& points, const Distance_bound<NT>& bound,
+                    const NamedParameters& np = parameters::default_values())
+{
+  return find_close_pair<ConcurrencyTag>(points, bound, np).has_value();
+}
+
+} // namespace CGAL
+
+#endif // CGAL_CLOSEST_PAIR_H

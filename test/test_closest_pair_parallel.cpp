@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The closest pair does not depend on the number of threads, by any method.
+
+#define BOOST_TEST_MODULE closest_pair_parallel
+#include "support/check_closest_pair.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <tbb/global_control.h>
+
+using namespace test_support;
+
+using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+namespace {
+
+template <int Dimension>
+void check_parallel(const std::string& name, const Points& scene)
+{
+  BOOST_TEST_CONTEXT(name << ' ' << Dimension << 'D')
+  {
+    const auto points = make_points<Cartesian_points<Epick, Dimension>>(scene);
+    const Elements_of<typename Cartesian_points<Epick, Dimension>::Point> elements(points);
+    const Pair expected = CGAL::closest_pair(points);
+    check_pair("division", expected, closest_by_division(points));
+    const double distance
+      = std::sqrt(CGAL::squared_distance(points[expected.first], points[expected.second]));
+    for(const std::size_t threads : {1, 2, 4, 7}) {
+      const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+      check_pair("parallel", expected, CGAL::closest_pair<CGAL::Parallel_tag>(points));
+      check_pair("parallel division", expected,
+                 internal::divide_and_conquer<CGAL::Parallel_tag>(elements, profile_of(points)));
+      for(const double factor : {0.5, 1.5, 1000.}) {
+        const auto bound = CGAL::within_distance(factor * distance);
+        BOOST_CHECK_EQUAL(CGAL::has_close_pair<CGAL::Parallel_tag>(points, bound),
+                          CGAL::has_close_pair(points, bound));
+      }
+    }
+  }
+}
+
+template <int Dimension>
+void check_parallel_scenes()
+{
+  const Points uniform = uniform_points(Dimension, 50000, 0, 1, 1);
+  check_parallel<Dimension>("uniform", uniform);
+  check_parallel<Dimension>("lattice", shuffled(lattice_points(Dimension, Dimension == 2 ? 200 : 34,
+                                                               1), 2));
+  check_parallel<Dimension>("clusters", clustered_points(Dimension, 30000, 20, 1. / 4096, 3));
+  check_parallel<Dimension>("copies", shuffled(repeated(uniform, 2), 4));
+  check_parallel<Dimension>("huge lattice", lattice_points(Dimension, Dimension == 2 ? 80 : 18,
+                                                           1e200));
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(same_pair_in_the_plane) { check_parallel_scenes<2>(); }
+BOOST_AUTO_TEST_CASE(same_pair_in_space) { check_parallel_scenes<3>(); }
+
+BOOST_AUTO_TEST_CASE(bad_input_is_refused)
+{
+  std::vector<Epick::Point_2> points(5000, Epick::Point_2(0, 0));
+  points[4000] = Epick::Point_2(0, std::numeric_limits<double>::quiet_NaN());
+  BOOST_CHECK_THROW(CGAL::closest_pair<CGAL::Parallel_tag>(points), std::invalid_argument);
+}
