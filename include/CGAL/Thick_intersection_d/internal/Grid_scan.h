@@ -18,19 +18,20 @@ namespace internal {
 class Grid_scan
 {
 public:
-  // Refines the grid until it holds the finite number x.
+  // Refines the grid until it holds the finite number x. Without branches but for zero, since the
+  // number of zeros at the end of a mantissa is anybody's guess.
   void add(double x)
   {
-    std::uint64_t bits;
-    std::memcpy(&bits, &x, sizeof(bits));
-    const int biased = static_cast<int>((bits >> 52) & 0x7ff);
+    const std::uint64_t bits = bits_of(x);
     const std::uint64_t fraction = bits & ((std::uint64_t(1) << 52) - 1);
-
+    const int biased = static_cast<int>((bits >> 52) & 0x7ff);
+    const std::uint64_t mantissa = fraction | static_cast<std::uint64_t>(biased != 0) << 52;
+    if(mantissa == 0)
+      return;
     // |x| = mantissa * 2^exponent
-    const std::uint64_t mantissa = biased == 0 ? fraction : fraction | (std::uint64_t(1) << 52);
-    const int exponent = (biased == 0 ? 1 : biased) - 1075;
-    if(mantissa != 0 && !is_multiple(mantissa, exponent))
-      exponent_ = lowest_bit(mantissa, exponent);
+    const int exponent = (std::max)(biased, 1) - 1075;
+    const std::uint64_t lowest_bit = mantissa & (~mantissa + 1);
+    exponent_ = (std::min)(exponent_, exponent + logarithm(lowest_bit));
   }
 
   // Refines the grid until it holds all that the other one holds.
@@ -40,18 +41,18 @@ public:
   int exponent() const { return exponent_ == none ? 0 : exponent_; }
 
 private:
-  bool is_multiple(std::uint64_t mantissa, int exponent) const
+  static std::uint64_t bits_of(double x)
   {
-    const int zeros_needed = exponent_ - exponent;
-    return zeros_needed <= 0
-           || (zeros_needed < 53 && (mantissa & ((std::uint64_t(1) << zeros_needed) - 1)) == 0);
+    std::uint64_t bits;
+    std::memcpy(&bits, &x, sizeof(bits));
+    return bits;
   }
 
-  static int lowest_bit(std::uint64_t mantissa, int exponent)
+  // The exponent of a power of two, which a double holds.
+  static int logarithm(std::uint64_t power)
   {
-    for(; (mantissa & 1) == 0; mantissa >>= 1)
-      ++exponent;
-    return exponent;
+    return static_cast<int>(bits_of(static_cast<double>(static_cast<std::int64_t>(power))) >> 52)
+           - 1023;
   }
 
   static constexpr int none = 2000; // above every exponent of a double
