@@ -199,7 +199,7 @@ std::size_t count_candidates(const Points& points, double reach)
   const auto ignore = [](std::size_t, std::size_t) {};
   internal::Pair_reporter<decltype(ignore)> report(ignore);
   internal::Slab_sweep<Dimension, decltype(decide), decltype(report)> sweep(
-    reach, internal::Distance_filter(), decide, report);
+    reach, internal::Distance_filter(), internal::Twofold_filter(), decide, report);
   internal::Slab_window<Dimension> window(slabs, reach, 0);
   for(; window[0]; window.pop()) {
     sweep.within(*window[0]);

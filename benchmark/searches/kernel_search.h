@@ -44,7 +44,15 @@ Search kernel_search(const Scene& scene)
     CGAL::fixed_radius_near_neighbors<CGAL::Parallel_tag>(*points, bound, tally);
     return tally.sum();
   };
+  search.sequential_like_parallel = [points, bound] {
+    const Parallel_tally tally;
+    CGAL::fixed_radius_near_neighbors(*points, bound, tally);
+    return tally.sum();
+  };
 #endif
+  search.lists = [points, bound] {
+    return CGAL::fixed_radius_neighbor_lists(*points, bound).number_of_pairs();
+  };
   search.sum_of_intervals = [points] { return sum_of_intervals(*points); };
   return search;
 }

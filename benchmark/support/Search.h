@@ -22,6 +22,8 @@ struct Search
 {
   Run sequential;
   Run parallel; // empty without oneTBB
+  Run sequential_like_parallel; // with the callback of `parallel`, which takes longer to call
+  std::function<std::uint64_t()> lists; // makes lists of neighbours, returns the number of pairs
   std::function<double()> sum_of_intervals; // one pass of to_interval() over all coordinates
 };
 

@@ -89,12 +89,12 @@ void sort_two_at_once()
   tbb::parallel_invoke([] { sort_numbers(1); }, [] { sort_numbers(2); });
 }
 
-// The speed-up of a search by two threads, and that of two sorts, which have nothing to do with
-// each other: how much of two processors the machine had to give at the time.
+// The speed-up of a search by two threads with the same callback, and that of two sorts, which have
+// nothing to do with each other: how much of two processors the machine had to give at the time.
 Row measure_speed_up(const Subject& subject)
 {
   const std::vector<Seconds> times
-    = time_in_turns({timed_by_the_clock(subject.search.sequential),
+    = time_in_turns({timed_by_the_clock(subject.search.sequential_like_parallel),
                      timed_by_the_clock(subject.search.parallel), timed_by_the_clock(sort_twice),
                      timed_by_the_clock(sort_two_at_once)},
                     rounds);
@@ -170,6 +170,18 @@ Rows measure_uniform(const std::string& name, const Uniform_scene& u, std::size_
   const Scene scene = u.make(n);
   return measure(make_subject(scene, name), "time / std::sort", u.goal, {sort_of_x(scene)},
                  of_first_other);
+}
+
+// Lists of neighbours, against counting the pairs.
+Rows measure_lists(const std::string& name, const Scene& scene)
+{
+  const Subject subject = make_subject(scene, name);
+  if(subject.search.lists() != subject.k)
+    throw std::runtime_error(name + ": the lists have other pairs");
+  const std::vector<Seconds> times
+    = time_in_turns({timed(subject.search.lists), timed(subject.search.sequential)}, rounds);
+  return {{name, "time / counting", at_most(1.6), median(times, of_first_other), subject.n,
+           subject.k, median(times, [](const Seconds& s) { return 1000 * s[0]; })}};
 }
 
 // The quotient to std::sort of ten times as many points, divided by that of n points.
@@ -298,6 +310,15 @@ public:
           [=, n = n_](const std::string& name) { return measure_growth(name, u, n); });
   }
 
+  void add_lists()
+  {
+    for(const Uniform_scene& u : uniform_scenes)
+      if(u.neighbours > 1)
+        add(u.name() + ", lists of neighbours", [=, n = n_](const std::string& name) {
+          return measure_lists(name, u.make(n));
+        });
+  }
+
   void add_kernels()
   {
     for(const Uniform_scene& u : uniform_scenes) {
@@ -411,6 +432,7 @@ std::vector<Experiment> experiments(const Settings& settings)
 {
   Experiments all(settings);
   all.add_uniform();
+  all.add_lists();
   all.add_kernels();
   all.add_lattices(settings.extra_data);
   all.add_skewed();

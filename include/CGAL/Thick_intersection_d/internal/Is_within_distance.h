@@ -36,7 +36,7 @@ public:
     double inf = 0; // the squared distance lies between inf and sup, up to relative_error()
     double sup = 0;
     for(int i = 0; i < dimension_; ++i) {
-      const Gap g = gap(coordinate(p, i), coordinate(q, i));
+      const Gap g = gap_along(p, q, i);
       inf += g.inf * g.inf;
       sup += g.sup * g.sup;
     }

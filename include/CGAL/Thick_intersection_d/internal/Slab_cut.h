@@ -60,7 +60,7 @@ constexpr double greatest_height = 2 * usual_height;
 struct Part_sizes
 {
   Place slab = 1024;
-  Place strip = 32;
+  Place strip = 8;
   Place crowded = 4;       // part of a slab or strip in which points crowd
   Place large_slab = 16384; // is cut again, to fit into a cache
 };
@@ -96,13 +96,15 @@ public:
   // Takes the points at the positions [first, last), whose coordinates along the axis are in
   // `range`.
   template <class ConcurrencyTag, class Doubles>
-  Slabs(ConcurrencyTag, const Doubles& doubles, std::size_t first, std::size_t last, Range range,
+  Slabs(ConcurrencyTag, const Doubles& doubles, std::size_t first, std::size_t last,
+        const Range& range,
         double reach, const Part_sizes& sizes = Part_sizes())
     : points_(make_uninitialized<Point>(last - first))
   {
     const Place size = static_cast<Place>(last - first);
-    cut_ = Equal_cut(trim(doubles, first, size, range),
-                     (std::min)(part_count(range, size, reach, sizes.slab), greatest_count));
+    const Range trimmed = trim(doubles, first, size, range);
+    cut_ = Equal_cut(trimmed,
+                     (std::min)(part_count(trimmed, size, reach, sizes.slab), greatest_count));
     const Place count = cut_.count();
 
     // Each block of points has its own counts, which become the places that it writes to.

@@ -8,20 +8,24 @@
 // The sweeps of the slab route: each strip against itself and against the strips behind it that are
 // within reach. Each pair of strips is met once, so no pair of points is reported twice.
 
+#include <CGAL/Thick_intersection_d/internal/Twofold_filter.h>
 #include <CGAL/Thick_intersection_d/internal/collect_candidates.h>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// `Decide` has bool operator()(Place position, Place position): the pair is within the bound and
-// not certain by the filter. `Report` takes two positions and returns false to stop.
+// `Decide` has bool operator()(Place position, Place position): whether a pair that the filters do
+// not decide is within the bound. The second filter is usable only if all doubles are exact.
+// `Report` takes two positions and returns false to stop.
 template <int Dimension, class Decide, class Report>
 class Slab_sweep
 {
 public:
-  Slab_sweep(double reach, const Distance_filter& filter, const Decide& decide, Report& report)
-    : reach_(reach), filter_(filter), decide_(decide), report_(report)
+  Slab_sweep(double reach, const Distance_filter& filter, const Twofold_filter& twofold_filter,
+             const Decide& decide, Report& report)
+    : reach_(reach), filter_(filter), twofold_filter_(twofold_filter), decide_(decide),
+      report_(report)
   {}
 
   // Reports the pairs of a slab.
@@ -108,6 +112,20 @@ private:
     return s;
   }
 
+  // Whether a candidate is within the bound. Its doubles are in the cache, the points are not.
+  bool is_near(const Run<Dimension>& a, const Run<Dimension>& b, Candidate pair) const
+  {
+    if(squared_distance(a, b, pair) <= filter_.inside)
+      return true;
+    if(twofold_filter_.is_usable()) {
+      const auto difference
+        = [&](int axis) { return twofold_sum(a.x[axis][pair.i], -b.x[axis][pair.j]); };
+      if(const int sign = twofold_filter_.compare(difference, Dimension))
+        return sign < 0;
+    }
+    return decide_(a.positions[pair.i], b.positions[pair.j]);
+  }
+
   // Reports the collected pairs that are within the bound.
   bool flush(const Run<Dimension>& a, const Run<Dimension>& b)
   {
@@ -132,7 +150,7 @@ private:
       const Place i = a.positions[pair.i];
       const Place j = b.positions[pair.j];
       if constexpr(is_any_undecided)
-        if(!(squared_distance(a, b, pair) <= filter_.inside) && !decide_(i, j))
+        if(!is_near(a, b, pair))
           continue;
       const Place swapped = (i ^ j) & (Place(0) - static_cast<Place>(j < i)); // no branch
       if(!report_(i ^ swapped, j ^ swapped))
@@ -143,6 +161,7 @@ private:
 
   const double reach_;
   const Distance_filter filter_;
+  const Twofold_filter twofold_filter_;
   const Decide& decide_;
   Report& report_;
   bool is_stopped_ = false;

@@ -82,7 +82,8 @@ public:
     return open_ ? scaled < numerator_ : scaled <= numerator_;
   }
 
-  // Returns r^2 - x, rounded; for a double x near r^2.
+  // Returns r^2 - x, rounded a few times; for a double x near r^2, and types whose conversion to
+  // double is precise: not for lazy ones.
   double excess(double x) const
   {
     return CGAL::to_double(numerator_ - Exact(x) * denominator_) / CGAL::to_double(denominator_);

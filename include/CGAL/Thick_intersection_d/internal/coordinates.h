@@ -60,6 +60,12 @@ struct Gap
   double sup;
 };
 
+inline Gap gap(const std::pair<double, double>& a, const std::pair<double, double>& b)
+{
+  return {(std::max)({a.first - b.second, b.first - a.second, 0.}),
+          (std::max)(a.second - b.first, b.second - a.first)};
+}
+
 template <class NT>
 Gap gap(const NT& x, const NT& y)
 {
@@ -67,12 +73,18 @@ Gap gap(const NT& x, const NT& y)
     const double difference = std::fabs(static_cast<double>(x) - static_cast<double>(y));
     return {difference, difference};
   }
-  else {
-    const std::pair<double, double> a = bounds(x);
-    const std::pair<double, double> b = bounds(y);
-    return {(std::max)({a.first - b.second, b.first - a.second, 0.}),
-            (std::max)(a.second - b.first, b.second - a.first)};
-  }
+  else
+    return gap(bounds(x), bounds(y));
+}
+
+// Doubles between which the distance of two points along axis i lies.
+template <class Point>
+Gap gap_along(const Point& p, const Point& q, int i)
+{
+  if constexpr(is_held_by_double_v<Coordinate_t<Point>>)
+    return gap(coordinate(p, i), coordinate(q, i));
+  else
+    return gap(coordinate_bounds(p, i), coordinate_bounds(q, i));
 }
 
 // Whether |x - y| <= reach, or too often true. One rounded subtraction never makes it false for

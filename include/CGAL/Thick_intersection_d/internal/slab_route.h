@@ -98,7 +98,10 @@ public:
     : points_(points), doubles_(doubles), profile_(profile), reach_(padded(bound.reach(), error)),
       filter_(filter), wide_filter_(widen(filter, bound, error)), sizes_(sizes),
       is_within_(bound, filter, Dimension)
-  {}
+  {
+    if constexpr(is_held_by_double_v<Coordinate_t<Point>>)
+      twofold_filter_ = Twofold_filter(bound, Dimension);
+  }
 
   // Reports the pairs of one set. Returns false iff the search was stopped.
   template <class Report, class Progress>
@@ -191,7 +194,8 @@ private:
     const auto decide = [&](Place i, Place j) { return is_within_(points_[i], points_[j]); };
     for_each_numbered_block<ConcurrencyTag>(
       block_count<ConcurrencyTag>(), count, [&](std::size_t, std::size_t first, std::size_t last) {
-        Slab_sweep<Dimension, decltype(decide), Report> sweep(reach_, wide_filter_, decide, report);
+        Slab_sweep<Dimension, decltype(decide), Report> sweep(
+          reach_, wide_filter_, twofold_filter_, decide, report);
         task(sweep, static_cast<Place>(first), static_cast<Place>(last));
       });
   }
@@ -216,6 +220,7 @@ private:
   const double reach_;
   const Distance_filter filter_;
   const Distance_filter wide_filter_;
+  Twofold_filter twofold_filter_;
   const Part_sizes sizes_;
   const Is_within_distance<Point> is_within_;
 };
