@@ -1,0 +1,154 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The algebraic degree of what the package decides, measured: coordinates are compared at degree 1,
+// distances at degree 2, and nothing is decided at a higher degree. [V03, section 2]
+
+#define BOOST_TEST_MODULE degree
+#include <boost/test/unit_test.hpp>
+
+#include "../benchmark/accuracy/degree_traits.h"
+
+#include <CGAL/Thick_ball_traits_d.h>
+#include <CGAL/fixed_radius_near_neighbors.h>
+#include <CGAL/thick_intersection_d.h>
+
+namespace {
+
+using lab::Degree_kernel;
+using lab::Degree_number;
+using lab::Degree_record;
+using lab::Degree_tally;
+
+using Point_2 = Degree_kernel::Point_2;
+using Point_3 = Degree_kernel::Point_3;
+
+constexpr std::size_t n = 120;
+constexpr int bits = 12; // a lattice of 32 units of 2^7
+
+const Degree_number radius() { return Degree_number::input(5 * 128); }
+
+template <class Point, int Dimension>
+std::size_t count_by_all_pairs(const std::vector<Point>& points)
+{
+  std::size_t count = 0;
+  for(std::size_t i = 0; i < points.size(); ++i)
+    for(std::size_t j = i + 1; j < points.size(); ++j)
+      count += CGAL::squared_distance(points[i], points[j]) <= radius() * radius();
+  return count;
+}
+
+template <class Objects, class Traits>
+std::size_t count_pairs(const Objects& objects, const Traits& traits)
+{
+  std::size_t count = 0;
+  CGAL::thick_self_intersection_d(
+    objects, [&](std::size_t, std::size_t) { ++count; },
+    CGAL::parameters::geom_traits(lab::Traits_with_sites<Traits>(traits)));
+  return count;
+}
+
+// The degrees at the three predicates of the traits, after a run of theirs.
+void check_degrees_of_predicates(int less, int is_close, int do_intersect)
+{
+  const auto& sites = Degree_record::get().tallies();
+  BOOST_TEST(sites.at("Less_coordinate_d").degree() == less);
+  BOOST_TEST(sites.at("Is_close_along_axis_d").degree() == is_close);
+  BOOST_TEST(sites.at("Do_intersect_d").degree() == do_intersect);
+  BOOST_TEST(sites.at("").degree() == 0); // no sign is taken outside of the predicates
+}
+
+template <class Point, int Dimension>
+void check_near_neighbors(bool hides_doubles)
+{
+  const std::vector<Point> points = lab::degree_points<Point, Dimension>(n, bits, 1);
+  const std::size_t expected = count_by_all_pairs<Point, Dimension>(points);
+  std::size_t found = 0;
+  Degree_record::get().restart(hides_doubles);
+  CGAL::fixed_radius_near_neighbors(points, CGAL::within_distance(radius()),
+                                    [&](std::size_t, std::size_t) { ++found; });
+  const Degree_tally tally = Degree_record::get().total();
+  BOOST_TEST(found == expected);
+  BOOST_TEST(tally.degree() == 2);
+  BOOST_TEST(tally.signs[2] > 0u); // exact numbers did decide pairs
+  BOOST_TEST(tally.degree_in_doubles == 1); // doubles see the input, nothing computed from it
+}
+
+template <class Point, int Dimension>
+void check_point_traits()
+{
+  const std::vector<Point> points = lab::degree_points<Point, Dimension>(n, bits, 2);
+  const std::size_t expected = count_by_all_pairs<Point, Dimension>(points);
+  const CGAL::Thick_point_traits_d<Point> traits(CGAL::within_distance(radius()));
+
+  Degree_record::get().restart(true);
+  BOOST_TEST(count_pairs(points, traits) == expected);
+  check_degrees_of_predicates(1, 0, 2); // closeness is left to doubles,
+  const auto& sites = Degree_record::get().tallies();
+  BOOST_TEST(sites.at("Is_close_along_axis_d").degree_in_doubles == 1); // which see coordinates
+
+  Degree_record::get().restart(false);
+  BOOST_TEST(count_pairs(points, lab::Paper_point_traits<Point, Dimension>(radius())) == expected);
+  check_degrees_of_predicates(1, 1, 2);
+}
+
+template <class Point, int Dimension>
+std::vector<std::pair<Point, Degree_number>> degree_balls(unsigned int seed)
+{
+  std::vector<std::pair<Point, Degree_number>> balls;
+  for(const Point& p : lab::degree_points<Point, Dimension>(n, bits, seed))
+    balls.emplace_back(p, Degree_number::input(64. * static_cast<double>(1 + balls.size() % 6)));
+  return balls;
+}
+
+template <class Point, int Dimension>
+void check_ball_traits()
+{
+  const auto balls = degree_balls<Point, Dimension>(3);
+  const CGAL::Thick_ball_traits_d<Point> traits(balls);
+  Degree_record::get().restart(true);
+  BOOST_TEST(count_pairs(balls, traits) > 0u);
+  check_degrees_of_predicates(1, 0, 2);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(near_neighbors_have_degree_two)
+{
+  check_near_neighbors<Point_2, 2>(true);
+  check_near_neighbors<Point_3, 3>(true);
+}
+
+BOOST_AUTO_TEST_CASE(near_neighbors_have_degree_two_where_a_filter_decides_first)
+{
+  check_near_neighbors<Point_2, 2>(false);
+  check_near_neighbors<Point_3, 3>(false);
+}
+
+BOOST_AUTO_TEST_CASE(point_traits_compare_coordinates_at_degree_one_and_distances_at_two)
+{
+  check_point_traits<Point_2, 2>();
+  check_point_traits<Point_3, 3>();
+}
+
+BOOST_AUTO_TEST_CASE(ball_traits_with_a_radius_each_have_degree_two)
+{
+  check_ball_traits<Point_2, 2>();
+  check_ball_traits<Point_3, 3>();
+}
+
+// The other direction: what has a higher degree is seen to have it.
+BOOST_AUTO_TEST_CASE(balls_stored_by_squared_radius_are_measured_at_degree_four)
+{
+  std::vector<Degree_kernel::Sphere_3> spheres;
+  for(const auto& ball : degree_balls<Point_3, 3>(3))
+    spheres.emplace_back(ball.first, ball.second * ball.second);
+  const lab::Squared_radius_traits<Degree_kernel::Sphere_3, 3> traits(
+    Degree_number::input(2 * 64. * 6));
+  Degree_record::get().restart(false);
+  const std::size_t found = count_pairs(spheres, traits);
+  check_degrees_of_predicates(1, 1, 4);
+
+  const auto balls = degree_balls<Point_3, 3>(3);
+  BOOST_TEST(found == count_pairs(balls, CGAL::Thick_ball_traits_d<Point_3>(balls)));
+}
