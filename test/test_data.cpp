@@ -15,6 +15,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <map>
+
 using namespace test_support;
 
 using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -126,6 +128,39 @@ BOOST_AUTO_TEST_CASE(atoms_overlap_as_the_facts_say)
       BOOST_CHECK_MESSAGE(pairs == fact.overlapping + fact.touching,
                           fact.file << ": " << pairs << " pairs");
     }
+}
+
+// Pairs at the same instant, closer than 5 nautical miles over ground and than 1000 feet in height.
+BOOST_AUTO_TEST_CASE(aircraft_are_too_close_as_the_facts_say)
+{
+  const Separation_fact fact;
+  const auto path = find_data_file(fact.file, data_folders());
+  if(!path)
+    return; // not shipped
+  const Csv_table table(*path);
+  const Text_rows instants = table.columns({"t_s"});
+  const Text_rows heights = table.columns({"alt_ft"});
+  const auto ground = as_exact_doubles(sphere_points(table.columns({"lat_deg", "lon_deg"})));
+  BOOST_REQUIRE(ground);
+
+  std::map<std::string, std::vector<std::size_t>> aircraft; // at each instant
+  for(std::size_t i = 0; i < instants.size(); ++i)
+    aircraft[instants[i][0]].push_back(i);
+  const double diameter = 2 * 637100880.; // centimetres, as the points
+  const double chord = diameter * std::sin(926000 / diameter);
+  std::size_t pairs = 0;
+  for(const auto& at_once : aircraft) {
+    const std::vector<std::size_t>& rows = at_once.second;
+    std::vector<Epick::Point_3> points;
+    for(const std::size_t row : rows)
+      points.push_back(Cartesian_points<Epick, 3>::make((*ground)[row]));
+    CGAL::fixed_radius_near_neighbors(
+      points, CGAL::within_distance(chord).open(), [&](std::size_t i, std::size_t j) {
+        pairs += std::abs(std::stod(heights[rows[i]][0]) - std::stod(heights[rows[j]][0])) < 1000;
+      });
+  }
+  BOOST_CHECK_EQUAL(aircraft.size(), fact.instants);
+  BOOST_CHECK_EQUAL(pairs, fact.pairs);
 }
 
 // Runways of one airport cross, or touch; those of different airports are not asked about.

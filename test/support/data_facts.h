@@ -104,6 +104,14 @@ struct Mesh_fact
   std::size_t sharing_a_vertex = 35511;
 };
 
+// aircraft_ch_2018-08-01_am.csv: pairs at one instant, closer than 5 nautical miles and 1000 feet.
+struct Separation_fact
+{
+  std::string file = "aircraft_ch_2018-08-01_am.csv";
+  std::size_t instants = 510;
+  std::size_t pairs = 31;
+};
+
 // runways.csv: pairs of runways of one airport that cross at inner points of both, and those that
 // only touch, overlap or have an end in common.
 struct Runway_fact
