@@ -17,6 +17,10 @@
 #include <CGAL/Thick_intersection_d/internal/report_intersections.h>
 #include <CGAL/Thick_intersection_d/internal/slab_route.h>
 
+#include <limits>
+#include <optional>
+#include <stdexcept>
+
 namespace CGAL {
 
 namespace Thick_intersection_d {
