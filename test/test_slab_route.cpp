@@ -52,9 +52,20 @@ Part_sizes small_sizes(Generator& random)
   Part_sizes sizes;
   sizes.slab = static_cast<internal::Place>(1 + random() % 8);
   sizes.strip = static_cast<internal::Place>(1 + random() % 3);
-  sizes.crowded = 1;
+  sizes.sorted_part = static_cast<internal::Place>(1 + random() % 4);
   sizes.large_slab = static_cast<internal::Place>(4 << random() % 4);
   return sizes;
+}
+
+// Coordinates of all sizes: buckets of buckets are crowded.
+std::vector<internal::Slab_point<2>> crowded_points(Generator& random, std::size_t n, int scales)
+{
+  std::vector<internal::Slab_point<2>> points;
+  while(points.size() < n) {
+    const double x = std::ldexp(below(random, 1000) - 500, static_cast<int>(random() % scales));
+    points.push_back({{x, -x}, static_cast<internal::Place>(points.size())});
+  }
+  return points;
 }
 
 template <int Dimension>
@@ -125,6 +136,30 @@ Points geometric(int dimension)
 }
 
 } // namespace
+
+BOOST_AUTO_TEST_CASE(buckets_sort)
+{
+  internal::Bucket_sorter<2> sorter;
+  Generator random(6);
+  for(const int scales : {1, 10, 1000})
+    for(const std::size_t n : {0, 1, 16, 17, 100, 5000}) {
+      auto points = crowded_points(random, n, scales);
+      std::vector<double> expected;
+      for(const auto& p : points)
+        expected.push_back(p.x[1]);
+      std::sort(expected.begin(), expected.end());
+      sorter.sort<1>(points.data(), points.data() + n);
+      std::vector<double> sorted;
+      std::vector<bool> is_there(n, false);
+      for(const auto& p : points) {
+        sorted.push_back(p.x[1]);
+        BOOST_CHECK_EQUAL(p.x[0], -p.x[1]);
+        BOOST_CHECK(!is_there[p.position]);
+        is_there[p.position] = true;
+      }
+      BOOST_CHECK_MESSAGE(sorted == expected, n << " points of " << scales << " scales");
+    }
+}
 
 BOOST_AUTO_TEST_CASE(a_million_structured_scenes)
 {

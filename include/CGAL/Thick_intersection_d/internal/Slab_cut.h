@@ -22,29 +22,32 @@ namespace internal {
 class Equal_cut
 {
 public:
-  // Cuts [low, high] into `count` parts; into one if that cannot be computed. Coordinates outside
+  // Cuts a range into `count` parts; into one if that cannot be computed. Coordinates outside
   // belong to the first or to the last part.
   Equal_cut(const Range& range, double count)
-    : low_(range.low), scale_(std::floor(count) / (range.high - range.low))
   {
-    if(!(count >= 2) || !(scale_ > 0) || !std::isfinite(scale_)) // Case 1 of [V03]: not cut
-      scale_ = 0;
-    else
-      last_ = std::floor(count) - 1;
+    const double scale = std::floor(count) / (range.high - range.low);
+    if(!(count >= 2) || !(scale > 0) || !std::isfinite(scale))
+      return; // Case 1 of [V03]: not cut
+    range_ = range;
+    scale_ = scale;
+    last_ = static_cast<Place>(count) - 1;
   }
 
-  Place count() const { return static_cast<Place>(last_) + 1; }
+  Place count() const { return last_ + 1; }
 
+  // Compiled to minima and maxima: a branch would often be guessed wrong in parts of few points.
   Place operator()(double x) const
   {
-    const double part = (x - low_) * scale_;
-    return static_cast<Place>(part > 0 ? (part < last_ ? part : last_) : 0.); // 0 for inf * 0 too
+    const double inside = (std::min)((std::max)(x, range_.low), range_.high);
+    const double part = (inside - range_.low) * scale_;
+    return (std::min)(static_cast<Place>(static_cast<std::int64_t>(part)), last_);
   }
 
 private:
-  double low_;
-  double scale_;
-  double last_ = 0;
+  Range range_ = {0, 0};
+  double scale_ = 0;
+  Place last_ = 0;
 };
 
 // The height of slabs and strips, in reaches. Higher ones have more pairs to look at inside, lower
@@ -60,8 +63,8 @@ constexpr double greatest_height = 2 * usual_height;
 struct Part_sizes
 {
   Place slab = 1024;
-  Place strip = 8;
-  Place crowded = 4;       // part of a slab or strip in which points crowd
+  Place strip = 8;          // or part of a slab in which points crowd
+  Place sorted_part = 12;   // of a strip or part in which they still do
   Place large_slab = 16384; // is cut again, to fit into a cache
 };
 

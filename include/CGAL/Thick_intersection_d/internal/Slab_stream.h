@@ -49,7 +49,8 @@ public:
       maker_.count(part.first, part.last);
       const Range range = maker_.range(axis);
       const bool is_high = range.high - range.low > greatest_height * reach_;
-      if(is_high && (maker_.is_crowded() || part.size() > sizes_.large_slab)) {
+      if(is_high && part.depth <= greatest_depth
+         && (maker_.is_crowded() || part.size() > sizes_.large_slab)) {
         cut(part, range);
         continue;
       }
@@ -72,10 +73,10 @@ private:
   };
 
   // Cuts a part into lower ones, which come next: of equal height, or if that was tried before,
-  // at the coordinates of the points.
+  // where the points are.
   void cut(const Part& part, const Range& range)
   {
-    const Equal_cut cut(range, part_count(range, part.size(), reach_, sizes_.crowded));
+    const Equal_cut cut(range, part_count(range, part.size(), reach_, sizes_.strip));
     if(part.depth == greatest_depth || cut.count() == 1)
       cut_sorted(part);
     else
@@ -101,12 +102,12 @@ private:
   {
     Point* const points = scratch_[part.depth].require(part.size());
     std::copy(part.first, part.last, points);
-    std::sort(points, points + part.size(), Less_along<Dimension>{axis});
+    sorter_.template sort<axis>(points, points + part.size());
     const auto bottom = static_cast<std::ptrdiff_t>(pending_.size());
-    for_each_flat_part(points, points + part.size(), axis, usual_height * reach_,
-                       [&](const Point* first, const Point* last) {
-                         pending_.push_back({first, last, part.depth + 1});
-                       });
+    for_each_sorted_part<axis>(points, points + part.size(), usual_height * reach_,
+                               sizes_.sorted_part, [&](const Point* first, const Point* last) {
+                                 pending_.push_back({first, last, greatest_depth + 1});
+                               });
     std::reverse(pending_.begin() + bottom, pending_.end());
   }
 
@@ -117,6 +118,7 @@ private:
   std::vector<Part> pending_; // the last one comes first
   std::array<Buffer<Point>, greatest_depth + 1> scratch_; // the points of parts, by depth
   Strips_maker<Dimension> maker_;
+  Bucket_sorter<Dimension> sorter_;
 };
 
 } // namespace internal

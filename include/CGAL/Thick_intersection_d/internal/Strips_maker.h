@@ -7,33 +7,21 @@
 
 // Makes strips of the points of a slab: counts, then sorts.
 
-#include <CGAL/Thick_intersection_d/internal/Slab_cut.h>
+#include <CGAL/Thick_intersection_d/internal/Bucket_sorter.h>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Compares points along an axis.
-template <int Dimension>
-struct Less_along
-{
-  int axis;
-  bool operator()(const Slab_point<Dimension>& p, const Slab_point<Dimension>& q) const
-  {
-    return p.x[axis] < q.x[axis];
-  }
-};
-
-// Calls task(first, last) for parts, no higher than `height`, of points that are sorted along
-// `axis`.
-template <int Dimension, class Task>
-void for_each_flat_part(Slab_point<Dimension>* first, Slab_point<Dimension>* last, int axis,
-                        double height, const Task& task)
+// Calls task(first, last) for parts of points that are sorted along an axis: no higher than
+// `height`, or of no more than `few` points.
+template <int axis, class Point, class Task>
+void for_each_sorted_part(Point* first, Point* last, double height, Place few, const Task& task)
 {
   while(first != last) {
     const double limit = first->x[axis] + height;
-    Slab_point<Dimension>* end = first + 1;
-    while(end != last && end->x[axis] <= limit)
+    Point* end = first + 1;
+    while(end != last && (end->x[axis] <= limit || end - first < static_cast<std::ptrdiff_t>(few)))
       ++end;
     task(first, end);
     first = end;
@@ -49,21 +37,14 @@ public:
   Strips_maker(double reach, const Part_sizes& sizes) : reach_(reach), sizes_(sizes) {}
 
   // Looks at the points [first, last), of which there are some, and counts them by strips and by
-  // buckets along axis 0. In the plane there is one strip. In space, if points crowd in high strips
-  // then there are lower ones instead.
+  // buckets along axis 0. In the plane there is one strip.
   void count(const Point* first, const Point* last)
   {
     first_ = first;
     last_ = last;
     box_ = box_of(first, last);
-    if constexpr(Dimension == 2)
-      count_by(Equal_cut(box_[1], 1));
-    else
-      for(const Place strip_size : {sizes_.strip, sizes_.crowded}) {
-        count_by(Equal_cut(box_[1], part_count(box_[1], size(), reach_, strip_size)));
-        if(!is_crowded_ || !is_high(1))
-          break;
-      }
+    const double strips = Dimension == 2 ? 1 : part_count(box_[1], size(), reach_, sizes_.strip);
+    count_by(Equal_cut(box_[1], strips));
   }
 
   // Whether so many pairs of points in the same strip may be within a reach along axis 0 that they
@@ -75,8 +56,8 @@ public:
   // Makes strips of the points that were counted.
   void make(Strips<Dimension>& strips)
   {
-    if(Dimension == 3 && is_crowded_ && is_high(1))
-      make_flat_strips(strips);
+    if(Dimension == 3 && is_crowded_ && are_strips_high() && size() > sizes_.sorted_part)
+      make_sorted_strips(strips);
     else
       make_counted_strips(strips);
   }
@@ -84,12 +65,10 @@ public:
 private:
   Place size() const { return static_cast<Place>(last_ - first_); }
 
-  // Whether a part along `axis` is so high that points far from each other may crowd in it.
-  bool is_high(int axis) const
+  // Whether strips are so high that points far from each other may crowd in them.
+  bool are_strips_high() const
   {
-    const Range& range = box_[axis];
-    const double count = axis == 1 ? across_.count() : 1;
-    return range.high - range.low > greatest_height * reach_ * count;
+    return box_[1].high - box_[1].low > greatest_height * reach_ * across_.count();
   }
 
   Place bucket(const Point& p) const
@@ -133,50 +112,39 @@ private:
     Point* const sorted = sorted_.require(size());
     for(const Point* p = first_; p != last_; ++p)
       sorted[ends[bucket(*p)]++] = *p;
-    if(longest_ > greatest_short_bucket)
+    if(!sorter_.are_few(longest_))
       for(Place b = 0, begin = 0; b < buckets; begin = ends[b++])
-        if(ends[b] - begin > greatest_short_bucket)
-          std::sort(sorted + begin, sorted + ends[b], Less_along<Dimension>{0});
+        if(!sorter_.are_few(ends[b] - begin))
+          sorter_.template sort<0>(sorted + begin, sorted + ends[b]);
 
     strips.reset(size(), across_.count());
     for(Place s = 0, begin = 0; s < across_.count(); ++s) {
       const Place end = ends[(s + 1) * row - 1];
-      insertion_sort(sorted + begin, sorted + end);
+      insertion_sort<0>(sorted + begin, sorted + end);
       strips.append(sorted + begin, sorted + end);
       begin = end;
     }
   }
 
-  void make_flat_strips(Strips<Dimension>& strips)
+  // Sorts the points along axis 1, and cuts them into strips where they are.
+  void make_sorted_strips(Strips<Dimension>& strips)
   {
     Point* const sorted = sorted_.require(size());
     std::copy(first_, last_, sorted);
-    std::sort(sorted, sorted + size(), Less_along<Dimension>{1});
-    const double height = usual_height * reach_;
+    sorter_.template sort<1>(sorted, sorted + size());
+    const auto for_each_strip = [&](const auto& task) {
+      for_each_sorted_part<1>(sorted, sorted + size(), usual_height * reach_, sizes_.sorted_part,
+                              task);
+    };
     Place count = 0;
-    for_each_flat_part(sorted, sorted + size(), 1, height, [&](Point*, Point*) { ++count; });
+    for_each_strip([&](Point*, Point*) { ++count; });
     strips.reset(size(), count);
-    for_each_flat_part(sorted, sorted + size(), 1, height, [&](Point* begin, Point* end) {
-      std::sort(begin, end, Less_along<Dimension>{0});
+    for_each_strip([&](Point* begin, Point* end) {
+      sorter_.template sort<0>(begin, end);
       strips.append(begin, end);
     });
   }
 
-  // Invariant: the points before p are in order.
-  static void insertion_sort(Point* first, Point* last)
-  {
-    for(Point* p = first; p < last; ++p) {
-      if(p == first || !(p->x[0] < p[-1].x[0]))
-        continue;
-      const Point point = *p;
-      Point* hole = p;
-      for(; hole != first && point.x[0] < hole[-1].x[0]; --hole)
-        *hole = hole[-1];
-      *hole = point;
-    }
-  }
-
-  static constexpr Place greatest_short_bucket = 16;
   static constexpr double usual_crowd = 8; // pairs per point
 
   const double reach_;
@@ -190,6 +158,7 @@ private:
   bool is_crowded_ = false;
   Buffer<Place> counts_;
   Buffer<Point> sorted_;
+  Bucket_sorter<Dimension> sorter_;
 };
 
 } // namespace internal
