@@ -11,10 +11,8 @@
 // pairs are thrown into bins first, each for as many consecutive points as have their lists in a
 // cache; then the lists of one bin after another are filled and sorted.
 
-#include <CGAL/Neighbor_lists.h>
+#include <CGAL/Thick_intersection_d/internal/Neighbor_bins.h>
 #include <CGAL/Thick_intersection_d/internal/parallel.h>
-
-#include <algorithm>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -25,26 +23,17 @@ class Neighbor_collector
 {
   using Position = Neighbor_lists::Position;
 
-  struct Neighbor
-  {
-    Position of;
-    Position position;
-  };
-  using Bins = std::vector<std::vector<Neighbor>>;
-
 public:
-  explicit Neighbor_collector(std::size_t size)
-    : size_(size), bin_count_((size + bin_size - 1) / bin_size), bins_(Bins(bin_count_))
-  {}
+  explicit Neighbor_collector(std::size_t size) : size_(size), bins_(Neighbor_bins(size)) {}
 
   // Makes the points at two positions neighbours of each other.
   void add(std::size_t i, std::size_t j)
   {
-    Bins& bins = bins_.local();
+    Neighbor_bins& bins = bins_.local();
     const Position p = static_cast<Position>(i);
     const Position q = static_cast<Position>(j);
-    bins[i / bin_size].push_back({p, q});
-    bins[j / bin_size].push_back({q, p});
+    bins.add({p, q});
+    bins.add({q, p});
   }
 
   Neighbor_lists lists()
@@ -56,18 +45,21 @@ public:
     for(std::size_t i = 0; i < size_; ++i)
       begins[i + 1] += begins[i];
 
-    std::vector<Position> positions(begins.back());
+    std::vector<Position> positions;
+    positions.reserve(begins.back());
+    ask_for_huge_pages(positions.data(), begins.back() * sizeof(Position));
+    positions.resize(begins.back());
     for_each_bin([&](std::size_t bin) { fill(bin, begins, positions); });
     return Neighbor_lists(std::move(begins), std::move(positions));
   }
 
 private:
-  static constexpr std::size_t bin_size = 4096;
+  static constexpr std::size_t bin_size = Neighbor_bins::bin_size;
 
   template <class Task>
   void for_each_bin(const Task& task)
   {
-    for_each_block<ConcurrencyTag>(bin_count_, [&](std::size_t bin, std::size_t last) {
+    for_each_block<ConcurrencyTag>(bins_.local().count(), [&](std::size_t bin, std::size_t last) {
       for(; bin != last; ++bin)
         task(bin);
     });
@@ -76,11 +68,10 @@ private:
   template <class Task>
   void for_each_neighbor(std::size_t bin, const Task& task)
   {
-    bins_.for_each(
-      [&](const Bins& bins) { std::for_each(bins[bin].begin(), bins[bin].end(), task); });
+    bins_.for_each([&](const Neighbor_bins& bins) { bins.for_each(bin, task); });
   }
 
-  // Fills the lists of a bin, and empties it.
+  // Fills the lists of a bin.
   void fill(std::size_t bin, const std::vector<std::size_t>& begins,
             std::vector<Position>& positions)
   {
@@ -90,7 +81,6 @@ private:
                                   begins.begin() + static_cast<std::ptrdiff_t>(last));
     for_each_neighbor(
       bin, [&](const Neighbor& n) { positions[next[n.of - first]++] = n.position; });
-    bins_.for_each([&](Bins& bins) { std::vector<Neighbor>().swap(bins[bin]); });
     for(std::size_t i = first; i < last; ++i)
       sort(positions.data() + begins[i], positions.data() + begins[i + 1]);
   }
@@ -116,8 +106,7 @@ private:
   }
 
   const std::size_t size_;
-  const std::size_t bin_count_;
-  Per_thread<ConcurrencyTag, Bins> bins_;
+  Per_thread<ConcurrencyTag, Neighbor_bins> bins_;
 };
 
 } // namespace internal

@@ -8,6 +8,7 @@
 // Points as the slab route sees them: doubles, and the position in the user's range.
 
 #include <CGAL/Thick_intersection_d/internal/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/huge_pages.h>
 
 #include <array>
 #include <cstdint>
@@ -24,7 +25,9 @@ using Place = std::uint32_t;
 template <class T>
 std::unique_ptr<T[]> make_uninitialized(std::size_t size)
 {
-  return std::unique_ptr<T[]>(new T[size]);
+  std::unique_ptr<T[]> memory(new T[size]);
+  ask_for_huge_pages(memory.get(), size * sizeof(T));
+  return memory;
 }
 
 // Memory that is used again and again, for as much as is asked for.
