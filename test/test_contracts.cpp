@@ -11,6 +11,8 @@
 #include "support/scenes.h"
 
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Thick_ball_traits_d.h>
+#include <CGAL/closest_pair.h>
 #include <CGAL/thick_intersection_d.h>
 
 #include <boost/iterator/transform_iterator.hpp>
@@ -18,6 +20,10 @@
 #include <boost/test/unit_test.hpp>
 
 #include <list>
+
+#ifdef __SSE2__
+#include <xmmintrin.h>
+#endif
 
 using namespace test_support;
 
@@ -347,3 +353,28 @@ BOOST_AUTO_TEST_CASE(order_of_reports_is_a_function_of_the_input)
   BOOST_CHECK(near_pairs(points, CGAL::within_distance(0.1))
               == near_pairs(points, CGAL::within_distance(0.1)));
 }
+
+#ifdef __SSE2__
+BOOST_AUTO_TEST_CASE(flushing_denormal_numbers_to_zero_is_refused)
+{
+  const auto points = make_points<Maker>(lattice_points(2, 3, 1));
+  const std::vector<std::pair<Point, double>> balls = {{points[0], 1}, {points[1], 1}};
+  const CGAL::Thick_ball_traits_d<Point> traits(balls);
+  const auto ignore = [](std::size_t, std::size_t) {};
+  const auto bound = CGAL::within_distance(1);
+  const unsigned int state = _mm_getcsr();
+  for(const unsigned int flag : {0x8000u, 0x0040u}) { // results are flushed, arguments are
+    _mm_setcsr(state | flag);
+    BOOST_CHECK_THROW(CGAL::fixed_radius_near_neighbors(points, bound, ignore),
+                      std::runtime_error);
+    BOOST_CHECK_THROW(CGAL::profile_scene(points, bound), std::runtime_error);
+    BOOST_CHECK_THROW(CGAL::closest_pair(points), std::runtime_error);
+    BOOST_CHECK_THROW(CGAL::find_close_pair(points, bound), std::runtime_error);
+    BOOST_CHECK_THROW(
+      CGAL::thick_self_intersection_d(balls, ignore, CGAL::parameters::geom_traits(traits)),
+      std::runtime_error);
+    _mm_setcsr(state);
+    BOOST_CHECK(CGAL::fixed_radius_near_neighbors(points, bound, ignore));
+  }
+}
+#endif

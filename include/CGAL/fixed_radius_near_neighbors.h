@@ -157,6 +157,7 @@ below
 \throws std::invalid_argument if a coordinate is NaN or infinite, if the points differ in dimension,
 or if the bound is negative or NaN, before anything is reported. The message tells the position of
 the point. Exceptions of the callback pass through.
+\throws std::runtime_error if the processor is set to flush denormal numbers to zero.
 
 \sa `thick_self_intersection_d()`
 */

@@ -10,6 +10,7 @@
 #include <CGAL/Thick_object_traits_d.h>
 
 #include <CGAL/Thick_intersection_d/internal/Elements.h>
+#include <CGAL/Thick_intersection_d/internal/check_denormals.h>
 #include <CGAL/Thick_intersection_d/internal/report_intersections.h>
 
 namespace CGAL {
@@ -86,6 +87,7 @@ below
 \throws std::invalid_argument if a coordinate or radius of an object is NaN or infinite, or a radius
 negative, before anything is reported. The message tells the position. Traits of other packages have
 to see to that themselves. Exceptions of the callback and of predicates pass through.
+\throws std::runtime_error if the processor is set to flush denormal numbers to zero.
 
 \sa `thick_intersection_d()`
 \sa `fixed_radius_near_neighbors()`
@@ -98,6 +100,7 @@ bool thick_self_intersection_d(const ObjectRange& objects, Callback&& callback,
   namespace internal = Thick_intersection_d::internal;
   const auto elements = internal::make_elements(objects, np);
   using Object = typename std::decay_t<decltype(elements)>::value_type;
+  internal::check_denormals();
   const auto& traits = internal::object_traits<Object>(np, elements);
   internal::check_objects(elements, traits);
   return internal::report_intersections<ConcurrencyTag>(elements, std::nullopt, traits, callback,
@@ -137,6 +140,7 @@ bool thick_intersection_d(const ObjectRangeA& objects_a, const ObjectRangeB& obj
   const auto elements_b = internal::make_elements(objects_b, np);
   const internal::Joined_elements elements(elements_a, elements_b);
   using Object = typename std::decay_t<decltype(elements)>::value_type;
+  internal::check_denormals();
   const auto& traits = internal::object_traits<Object>(np, elements);
   internal::check_objects(elements, traits);
   return internal::report_intersections<ConcurrencyTag>(elements, elements_a.size(), traits,

@@ -9,6 +9,7 @@
 // a search want to know.
 
 #include <CGAL/Thick_intersection_d/internal/Grid_scan.h>
+#include <CGAL/Thick_intersection_d/internal/check_denormals.h>
 #include <CGAL/Thick_intersection_d/internal/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/parallel.h>
 
@@ -67,7 +68,7 @@ void scan_block(const Elements& points, std::size_t first, std::size_t last, int
 }
 
 // Throws if a point, called `name` in the message, has a NaN or infinite coordinate or another
-// dimension than the first one.
+// dimension than the first one, or if denormal numbers are flushed to zero.
 template <class ConcurrencyTag, class Elements, class Store>
 Coordinate_scan scan_coordinates(const Elements& points, const std::string& name,
                                  const Store& store)
@@ -79,6 +80,7 @@ Coordinate_scan scan_coordinates(const Elements& points, const std::string& name
   std::vector<Coordinate_scan> scans(block_count<ConcurrencyTag>(), scan);
   for_each_numbered_block<ConcurrencyTag>(
     scans.size(), points.size(), [&](std::size_t block, std::size_t first, std::size_t last) {
+      check_denormals(); // in each thread that takes part
       scan_block(points, first, last, dimension, scans[block], store);
     });
   for(const Coordinate_scan& each : scans)
