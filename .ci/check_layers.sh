@@ -12,7 +12,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../include"
 internal=CGAL/Thick_intersection_d
 parallel=$internal/internal/parallel.h
 # The public headers that name the things which the internal ones work on.
-vocabulary='Distance_bound|Neighbor_lists|Scene_profile'
+vocabulary='Arithmetic_tier|Distance_bound|Neighbor_lists|Scene_profile'
 # Parts of CGAL under the GPL that are near at hand here. The test `licences` follows every include.
 gpl='license/|box_intersection_d|Box_intersection_d/|Kd_tree|Fuzzy_|Search_traits|Orthogonal_|Orthtree'
 gpl+='|Delaunay|Triangulation|Regular_triangulation|Point_set_2|point_set|Point_set_processing_3/|AABB_'

@@ -227,14 +227,14 @@ std::size_t count_candidates(const Points& points, double reach)
   const internal::Slabs<Dimension> slabs(CGAL::Sequential_tag(), doubles, 0, points.size(), range,
                                          reach);
   std::size_t count = 0;
-  const auto decide = [&](internal::Place, internal::Place) {
+  const auto decide = [&](internal::Place, internal::Place, internal::Decision_counts&) {
     ++count;
     return false;
   };
   const auto ignore = [](std::size_t, std::size_t) {};
   internal::Pair_reporter<decltype(ignore)> report(ignore);
   internal::Slab_sweep<Dimension, decltype(decide), decltype(report)> sweep(
-    reach, internal::Distance_filter(), internal::Twofold_filter(), decide, report);
+    reach, internal::Distance_filter(), internal::Close_call(), decide, report);
   internal::Slab_window<Dimension> window(slabs, reach, 0);
   for(; window[0]; window.pop()) {
     sweep.within(*window[0]);

@@ -71,10 +71,10 @@ inline void show_progress(double done)
   std::fprintf(stderr, "\r%3d %%%s", percent, percent >= 100 ? "\n" : "");
 }
 
-// Returns false iff the search was stopped.
+// Describes the scene in `profile`. Returns false iff the search was stopped.
 template <class Points, class Bound, class Callback>
 bool report_pairs(const Points& points, const Bound& bound, const Options& options,
-                  Callback& callback)
+                  Callback& callback, CGAL::Scene_profile& profile)
 {
   const std::function<bool(double)> go_on = [&](double done) {
     if(options.progress)
@@ -85,10 +85,12 @@ bool report_pairs(const Points& points, const Bound& bound, const Options& optio
 #ifdef CGAL_LINKED_WITH_TBB
   using CGAL::Parallel_tag;
   if(options.parallel)
-    return CGAL::fixed_radius_near_neighbors<Parallel_tag>(points, bound, callback, parameters);
+    return CGAL::fixed_radius_near_neighbors<Parallel_tag>(points, bound, callback, profile,
+                                                           parameters);
 #endif
   using CGAL::Sequential_tag;
-  return CGAL::fixed_radius_near_neighbors<Sequential_tag>(points, bound, callback, parameters);
+  return CGAL::fixed_radius_near_neighbors<Sequential_tag>(points, bound, callback, profile,
+                                                           parameters);
 }
 
 template <class Point>
@@ -108,17 +110,17 @@ Search_result search_points(const std::vector<Point>& points, const Scene& scene
     sink(i, j);
   };
 
-  const CGAL::Scene_profile profile = CGAL::profile_scene(points, bound);
+  CGAL::Scene_profile profile;
+  const auto start = std::chrono::steady_clock::now();
+  if(!report_pairs(points, bound, options, callback, profile))
+    throw Error("stopped");
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+
   std::ostringstream tier, description;
   tier << profile.tier();
   description << profile;
   result.tier = tier.str();
   result.profile = description.str();
-
-  const auto start = std::chrono::steady_clock::now();
-  if(!report_pairs(points, bound, options, callback))
-    throw Error("stopped");
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }
 

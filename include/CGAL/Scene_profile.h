@@ -8,15 +8,20 @@
 // What a scene of points and a distance bound need: one pass over the coordinates tells which
 // arithmetic decides every pair exactly.
 
+#include <CGAL/Arithmetic_tier.h>
 #include <CGAL/Distance_bound.h>
 #include <CGAL/Named_function_parameters.h>
 
 #include <CGAL/Thick_intersection_d/internal/Coordinate_scan.h>
+#include <CGAL/Thick_intersection_d/internal/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/Elements.h>
+#include <CGAL/Thick_intersection_d/internal/Grid_distance.h>
 #include <CGAL/Thick_intersection_d/internal/Squared_bound.h>
 
 #include <optional>
 #include <ostream>
+#include <sstream>
+#include <stdexcept>
 #include <vector>
 
 namespace CGAL {
@@ -24,48 +29,44 @@ namespace CGAL {
 /*!
 \ingroup PkgThickIntersectionDRef
 
-names the arithmetic that decides whether a pair of points is within a bound. The answer is the
-exact one in each case.
-*/
-enum class Arithmetic_tier {
-  DOUBLE,          ///< Doubles compute all squared distances near the bound without rounding.
-  FILTERED_EXACT   ///< Doubles decide what they safely can, exact numbers decide the rest.
-};
-
-/// \ingroup PkgThickIntersectionDRef
-/// prints `tier` in words.
-inline std::ostream& operator<<(std::ostream& out, Arithmetic_tier tier)
-{
-  return out << (tier == Arithmetic_tier::DOUBLE ? "double" : "filter + exact");
-}
-
-/*!
-\ingroup PkgThickIntersectionDRef
-
 describes a scene of points together with a distance bound: its size and extent, the coarsest grid
-that holds its coordinates, and the arithmetic that the scene needs.
+that holds its coordinates, the arithmetic that the scene needs, and, after a search, which
+arithmetic has decided how many pairs.
 
 All coordinates that are doubles lie on a grid of step \f$ 2^e \f$. A difference of coordinates that
-is at most the reach is a number of at most `units()` steps, whatever the offset of the scene. If
-\f$ d \f$ times the square of that number is at most \f$ 2^{53} \f$ then doubles evaluate squared
-distances up to the bound without error, and larger ones come out larger than the bound: neither a
-filter nor exact numbers are needed.
+is at most the reach is a number of at most `units()` steps, whatever the offset of the scene. Let
+\f$ S \f$ be the square of that number times \f$ d \f$, the number of axes along which the points
+differ. If \f$ S \f$ is at most \f$ 2^{53} \f$ then doubles evaluate squared distances up to the
+bound without error, and larger ones come out larger than the bound: neither a filter nor other
+numbers are needed. If \f$ S \f$ is below \f$ 2^{63} \f$, or below \f$ 2^{128} \f$ with fewer than
+\f$ 2^{63} \f$ steps, then integers of 64 or 128 bits decide what a filter in doubles does not.
 
-A profile is made by `profile_scene()`, and does not refer to the points. It may be read by several
-threads at once.
+A profile is made by `profile_scene()`, or by a search that is given one, and does not refer to the
+points. It may be read by several threads at once.
 */
 class Scene_profile
 {
 public:
+  /// \name Creation
+  /// @{
+
+  /// constructs the profile of a scene without points.
+  Scene_profile() : Scene_profile(0, {}, 0, 0) {}
+
   /// constructs the profile of `size` points with the given ranges of coordinates, `reach`, and
-  /// exponent of the grid, or none if the coordinates are not doubles.
+  /// exponent of the grid, or none if the coordinates are not doubles. Coordinates along an axis
+  /// whose range has no extent need not be on the grid.
   Scene_profile(std::size_t size, const std::vector<std::pair<double, double>>& box, double reach,
                 std::optional<int> grid_exponent)
     : size_(size), box_(box), reach_(reach), grid_exponent_(grid_exponent),
       units_(grid_exponent ? std::floor(std::ldexp(reach, -*grid_exponent))
                            : std::numeric_limits<double>::infinity()),
-      tier_(is_exact_in_double() ? Arithmetic_tier::DOUBLE : Arithmetic_tier::FILTERED_EXACT)
+      needed_tier_(least_exact_tier())
   {}
+
+  /// @}
+  /// \name The Scene
+  /// @{
 
   /// returns the number of points.
   std::size_t size() const { return size_; }
@@ -76,6 +77,15 @@ public:
   /// returns the smallest and the largest coordinate along axis `i`, rounded outwards.
   const std::pair<double, double>& range(int i) const { return box_[i]; }
 
+  /// returns the number of axes along which the points differ.
+  int extended_axes() const
+  {
+    int count = 0;
+    for(const std::pair<double, double>& range : box_)
+      count += range.first < range.second;
+    return count;
+  }
+
   /// returns an upper bound on the distance along an axis of points within the bound.
   double reach() const { return reach_; }
 
@@ -83,7 +93,7 @@ public:
   bool has_grid() const { return grid_exponent_.has_value(); }
 
   /// returns the exponent \f$ e \f$ of the coarsest grid \f$ 2^e \mathbb{Z} \f$ that holds all
-  /// coordinates. \pre `has_grid()`
+  /// coordinates along the axes along which the points differ. \pre `has_grid()`
   int grid_exponent() const { return *grid_exponent_; }
 
   /// returns the reach in steps of the grid, or infinity if there is no grid.
@@ -93,10 +103,50 @@ public:
   /// or infinity if there is no grid.
   double bits() const { return 2 * std::log2((std::max)(units_, 1.)) + std::log2(terms()); }
 
-  /// returns the arithmetic that is used.
-  Arithmetic_tier tier() const { return tier_; }
+  /// @}
+  /// \name The Arithmetic
+  /// @{
 
-  /// prints the profile, a line per fact.
+  /// returns the first tier that is exact for the scene.
+  Arithmetic_tier needed_tier() const { return needed_tier_; }
+
+  /// returns the tier that is used: `needed_tier()`, unless another one is forced.
+  Arithmetic_tier tier() const { return forced_tier_.value_or(needed_tier_); }
+
+  /// makes searches that are given this profile use `tier`, which is `needed_tier()` or a later
+  /// one. The pairs are the same; the time is not.
+  /// \throws std::invalid_argument if `tier` is not exact for the scene. The message names both.
+  void force_tier(Arithmetic_tier tier)
+  {
+    if(tier < needed_tier_) {
+      std::ostringstream message;
+      message << "The arithmetic tier '" << tier << "' is not exact for this scene, which needs '"
+              << needed_tier_ << "'.";
+      throw std::invalid_argument(message.str());
+    }
+    forced_tier_ = tier;
+  }
+
+  /// returns the tier that is forced, if there is one.
+  const std::optional<Arithmetic_tier>& forced_tier() const { return forced_tier_; }
+
+  /// returns how many pairs were decided by the arithmetic that a tier is named for, in the search
+  /// that has made this profile: by doubles, by integers of 64 or of 128 bits, or by exact numbers.
+  /// Pairs that doubles find to be beyond the bound are not counted; so the sum over all tiers is
+  /// the number of pairs within the bound, and of those beyond it that are too close to call in
+  /// doubles.
+  std::uint64_t decided(Arithmetic_tier tier) const { return counts_[tier]; }
+
+  /// @}
+
+#ifndef DOXYGEN_RUNNING
+  void set_counts(const Thick_intersection_d::internal::Decision_counts& counts)
+  {
+    counts_ = counts;
+  }
+#endif
+
+  /// prints the profile, a line per fact, and what it comes to as a sentence.
   friend std::ostream& operator<<(std::ostream& out, const Scene_profile& profile)
   {
     out << "points      " << profile.size() << " in dimension " << profile.dimension() << '\n';
@@ -109,12 +159,29 @@ public:
           << "bits        " << profile.bits() << " for a squared distance, a double has 53\n";
     else
       out << "grid        none, the coordinates are not doubles\n";
-    return out << "arithmetic  " << profile.tier() << '\n';
+    out << "arithmetic  " << profile.tier() << (profile.forced_tier() ? ", forced\n" : "\n");
+    profile.print_counts(out);
+    return out << profile.sentence() << '\n';
   }
 
 private:
   // A sum of one square is treated as one of two, so that the square of units() + 1 is exact too.
-  double terms() const { return (std::max)(dimension(), 2); }
+  double terms() const { return (std::max)(extended_axes(), 2); }
+
+  Arithmetic_tier least_exact_tier() const
+  {
+    namespace internal = Thick_intersection_d::internal;
+    static const double huge = std::ldexp(1., 1022); // so that differences do not overflow
+    if(!has_grid() || reach_ > huge)
+      return Arithmetic_tier::FILTERED_EXACT;
+    if(is_exact_in_double())
+      return Arithmetic_tier::DOUBLE;
+    if(internal::fits_int64(units_, extended_axes()))
+      return Arithmetic_tier::INT64;
+    if(internal::fits_int128(units_, extended_axes()))
+      return Arithmetic_tier::INT128;
+    return Arithmetic_tier::FILTERED_EXACT;
+  }
 
   // Whether squared distances up to the bound are exact in double: their terms have at most 53 bits
   // together, do not underflow and do not overflow. A longer difference, of at least units() + 1
@@ -123,8 +190,37 @@ private:
   {
     static const double two_to_53 = std::ldexp(1., 53);
     static const double huge = std::ldexp(1., 500);
-    return has_grid() && 2 * grid_exponent() >= -1074 && reach_ <= huge
+    return 2 * grid_exponent() >= -1074 && reach_ <= huge
            && terms() * units_ * units_ <= two_to_53;
+  }
+
+  void print_counts(std::ostream& out) const
+  {
+    const char* separator = "decided     ";
+    for(const Arithmetic_tier tier : {Arithmetic_tier::DOUBLE, Arithmetic_tier::INT64,
+                                      Arithmetic_tier::INT128, Arithmetic_tier::FILTERED_EXACT})
+      if(decided(tier) != 0) {
+        out << separator << decided(tier) << " by ";
+        if(tier == Arithmetic_tier::FILTERED_EXACT)
+          out << "exact numbers";
+        else
+          out << tier;
+        separator = ", ";
+      }
+    if(*separator == ',')
+      out << '\n';
+  }
+
+  std::string sentence() const
+  {
+    const std::string bits
+      = has_grid() ? std::to_string(std::lround(std::ceil(this->bits()))) + " bits: " : "";
+    switch(tier()) {
+    case Arithmetic_tier::DOUBLE: return bits + "double is exact, no filter used.";
+    case Arithmetic_tier::INT64: return bits + "doubles filter, 64-bit integers decide the rest.";
+    case Arithmetic_tier::INT128: return bits + "doubles filter, 128-bit integers decide the rest.";
+    default: return bits + "doubles filter, exact numbers decide the rest.";
+    }
   }
 
   std::size_t size_;
@@ -132,7 +228,9 @@ private:
   double reach_;
   std::optional<int> grid_exponent_;
   double units_;
-  Arithmetic_tier tier_;
+  Arithmetic_tier needed_tier_;
+  std::optional<Arithmetic_tier> forced_tier_;
+  Thick_intersection_d::internal::Decision_counts counts_;
 };
 
 namespace Thick_intersection_d {
@@ -143,7 +241,7 @@ Scene_profile make_profile(std::size_t size, const Coordinate_scan& scan,
                            const Squared_bound<Exact>& bound)
 {
   return Scene_profile(size, scan.box, bound.reach(),
-                       is_held_by_double_v<Number> ? std::optional<int>(scan.grid.exponent())
+                       is_held_by_double_v<Number> ? std::optional<int>(scan.grid_exponent())
                                                    : std::nullopt);
 }
 

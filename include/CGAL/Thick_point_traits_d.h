@@ -36,9 +36,10 @@ built-in floating point type, of an exact number type, or of a floating point ty
 template <class Point>
 class Thick_point_traits_d
 {
-  using Exact = Thick_intersection_d::internal::Exact_number_t<
-    Thick_intersection_d::internal::Coordinate_t<Point>>;
+  using Number = Thick_intersection_d::internal::Coordinate_t<Point>;
+  using Exact = Thick_intersection_d::internal::Exact_number_t<Number>;
   using Bound = Thick_intersection_d::internal::Squared_bound<Exact>;
+  using Counts = Thick_intersection_d::internal::Shared_decision_counts;
 
 public:
   /// \name Types
@@ -106,19 +107,22 @@ public:
   Thick_point_traits_d(const Bound& bound, int dimension)
     : bound_(bound),
       filter_(Thick_intersection_d::internal::make_distance_filter(bound, dimension)),
+      close_call_(Thick_intersection_d::internal::make_close_call<Number>(bound, dimension)),
       dimension_(dimension)
   {}
 
-  // The traits for the points of a scene, and no others: uses the arithmetic that the scene needs.
-  Thick_point_traits_d(const Bound& bound, const Scene_profile& profile)
-    : Thick_point_traits_d(bound, profile.dimension())
-  {
-    if(profile.tier() == Arithmetic_tier::DOUBLE)
-      filter_ = Thick_intersection_d::internal::make_certified_filter(bound);
-  }
-
-  // What doubles decide.
-  const Thick_intersection_d::internal::Distance_filter& filter() const { return filter_; }
+  // The traits for the points of a scene, and no others: uses the arithmetic that the scene needs,
+  // and adds to `counts` which one decides, unless it is null.
+  Thick_point_traits_d(const Bound& bound, const Scene_profile& profile,
+                       Counts* counts = nullptr)
+    : bound_(bound),
+      filter_(profile.tier() == Arithmetic_tier::DOUBLE
+                ? Thick_intersection_d::internal::make_certified_filter(bound)
+                : Thick_intersection_d::internal::make_distance_filter(bound,
+                                                                       profile.dimension())),
+      close_call_(Thick_intersection_d::internal::make_close_call<Number>(bound, profile)),
+      dimension_(profile.dimension()), counts_(counts)
+  {}
 
   // Throws unless `p` is a point of this dimension with finite coordinates.
   void check(const Point& p, std::size_t position) const
@@ -140,7 +144,7 @@ public:
   }
   Do_intersect_d do_intersect_d_object() const
   {
-    return Do_intersect_d(bound_, filter_, dimension_);
+    return Do_intersect_d(bound_, filter_, close_call_, dimension_, counts_);
   }
 
   /// @}
@@ -156,7 +160,9 @@ private:
 
   Bound bound_;
   Thick_intersection_d::internal::Distance_filter filter_;
+  Thick_intersection_d::internal::Close_call close_call_;
   int dimension_;
+  Counts* counts_ = nullptr;
 };
 
 } // namespace CGAL

@@ -26,17 +26,6 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// The dimension of a type of points, or `fallback` if it does not tell.
-template <class Point>
-constexpr int dimension_or(int fallback)
-{
-  using Dimension = typename Ambient_dimension<Point>::type;
-  if constexpr(std::is_same_v<Dimension, Dynamic_dimension_tag>)
-    return fallback;
-  else
-    return Dimension::value;
-}
-
 // Whether the slab route can take a scene: it needs coordinates that are doubles with a finite
 // error, and keeps positions in 32 bits, one of which is room for more.
 inline bool fits_slabs(const Scene_profile& profile)
@@ -64,27 +53,20 @@ bool report_by_slabs(const Route& route, std::size_t size,
   return route.search(*first_set_size, report, progress);
 }
 
-template <class ConcurrencyTag, class Elements, class NT, class Callback, class NamedParameters>
-bool report_near_pairs(const Elements& points, std::optional<std::size_t> first_set_size,
-                       const Distance_bound<NT>& bound, Callback& callback,
-                       const NamedParameters& np)
+// Searches points in the plane or in space by slabs, others by the book.
+template <class ConcurrencyTag, class Elements, class Callback, class NamedParameters>
+bool search_near_pairs(const Elements& points, std::optional<std::size_t> first_set_size,
+                       const Doubles<Elements>& doubles, double error,
+                       const Scene_profile& profile,
+                       const Thick_point_traits_d<typename Elements::value_type>& traits,
+                       Callback& callback, const NamedParameters& np)
 {
   using Point = typename Elements::value_type;
-  using Exact = Exact_number_t<Coordinate_t<Point>>;
-  const Squared_bound<Exact> squared_bound(bound);
-  Doubles<Elements> doubles(points);
-  const Coordinate_scan scan = scan_coordinates<ConcurrencyTag>(
-    points, "point",
-    [&](std::size_t position, int axis, double x) { doubles.set(position, axis, x); });
-  const Scene_profile profile
-    = make_profile<Coordinate_t<Point>>(points.size(), scan, squared_bound);
-  if(points.size() == 0)
-    return true;
-
-  const Thick_point_traits_d<Point> traits(squared_bound, profile);
-  const auto search_slabs = [&](auto dimension) {
-    const Slab_route<ConcurrencyTag, decltype(dimension)::value, Elements, Exact> route(
-      points, doubles, scan.error, profile, squared_bound, traits.filter());
+  [[maybe_unused]] const auto search_slabs = [&](auto dimension) {
+    constexpr int axes = decltype(dimension)::value;
+    const auto is_within = traits.do_intersect_d_object();
+    const Slab_route<ConcurrencyTag, axes, Elements> route(points, doubles, error, profile,
+                                                           is_within);
     return report_by_slabs(route, points.size(), first_set_size, callback, np);
   };
   if(fits_slabs(profile)) {
@@ -96,6 +78,39 @@ bool report_near_pairs(const Elements& points, std::optional<std::size_t> first_
         return search_slabs(std::integral_constant<int, 3>());
   }
   return report_intersections<ConcurrencyTag>(points, first_set_size, traits, callback, np);
+}
+
+// If `description` is not null, takes the tier that is forced there, and leaves the profile of the
+// scene there.
+template <class ConcurrencyTag, class Elements, class NT, class Callback, class NamedParameters>
+bool report_near_pairs(const Elements& points, std::optional<std::size_t> first_set_size,
+                       const Distance_bound<NT>& bound, Callback& callback,
+                       const NamedParameters& np, Scene_profile* description = nullptr)
+{
+  using Point = typename Elements::value_type;
+  using Number = Coordinate_t<Point>;
+  const Squared_bound<Exact_number_t<Number>> squared_bound(bound);
+  Doubles<Elements> doubles(points);
+  const Coordinate_scan scan = scan_coordinates<ConcurrencyTag>(
+    points, "point",
+    [&](std::size_t position, int axis, double x) { doubles.set(position, axis, x); });
+  Scene_profile profile = make_profile<Number>(points.size(), scan, squared_bound);
+  if(description != nullptr && description->forced_tier())
+    profile.force_tier(*description->forced_tier());
+
+  Shared_decision_counts counts;
+  bool is_complete = true;
+  if(points.size() != 0) {
+    const Thick_point_traits_d<Point> traits(squared_bound, profile,
+                                             description != nullptr ? &counts : nullptr);
+    is_complete = search_near_pairs<ConcurrencyTag>(points, first_set_size, doubles, scan.error,
+                                                    profile, traits, callback, np);
+  }
+  if(description != nullptr) {
+    profile.set_counts(counts.total());
+    *description = profile;
+  }
+  return is_complete;
 }
 
 } // namespace internal
@@ -175,6 +190,35 @@ bool fixed_radius_near_neighbors(const PointRange& points, const Distance_bound<
 /*!
 \ingroup PkgThickIntersectionDRef
 
+reports all pairs of points of a range whose distance is within a bound as the version above, and
+tells about the scene and the search in `profile`.
+
+If a tier is forced in `profile`, by `Scene_profile::force_tier()`, the search uses that one.
+Whatever the profile was made for, the points are looked at again, and a tier that is not exact for
+them is refused. A `Scene_profile` without points serves if only the answer is wanted.
+
+\param profile is replaced by the profile of the points and the bound, with the same tier forced,
+and with the numbers of pairs that each kind of arithmetic has decided. It is left alone if the
+function throws.
+
+\throws std::invalid_argument as the version above, and if the forced tier is not exact for the
+scene.
+*/
+template <class ConcurrencyTag = Sequential_tag, class PointRange, class NT, class Callback,
+          class NamedParameters = parameters::Default_named_parameters>
+bool fixed_radius_near_neighbors(const PointRange& points, const Distance_bound<NT>& bound,
+                                 Callback&& callback, Scene_profile& profile,
+                                 const NamedParameters& np = parameters::default_values())
+{
+  namespace internal = Thick_intersection_d::internal;
+  const auto elements = internal::make_elements(points, np);
+  return internal::report_near_pairs<ConcurrencyTag>(elements, std::nullopt, bound, callback, np,
+                                                     &profile);
+}
+
+/*!
+\ingroup PkgThickIntersectionDRef
+
 reports all pairs of a point of one range and a point of another whose distance is within a bound,
 each exactly once.
 
@@ -205,6 +249,28 @@ bool fixed_radius_near_neighbors(const PointRangeA& points_a, const PointRangeB&
   const internal::Joined_elements elements(elements_a, elements_b);
   return internal::report_near_pairs<ConcurrencyTag>(elements, elements_a.size(), bound, callback,
                                                      np);
+}
+
+/*!
+\ingroup PkgThickIntersectionDRef
+
+reports all pairs of a point of one range and a point of another whose distance is within a bound as
+the version above, with a profile of the points of both ranges, which is as in the version for one
+range.
+*/
+template <class ConcurrencyTag = Sequential_tag, class PointRangeA, class PointRangeB, class NT,
+          class Callback, class NamedParameters = parameters::Default_named_parameters>
+bool fixed_radius_near_neighbors(const PointRangeA& points_a, const PointRangeB& points_b,
+                                 const Distance_bound<NT>& bound, Callback&& callback,
+                                 Scene_profile& profile,
+                                 const NamedParameters& np = parameters::default_values())
+{
+  namespace internal = Thick_intersection_d::internal;
+  const auto elements_a = internal::make_elements(points_a, np);
+  const auto elements_b = internal::make_elements(points_b, np);
+  const internal::Joined_elements elements(elements_a, elements_b);
+  return internal::report_near_pairs<ConcurrencyTag>(elements, elements_a.size(), bound, callback,
+                                                     np, &profile);
 }
 
 /*!

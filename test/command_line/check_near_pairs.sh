@@ -192,6 +192,7 @@ for scene in empty single equal; do
 done
 run ties.csv --distance 1 --explain
 verdict "--explain describes the scene" grep -q 'reach' out
+verdict "--explain tells what decided" grep -q 'no filter used\|decide the rest' out
 run ties.csv --distance 1 --progress
 verdict "--progress shows a percentage" grep -q '100 %' err
 run --help

@@ -23,21 +23,22 @@ Pairs slab_pairs(const std::vector<Point>& points, const CGAL::Distance_bound<NT
                  const Part_sizes& sizes, std::optional<std::size_t> first_set_size = std::nullopt)
 {
   using Elements = internal::Elements<std::vector<Point>>;
-  using Exact = internal::Exact_number_t<internal::Coordinate_t<Point>>;
+  using Number = internal::Coordinate_t<Point>;
   Pairs pairs;
   if(points.empty())
     return pairs;
   const Elements elements(points);
-  const internal::Squared_bound<Exact> bound(distance_bound);
+  const internal::Squared_bound<internal::Exact_number_t<Number>> bound(distance_bound);
   internal::Doubles<Elements> doubles(elements);
   const internal::Coordinate_scan scan = internal::scan_coordinates<CGAL::Sequential_tag>(
     elements, "point",
     [&](std::size_t position, int axis, double x) { doubles.set(position, axis, x); });
   const CGAL::Scene_profile profile
-    = internal::make_profile<internal::Coordinate_t<Point>>(points.size(), scan, bound);
+    = internal::make_profile<Number>(points.size(), scan, bound);
   const CGAL::Thick_point_traits_d<Point> traits(bound, profile);
-  const internal::Slab_route<CGAL::Sequential_tag, Dimension, Elements, Exact> route(
-    elements, doubles, scan.error, profile, bound, traits.filter(), sizes);
+  const auto is_within = traits.do_intersect_d_object();
+  const internal::Slab_route<CGAL::Sequential_tag, Dimension, Elements> route(
+    elements, doubles, scan.error, profile, is_within, sizes);
   auto callback = [&](std::size_t i, std::size_t j) { pairs.emplace_back(i, j); };
   internal::Pair_reporter<decltype(callback)> report(callback);
   internal::No_progress progress;

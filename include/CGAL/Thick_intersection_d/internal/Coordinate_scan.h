@@ -23,8 +23,28 @@ namespace internal {
 
 struct Coordinate_scan
 {
+  explicit Coordinate_scan(int dimension)
+    : box(static_cast<std::size_t>(dimension), {std::numeric_limits<double>::infinity(),
+                                                -std::numeric_limits<double>::infinity()}),
+      grids(box.size())
+  {}
+
+  // Whether the points differ along an axis; if not, all their coordinates are the same double.
+  bool is_extended_along(std::size_t axis) const { return box[axis].first < box[axis].second; }
+
+  // The exponent of the coarsest grid that holds all coordinates but those that are the same for
+  // all points.
+  int grid_exponent() const
+  {
+    Grid_scan grid;
+    for(std::size_t i = 0; i < box.size(); ++i)
+      if(is_extended_along(i))
+        grid.add(grids[i]);
+    return grid.exponent();
+  }
+
   std::vector<std::pair<double, double>> box; // rounded outwards
-  Grid_scan grid;                             // of the coordinates that are doubles
+  std::vector<Grid_scan> grids;               // of the coordinates that are doubles, per axis
   double error = 0;                           // the greatest distance of two bounds
   std::size_t first_bad = (std::numeric_limits<std::size_t>::max)(); // position
 
@@ -33,8 +53,8 @@ struct Coordinate_scan
     for(std::size_t i = 0; i < box.size(); ++i) {
       box[i].first = (std::min)(box[i].first, other.box[i].first);
       box[i].second = (std::max)(box[i].second, other.box[i].second);
+      grids[i].add(other.grids[i]);
     }
-    grid.add(other.grid);
     error = (std::max)(error, other.error);
     first_bad = (std::min)(first_bad, other.first_bad);
   }
@@ -55,7 +75,7 @@ void scan_block(const Elements& points, std::size_t first, std::size_t last, int
       scan.box[i].first = (std::min)(scan.box[i].first, x.first);
       scan.box[i].second = (std::max)(scan.box[i].second, x.second);
       if constexpr(is_held_by_double_v<Number>)
-        scan.grid.add(x.first);
+        scan.grids[i].add(x.first);
       else
         scan.error = (std::max)(scan.error, x.second - x.first);
       store(position, i, x.first);
@@ -73,10 +93,8 @@ template <class ConcurrencyTag, class Elements, class Store>
 Coordinate_scan scan_coordinates(const Elements& points, const std::string& name,
                                  const Store& store)
 {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   const int dimension = points.size() == 0 ? 0 : points[0].dimension();
-  Coordinate_scan scan;
-  scan.box.resize(static_cast<std::size_t>(dimension), {infinity, -infinity});
+  Coordinate_scan scan(dimension);
   std::vector<Coordinate_scan> scans(block_count<ConcurrencyTag>(), scan);
   for_each_numbered_block<ConcurrencyTag>(
     scans.size(), points.size(), [&](std::size_t block, std::size_t first, std::size_t last) {

@@ -5,7 +5,7 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_GRID_SCAN_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_GRID_SCAN_H
 
-// The coarsest grid 2^e Z that holds a sequence of doubles.
+// The coarsest grid 2^e Z that holds a sequence of doubles, and doubles in steps of a grid.
 
 #include <algorithm>
 #include <cstdint>
@@ -15,6 +15,41 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
+inline std::uint64_t bits_of(double x)
+{
+  std::uint64_t bits;
+  std::memcpy(&bits, &x, sizeof(bits));
+  return bits;
+}
+
+// A finite double taken apart: |x| = mantissa * 2^exponent.
+struct Double_parts
+{
+  explicit Double_parts(double x)
+  {
+    const std::uint64_t bits = bits_of(x);
+    const std::uint64_t fraction = bits & ((std::uint64_t(1) << 52) - 1);
+    const int biased = static_cast<int>((bits >> 52) & 0x7ff);
+    mantissa = fraction | static_cast<std::uint64_t>(biased != 0) << 52;
+    exponent = (std::max)(biased, 1) - 1075;
+  }
+
+  std::uint64_t mantissa;
+  int exponent;
+};
+
+// Returns x / 2^e modulo 2^64, where x is a multiple of 2^e. Of other numbers it drops what is
+// below 2^e, so that equal ones have equal results.
+inline std::uint64_t steps_modulo_2_64(double x, int e)
+{
+  const Double_parts parts(x);
+  const int shift = parts.exponent - e;
+  const std::uint64_t steps = shift >= 64 || shift <= -64 ? 0
+                              : shift >= 0                ? parts.mantissa << shift
+                                                          : parts.mantissa >> -shift;
+  return x < 0 ? 0 - steps : steps;
+}
+
 class Grid_scan
 {
 public:
@@ -22,16 +57,11 @@ public:
   // number of zeros at the end of a mantissa is anybody's guess.
   void add(double x)
   {
-    const std::uint64_t bits = bits_of(x);
-    const std::uint64_t fraction = bits & ((std::uint64_t(1) << 52) - 1);
-    const int biased = static_cast<int>((bits >> 52) & 0x7ff);
-    const std::uint64_t mantissa = fraction | static_cast<std::uint64_t>(biased != 0) << 52;
-    if(mantissa == 0)
+    const Double_parts parts(x);
+    if(parts.mantissa == 0)
       return;
-    // |x| = mantissa * 2^exponent
-    const int exponent = (std::max)(biased, 1) - 1075;
-    const std::uint64_t lowest_bit = mantissa & (~mantissa + 1);
-    exponent_ = (std::min)(exponent_, exponent + logarithm(lowest_bit));
+    const std::uint64_t lowest_bit = parts.mantissa & (~parts.mantissa + 1);
+    exponent_ = (std::min)(exponent_, parts.exponent + logarithm(lowest_bit));
   }
 
   // Refines the grid until it holds all that the other one holds.
@@ -41,13 +71,6 @@ public:
   int exponent() const { return exponent_ == none ? 0 : exponent_; }
 
 private:
-  static std::uint64_t bits_of(double x)
-  {
-    std::uint64_t bits;
-    std::memcpy(&bits, &x, sizeof(bits));
-    return bits;
-  }
-
   // The exponent of a power of two, which a double holds.
   static int logarithm(std::uint64_t power)
   {

@@ -7,9 +7,8 @@
 
 // The predicate of the package: is |pq| within a bound? Degree 2, exact for every kernel.
 
+#include <CGAL/Thick_intersection_d/internal/Close_call.h>
 #include <CGAL/Thick_intersection_d/internal/Distance_filter.h>
-#include <CGAL/Thick_intersection_d/internal/Squared_bound.h>
-#include <CGAL/Thick_intersection_d/internal/Twofold_filter.h>
 #include <CGAL/Thick_intersection_d/internal/coordinates.h>
 
 namespace CGAL {
@@ -23,15 +22,37 @@ class Is_within_distance
   using Exact = Exact_number_t<Number>;
 
 public:
+  // For points of any coordinates.
   Is_within_distance(const Squared_bound<Exact>& bound, const Distance_filter& filter,
                      int dimension)
-    : bound_(bound), filter_(filter), dimension_(dimension)
-  {
-    if constexpr(is_held_by_double_v<Number>)
-      twofold_filter_ = Twofold_filter(bound, dimension);
-  }
+    : Is_within_distance(bound, filter, make_close_call<Number>(bound, dimension), dimension,
+                         nullptr)
+  {}
+
+  // With what decides the pairs that the filter does not, before the exact numbers do. Calls add
+  // to `counts` which arithmetic decides, unless it is null.
+  Is_within_distance(const Squared_bound<Exact>& bound, const Distance_filter& filter,
+                     const Close_call& close_call, int dimension, Shared_decision_counts* counts)
+    : bound_(bound), filter_(filter), close_call_(close_call), dimension_(dimension),
+      shared_counts_(counts)
+  {}
+
+  const Squared_bound<Exact>& bound() const { return bound_; }
+  const Distance_filter& filter() const { return filter_; }
+  const Close_call& close_call() const { return close_call_; }
+  Shared_decision_counts* shared_counts() const { return shared_counts_; }
 
   bool operator()(const Point& p, const Point& q) const
+  {
+    Decision_counts counts;
+    const bool is_within = decide(p, q, counts);
+    if(shared_counts_ != nullptr)
+      shared_counts_->add(counts);
+    return is_within;
+  }
+
+  // Adds to `counts` which arithmetic decides.
+  bool decide(const Point& p, const Point& q, Decision_counts& counts) const
   {
     double inf = 0; // the squared distance lies between inf and sup, up to relative_error()
     double sup = 0;
@@ -40,27 +61,28 @@ public:
       inf += g.inf * g.inf;
       sup += g.sup * g.sup;
     }
-    if(sup <= filter_.inside)
+    if(sup <= filter_.inside) {
+      counts.add(Arithmetic_tier::DOUBLE);
       return true;
+    }
     if(inf > filter_.outside)
       return false;
-    if constexpr(is_held_by_double_v<Number>)
-      if(twofold_filter_.is_usable()) {
-        const auto difference = [&](int i) {
-          return twofold_sum(static_cast<double>(coordinate(p, i)),
-                             -static_cast<double>(coordinate(q, i)));
-        };
-        if(const int sign = twofold_filter_.compare(difference, dimension_))
-          return sign < 0;
-      }
+    if constexpr(is_held_by_double_v<Number>) {
+      const auto x = [&](int i) { return static_cast<double>(coordinate(p, i)); };
+      const auto y = [&](int i) { return static_cast<double>(coordinate(q, i)); };
+      if(const std::optional<bool> is_within = close_call_.decide(x, y, dimension_, counts))
+        return *is_within;
+    }
+    counts.add(Arithmetic_tier::FILTERED_EXACT);
     return bound_.holds_for(exact_squared_distance(p, q, dimension_));
   }
 
 private:
   Squared_bound<Exact> bound_;
   Distance_filter filter_;
-  Twofold_filter twofold_filter_;
+  Close_call close_call_;
   int dimension_;
+  Shared_decision_counts* shared_counts_;
 };
 
 } // namespace internal

@@ -8,25 +8,28 @@
 // The sweeps of the slab route: each strip against itself and against the strips behind it that are
 // within reach. Each pair of strips is met once, so no pair of points is reported twice.
 
-#include <CGAL/Thick_intersection_d/internal/Twofold_filter.h>
+#include <CGAL/Thick_intersection_d/internal/Close_call.h>
 #include <CGAL/Thick_intersection_d/internal/collect_candidates.h>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// `Decide` has bool operator()(Place position, Place position): whether a pair that the filters do
-// not decide is within the bound. The second filter is usable only if all doubles are exact.
-// `Report` takes two positions and returns false to stop.
+// `Decide` has bool operator()(Place position, Place position, Decision_counts&): whether a pair is
+// within the bound that neither the filter nor the close call decides. The close call is one that
+// decides nothing unless all doubles are exact. `Report` takes two positions and returns false to
+// stop.
 template <int Dimension, class Decide, class Report>
 class Slab_sweep
 {
 public:
-  Slab_sweep(double reach, const Distance_filter& filter, const Twofold_filter& twofold_filter,
+  Slab_sweep(double reach, const Distance_filter& filter, const Close_call& close_call,
              const Decide& decide, Report& report)
-    : reach_(reach), filter_(filter), twofold_filter_(twofold_filter), decide_(decide),
-      report_(report)
+    : reach_(reach), filter_(filter), close_call_(close_call), decide_(decide), report_(report)
   {}
+
+  // Which arithmetic has decided the pairs so far.
+  const Decision_counts& counts() const { return counts_; }
 
   // Reports the pairs of a slab.
   bool within(const Strips<Dimension>& slab)
@@ -113,17 +116,17 @@ private:
   }
 
   // Whether a candidate is within the bound. Its doubles are in the cache, the points are not.
-  bool is_near(const Run<Dimension>& a, const Run<Dimension>& b, Candidate pair) const
+  bool is_near(const Run<Dimension>& a, const Run<Dimension>& b, Candidate pair)
   {
-    if(squared_distance(a, b, pair) <= filter_.inside)
+    if(squared_distance(a, b, pair) <= filter_.inside) {
+      counts_.add(Arithmetic_tier::DOUBLE);
       return true;
-    if(twofold_filter_.is_usable()) {
-      const auto difference
-        = [&](int axis) { return twofold_sum(a.x[axis][pair.i], -b.x[axis][pair.j]); };
-      if(const int sign = twofold_filter_.compare(difference, Dimension))
-        return sign < 0;
     }
-    return decide_(a.positions[pair.i], b.positions[pair.j]);
+    const auto x = [&](int axis) { return a.x[axis][pair.i]; };
+    const auto y = [&](int axis) { return b.x[axis][pair.j]; };
+    if(const std::optional<bool> is_within = close_call_.decide(x, y, Dimension, counts_))
+      return *is_within;
+    return decide_(a.positions[pair.i], b.positions[pair.j], counts_);
   }
 
   // Reports the collected pairs that are within the bound.
@@ -136,8 +139,10 @@ private:
       is_stopped_ = true;
     else if(is_any_undecided)
       is_stopped_ = !report_decided<true>(a, b, count);
-    else
+    else {
+      counts_.add(Arithmetic_tier::DOUBLE, count);
       is_stopped_ = !report_decided<false>(a, b, count);
+    }
     return !is_stopped_;
   }
 
@@ -161,10 +166,11 @@ private:
 
   const double reach_;
   const Distance_filter filter_;
-  const Twofold_filter twofold_filter_;
+  const Close_call close_call_;
   const Decide& decide_;
   Report& report_;
   bool is_stopped_ = false;
+  Decision_counts counts_;
   Candidates candidates_;
   Strips<Dimension> layer_a_, layer_b_; // of slabs, within reach of each other
   Strips<Dimension> part_a_, part_b_;   // of strips, likewise

@@ -102,6 +102,25 @@ public:
     return threshold;
   }
 
+  // Returns the least integer s, below 2^bits, for which s 4^e is not within the bound as a squared
+  // distance. Bit by bit: all integers before `least` are within.
+  template <class Integer>
+  Integer first_beyond(int e, int bits) const
+  {
+    const Exact unit(std::ldexp(1., e));
+    const Exact square(unit * unit);
+    Integer least = 0;
+    Exact exact_least(0);
+    for(int bit = bits - 1; bit >= 0; --bit) {
+      const Exact next(exact_least + Exact(std::ldexp(1., bit)));
+      if(holds_for(Exact((next - Exact(1)) * square))) {
+        exact_least = next;
+        least += Integer(1) << bit;
+      }
+    }
+    return least;
+  }
+
 private:
   template <class Number>
   static Number square_of(const Number& value, bool is_squared)

@@ -21,6 +21,17 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
+// The dimension of a type of points, or `fallback` if it does not tell.
+template <class Point>
+constexpr int dimension_or(int fallback)
+{
+  using Dimension = typename Ambient_dimension<Point>::type;
+  if constexpr(std::is_same_v<Dimension, Dynamic_dimension_tag>)
+    return fallback;
+  else
+    return Dimension::value;
+}
+
 // Returns the filter for doubles that are off by up to `error` along each axis, so that distances
 // are off by less than twice that in up to three dimensions.
 template <class Exact>
@@ -85,7 +96,7 @@ private:
   Part spare_; // whose memory is used again
 };
 
-template <class ConcurrencyTag, int Dimension, class Elements, class Exact>
+template <class ConcurrencyTag, int Dimension, class Elements>
 class Slab_route
 {
   using Point = typename Elements::value_type;
@@ -93,15 +104,12 @@ class Slab_route
 public:
   // Coordinates are not less than their doubles, and not greater by more than `error`.
   Slab_route(const Elements& points, const Doubles<Elements>& doubles, double error,
-             const Scene_profile& profile, const Squared_bound<Exact>& bound,
-             const Distance_filter& filter, const Part_sizes& sizes = Part_sizes())
-    : points_(points), doubles_(doubles), profile_(profile), reach_(padded(bound.reach(), error)),
-      filter_(filter), wide_filter_(widen(filter, bound, error)), sizes_(sizes),
-      is_within_(bound, filter, Dimension)
-  {
-    if constexpr(is_held_by_double_v<Coordinate_t<Point>>)
-      twofold_filter_ = Twofold_filter(bound, Dimension);
-  }
+             const Scene_profile& profile, const Is_within_distance<Point>& is_within,
+             const Part_sizes& sizes = Part_sizes())
+    : points_(points), doubles_(doubles), profile_(profile),
+      reach_(padded(is_within.bound().reach(), error)), filter_(is_within.filter()),
+      wide_filter_(widen(filter_, is_within.bound(), error)), sizes_(sizes), is_within_(is_within)
+  {}
 
   // Reports the pairs of one set. Returns false iff the search was stopped.
   template <class Report, class Progress>
@@ -169,15 +177,25 @@ private:
   bool report_all(std::size_t end, std::size_t first, Report& report, Progress& progress) const
   {
     for_each_block<ConcurrencyTag>(end, [&](std::size_t i, std::size_t last) {
+      Decision_counts counts;
       for(; i != last && !report.is_stopped(); ++i) {
-        for(std::size_t j = (std::max)(i + 1, first); j < points_.size(); ++j)
-          if(!report(i, j))
-            return;
+        const std::size_t start = (std::max)(i + 1, first);
+        std::size_t j = start;
+        while(j < points_.size() && report(i, j))
+          ++j;
+        counts.add(Arithmetic_tier::DOUBLE, j - start);
         advance(progress, 1, report);
       }
+      share(counts);
     });
     advance(progress, points_.size() - end, report);
     return !report.is_stopped();
+  }
+
+  void share(const Decision_counts& counts) const
+  {
+    if(is_within_.shared_counts() != nullptr)
+      is_within_.shared_counts()->add(counts);
   }
 
   template <class Progress, class Report>
@@ -191,12 +209,15 @@ private:
   template <class Report, class Task>
   void sweep_slabs(Place count, Report& report, const Task& task) const
   {
-    const auto decide = [&](Place i, Place j) { return is_within_(points_[i], points_[j]); };
+    const auto decide = [&](Place i, Place j, Decision_counts& counts) {
+      return is_within_.decide(points_[i], points_[j], counts);
+    };
     for_each_numbered_block<ConcurrencyTag>(
       block_count<ConcurrencyTag>(), count, [&](std::size_t, std::size_t first, std::size_t last) {
         Slab_sweep<Dimension, decltype(decide), Report> sweep(
-          reach_, wide_filter_, twofold_filter_, decide, report);
+          reach_, wide_filter_, is_within_.close_call(), decide, report);
         task(sweep, static_cast<Place>(first), static_cast<Place>(last));
+        share(sweep.counts());
       });
   }
 
@@ -220,9 +241,8 @@ private:
   const double reach_;
   const Distance_filter filter_;
   const Distance_filter wide_filter_;
-  Twofold_filter twofold_filter_;
   const Part_sizes sizes_;
-  const Is_within_distance<Point> is_within_;
+  const Is_within_distance<Point>& is_within_;
 };
 
 } // namespace internal

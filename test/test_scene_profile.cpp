@@ -1,0 +1,340 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// No more than a scene needs, and the same pairs: every tier that is exact for a scene, up to its
+// limit and in every rounding mode; and the counts of decisions.
+//
+// Compiled twice: the second time with fused multiplication wherever the compiler finds a use.
+
+#define BOOST_TEST_MODULE scene_profile
+#include "support/brute_force.h"
+#include "support/kernels.h"
+#include "support/point_generators.h"
+
+#include <CGAL/Cartesian_d.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cfenv>
+
+using namespace test_support;
+using CGAL::Arithmetic_tier;
+
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Plane = Cartesian_points<Kernel, 2>;
+using Space = Cartesian_points<Kernel, 3>;
+
+constexpr Arithmetic_tier all_tiers[] = {Arithmetic_tier::DOUBLE, Arithmetic_tier::INT64,
+                                         Arithmetic_tier::INT128, Arithmetic_tier::FILTERED_EXACT};
+
+template <class Point, class NT>
+Pairs pairs_with(CGAL::Scene_profile& profile, const std::vector<Point>& points,
+                 const CGAL::Distance_bound<NT>& bound)
+{
+  Pairs pairs;
+  const auto append = [&](std::size_t i, std::size_t j) { pairs.emplace_back(i, j); };
+  BOOST_REQUIRE(CGAL::fixed_radius_near_neighbors(points, bound, append, profile));
+  return sorted(pairs);
+}
+
+// All tiers from `needed` on find the pairs, and those before are refused.
+template <class Maker>
+void check_tiers(const Points& scene, double r, Arithmetic_tier needed)
+{
+  const auto points = make_points<Maker>(scene);
+  const Truth truth = brute_force(scene, Radius::of_length(r));
+  for(const Arithmetic_tier tier : all_tiers)
+    for(const int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO})
+      BOOST_TEST_CONTEXT(tier << " in rounding mode " << mode)
+      {
+        CGAL::Scene_profile profile;
+        profile.force_tier(tier);
+        std::fesetround(mode);
+        if(tier < needed)
+          BOOST_CHECK_THROW(pairs_with(profile, points, CGAL::within_distance(r)),
+                            std::invalid_argument);
+        else {
+          const Pairs closed = pairs_with(profile, points, CGAL::within_distance(r));
+          const Pairs open = pairs_with(profile, points, CGAL::within_distance(r).open());
+          std::fesetround(FE_TONEAREST);
+          BOOST_CHECK(closed == truth.pairs);
+          BOOST_CHECK(open == truth.open_pairs);
+          BOOST_CHECK(profile.needed_tier() == needed);
+        }
+        std::fesetround(FE_TONEAREST);
+      }
+}
+
+// The integer square root of `square`, moved by -1, 0 or 1.
+double near_root(const Integer& square, Random& random)
+{
+  const Integer root = sqrt(square);
+  return static_cast<double>(root) + static_cast<double>(random.below(3)) - 1;
+}
+
+// Around the origin: ties at r on the axes, and integers as near to the sphere of radius r as there
+// are. `step` divides r, and leaves coordinates along the other axes below 2^53.
+Points near_sphere(int dimension, double r, double step)
+{
+  Random random(7);
+  Points points = {Coordinates(dimension, 0)};
+  for(int axis = 0; axis < dimension; ++axis)
+    for(const double x : {r, -r}) {
+      points.push_back(points.front());
+      points.back()[axis] = x;
+    }
+  while(points.size() < 150) {
+    Coordinates c = {r - step * static_cast<double>(random.below(1000))};
+    Integer rest = Integer(r) * Integer(r) - Integer(c[0]) * Integer(c[0]);
+    if(dimension == 3) {
+      c.push_back(std::floor(std::ldexp(static_cast<double>(Integer(sqrt(rest))),
+                                        -1 - static_cast<int>(random.below(20)))));
+      rest -= Integer(c[1]) * Integer(c[1]);
+    }
+    c.push_back(near_root(rest, random));
+    points.push_back(c);
+  }
+  points.push_back(Coordinates(dimension, 1)); // so that the grid is that of the integers
+  return points;
+}
+
+template <class Maker>
+void check_limit(int dimension, double units, double step, Arithmetic_tier needed)
+{
+  BOOST_TEST_CONTEXT(units << " steps in dimension " << dimension)
+  {
+    Points points = near_sphere(dimension, units, step);
+    check_tiers<Maker>(points, units, needed);
+    if(step != 1)
+      return;
+    for(Coordinates& c : points) // nor does it matter where, and how fine the grid is
+      for(double& x : c)
+        x = std::ldexp(x + std::ldexp(1., 40), -30);
+    check_tiers<Maker>(points, std::ldexp(units, -30), needed);
+  }
+}
+
+std::string message_of_forcing(CGAL::Scene_profile profile, Arithmetic_tier tier)
+{
+  try {
+    profile.force_tier(tier);
+  }
+  catch(const std::invalid_argument& error) {
+    return error.what();
+  }
+  return std::string();
+}
+
+std::string text_of(const CGAL::Scene_profile& profile)
+{
+  std::ostringstream text;
+  text << profile;
+  return text.str();
+}
+
+bool ends_with(const std::string& text, const std::string& end)
+{
+  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
+}
+
+} // namespace
+
+// --- the limits of tiers
+
+BOOST_AUTO_TEST_CASE(pairs_at_the_limits_of_double)
+{
+  check_limit<Plane>(2, 67108864, 1, Arithmetic_tier::DOUBLE);
+  check_limit<Plane>(2, 67108865, 1, Arithmetic_tier::INT64);
+  check_limit<Space>(3, 54794158, 1, Arithmetic_tier::DOUBLE);
+  check_limit<Space>(3, 54794159, 1, Arithmetic_tier::INT64);
+}
+
+BOOST_AUTO_TEST_CASE(pairs_at_the_limits_of_int64)
+{
+  check_limit<Plane>(2, 2147483647, 1, Arithmetic_tier::INT64);
+  check_limit<Plane>(2, 2147483648, 1, Arithmetic_tier::INT128);
+  check_limit<Space>(3, 1753413056, 1, Arithmetic_tier::INT64);
+  check_limit<Space>(3, 1753413057, 1, Arithmetic_tier::INT128);
+}
+
+BOOST_AUTO_TEST_CASE(pairs_at_the_limits_of_int128)
+{
+  const double limit = std::ldexp(1., 63);
+  check_limit<Plane>(2, limit - 1024, 1024, Arithmetic_tier::INT128);
+  check_limit<Plane>(2, limit, 2048, Arithmetic_tier::FILTERED_EXACT);
+  check_limit<Space>(3, limit - 1024, 1024, Arithmetic_tier::INT128);
+  check_limit<Space>(3, limit, 2048, Arithmetic_tier::FILTERED_EXACT);
+}
+
+// Up to 53 bits, differences are taken in doubles, and above modulo 2^64.
+BOOST_AUTO_TEST_CASE(pairs_where_differences_are_no_longer_doubles)
+{
+  const double limit = std::ldexp(1., 53);
+  for(const double units : {limit - 1, limit, limit + 2}) {
+    check_limit<Plane>(2, units, 2, Arithmetic_tier::INT128);
+    check_limit<Space>(3, units, 2, Arithmetic_tier::INT128);
+  }
+}
+
+// Steps of 2^-1074, and the largest numbers.
+BOOST_AUTO_TEST_CASE(grids_at_the_ends_of_the_doubles)
+{
+  for(const int exponent : {-1074, -1000, 960}) {
+    Points points = lattice_points(2, 12, std::ldexp(3., exponent));
+    points.push_back({std::ldexp(1., exponent), 0});
+    check_tiers<Plane>(points, std::ldexp(15., exponent), Arithmetic_tier::INT64);
+  }
+}
+
+// --- what a scene does not need
+
+BOOST_AUTO_TEST_CASE(a_denormal_outlier_falls_back_to_the_filter)
+{
+  Points points = lattice_points(2, 15, 1);
+  BOOST_CHECK(CGAL::profile_scene(make_points<Plane>(points), CGAL::within_distance(5)).tier()
+              == Arithmetic_tier::DOUBLE);
+  points.push_back({5e-324, 3});
+  check_tiers<Plane>(points, 5, Arithmetic_tier::FILTERED_EXACT);
+}
+
+BOOST_AUTO_TEST_CASE(coordinates_that_all_points_share_need_no_grid)
+{
+  Points points = lattice_points(2, 15, 1);
+  for(Coordinates& c : points)
+    c.insert(c.begin() + 1, 0.1);
+  check_tiers<Space>(points, 5, Arithmetic_tier::DOUBLE);
+}
+
+BOOST_AUTO_TEST_CASE(flat_scenes_have_the_pairs_of_brute_force)
+{
+  const Points flat = clustered_points(2, 500, 7, 1. / 32, 3);
+  for(int axis = 0; axis < 3; ++axis) {
+    Points plane = flat, line = flat;
+    for(std::size_t i = 0; i < flat.size(); ++i) {
+      plane[i].insert(plane[i].begin() + axis, -0.3);
+      line[i] = Coordinates(3, 0.7);
+      line[i][axis] = flat[i][0];
+    }
+    check_tiers<Space>(plane, 0.1, Arithmetic_tier::INT128);
+    check_tiers<Space>(line, 0.01, Arithmetic_tier::INT128);
+  }
+}
+
+// --- forcing, counting, printing
+
+BOOST_AUTO_TEST_CASE(a_tier_that_is_not_exact_is_refused_by_name)
+{
+  const auto points = make_points<Plane>(lattice_points(2, 5, 0.1));
+  const auto bound = CGAL::within_distance(0.1);
+  const CGAL::Scene_profile profile = CGAL::profile_scene(points, bound);
+  BOOST_CHECK(profile.tier() == Arithmetic_tier::INT128);
+  const std::string message = message_of_forcing(profile, Arithmetic_tier::INT64);
+  BOOST_CHECK_MESSAGE(message.find("'int64'") != std::string::npos, message);
+  BOOST_CHECK_MESSAGE(message.find("'int128'") != std::string::npos, message);
+  BOOST_CHECK_EQUAL(message_of_forcing(profile, Arithmetic_tier::FILTERED_EXACT), "");
+
+  // Not even if the profile is that of another scene.
+  CGAL::Scene_profile other
+    = CGAL::profile_scene(make_points<Plane>(lattice_points(2, 3, 1)), CGAL::within_distance(1));
+  other.force_tier(Arithmetic_tier::DOUBLE);
+  BOOST_CHECK_THROW(pairs_with(other, points, bound), std::invalid_argument);
+  BOOST_CHECK_EQUAL(other.size(), 9u); // as it was
+
+  // Coordinates that are no doubles have no grid.
+  CGAL::Scene_profile of_rationals;
+  of_rationals.force_tier(Arithmetic_tier::INT128);
+  using Rational_plane = Cartesian_points<CGAL::Simple_cartesian<CGAL::Exact_rational>, 2>;
+  BOOST_CHECK_THROW(
+    pairs_with(of_rationals, make_points<Rational_plane>(lattice_points(2, 3, 1)), bound),
+    std::invalid_argument);
+}
+
+// The doubles decide all but the ties at the bound.
+BOOST_AUTO_TEST_CASE(decisions_are_counted_by_tier)
+{
+  const Points scene = lattice_points(2, 28, 87654321);
+  const auto points = make_points<Plane>(scene);
+  const double r = 5 * 87654321.;
+  const Truth truth = brute_force(scene, Radius::of_length(r));
+  BOOST_REQUIRE_EQUAL(truth.boundary, 3688u);
+  for(const Arithmetic_tier tier : {Arithmetic_tier::INT64, Arithmetic_tier::INT128,
+                                    Arithmetic_tier::FILTERED_EXACT})
+    for(const bool is_open : {false, true}) {
+      CGAL::Scene_profile profile;
+      profile.force_tier(tier);
+      const auto bound = CGAL::within_distance(r);
+      pairs_with(profile, points, is_open ? bound.open() : bound);
+      for(const Arithmetic_tier each : all_tiers)
+        BOOST_CHECK_EQUAL(profile.decided(each), each == Arithmetic_tier::DOUBLE
+                                                   ? truth.open_pairs.size()
+                                                   : each == tier ? truth.boundary : 0);
+    }
+
+  CGAL::Scene_profile profile;
+  pairs_with(profile, points, CGAL::within_distance(1e12)); // each pair, without a search
+  BOOST_CHECK_EQUAL(profile.decided(Arithmetic_tier::DOUBLE), 784u * 783 / 2);
+  pairs_with(profile, points, CGAL::within_distance(1)); // the counts are those of one search
+  for(const Arithmetic_tier each : all_tiers)
+    BOOST_CHECK_EQUAL(profile.decided(each), 0u);
+}
+
+BOOST_AUTO_TEST_CASE(decisions_are_counted_for_exact_coordinates_and_two_sets)
+{
+  using Rational_plane = Cartesian_points<CGAL::Simple_cartesian<CGAL::Exact_rational>, 2>;
+  const Points scene = lattice_points(2, 10, 0.1);
+  const Truth truth = brute_force(scene, Radius::of_length(0.5));
+  CGAL::Scene_profile profile;
+  BOOST_CHECK(pairs_with(profile, make_points<Rational_plane>(scene), CGAL::within_distance(0.5))
+              == truth.pairs);
+  BOOST_CHECK_GE(profile.decided(Arithmetic_tier::FILTERED_EXACT), truth.boundary);
+  BOOST_CHECK_GE(profile.decided(Arithmetic_tier::DOUBLE)
+                   + profile.decided(Arithmetic_tier::FILTERED_EXACT),
+                 truth.pairs.size());
+
+  const auto points = make_points<Plane>(lattice_points(2, 10, 1));
+  std::size_t pairs = 0;
+  CGAL::fixed_radius_near_neighbors(points, points, CGAL::within_distance(1),
+                                    [&](std::size_t, std::size_t) { ++pairs; }, profile);
+  BOOST_CHECK_EQUAL(pairs, 100u + 2 * 180);
+  BOOST_CHECK_EQUAL(profile.decided(Arithmetic_tier::DOUBLE), pairs);
+  BOOST_CHECK_EQUAL(profile.size(), 200u);
+}
+
+// By the book route.
+BOOST_AUTO_TEST_CASE(tiers_in_dimension_4)
+{
+  const Points scene = lattice_points(4, 4, 87654321);
+  std::vector<CGAL::Cartesian_d<double>::Point_d> points;
+  for(const Coordinates& c : scene)
+    points.emplace_back(4, c.begin(), c.end());
+  const double r = 2 * 87654321.;
+  const Truth truth = brute_force(scene, Radius::of_length(r));
+  for(const Arithmetic_tier tier : {Arithmetic_tier::INT64, Arithmetic_tier::INT128,
+                                    Arithmetic_tier::FILTERED_EXACT}) {
+    CGAL::Scene_profile profile;
+    profile.force_tier(tier);
+    BOOST_CHECK(pairs_with(profile, points, CGAL::within_distance(r)) == truth.pairs);
+    BOOST_CHECK_EQUAL(profile.decided(Arithmetic_tier::DOUBLE), truth.open_pairs.size());
+    BOOST_CHECK_EQUAL(profile.decided(tier), truth.boundary);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_report_ends_in_a_sentence)
+{
+  CGAL::Scene_profile profile;
+  const auto points = make_points<Plane>({{0, 0}, {3, 4}});
+  pairs_with(profile, points, CGAL::within_distance(4096));
+  BOOST_CHECK_MESSAGE(ends_with(text_of(profile), "\narithmetic  double\ndecided     1 by double\n"
+                                                  "25 bits: double is exact, no filter used.\n"),
+                      text_of(profile));
+  profile.force_tier(Arithmetic_tier::INT64);
+  pairs_with(profile, points, CGAL::within_distance(5));
+  BOOST_CHECK_MESSAGE(
+    ends_with(text_of(profile), "\narithmetic  int64, forced\ndecided     1 by int64\n"
+                                "6 bits: doubles filter, 64-bit integers decide the rest.\n"),
+    text_of(profile));
+  BOOST_CHECK(ends_with(text_of(CGAL::Scene_profile()), "double is exact, no filter used.\n"));
+}
