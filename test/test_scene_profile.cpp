@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 // No more than a scene needs, and the same pairs: every tier that is exact for a scene, up to its
-// limit and in every rounding mode; and the counts of decisions.
+// limit and in every rounding mode; the counts of decisions; and axes that are not stored.
 //
 // Compiled twice: the second time with fused multiplication wherever the compiler finds a use.
 
 #define BOOST_TEST_MODULE scene_profile
 #include "support/brute_force.h"
+#include "support/counting_allocator.h"
 #include "support/kernels.h"
 #include "support/point_generators.h"
 
@@ -206,6 +207,51 @@ BOOST_AUTO_TEST_CASE(coordinates_that_all_points_share_need_no_grid)
   for(Coordinates& c : points)
     c.insert(c.begin() + 1, 0.1);
   check_tiers<Space>(points, 5, Arithmetic_tier::DOUBLE);
+}
+
+namespace {
+
+// The most bytes that a search takes, besides those of the points.
+template <class Point>
+std::size_t bytes_of_search(const std::vector<Point>& points, double r, std::size_t& pairs)
+{
+  pairs = 0;
+  reset_peak();
+  const std::size_t before = current_bytes();
+  CGAL::fixed_radius_near_neighbors(points, CGAL::within_distance(r),
+                                    [&](std::size_t, std::size_t) { ++pairs; });
+  BOOST_CHECK_EQUAL(current_bytes(), before);
+  return peak_bytes() - before;
+}
+
+// Points in a plane of space take the bytes of points in the plane, whichever plane it is.
+template <class Some_kernel>
+void check_bytes_of_flat_scenes(std::size_t n)
+{
+  const Points points = uniform_points(2, n, 0, 1, 5);
+  std::size_t pairs_in_plane = 0, pairs = 0;
+  const std::size_t bytes = bytes_of_search(
+    make_points<Cartesian_points<Some_kernel, 2>>(points), 0.01, pairs_in_plane);
+  for(int axis = 0; axis < 3; ++axis) {
+    Points lifted = points;
+    for(Coordinates& c : lifted)
+      c.insert(c.begin() + axis, 0.3);
+    const auto in_space = make_points<Cartesian_points<Some_kernel, 3>>(lifted);
+    BOOST_CHECK_LE(bytes_of_search(in_space, 0.01, pairs), bytes + 64); // for the range of an axis
+    BOOST_CHECK_EQUAL(pairs, pairs_in_plane);
+    lifted.front()[axis] = 0.5;
+    BOOST_CHECK_GT(bytes_of_search(make_points<Cartesian_points<Some_kernel, 3>>(lifted), 0.01,
+                                   pairs),
+                   bytes + 4 * n);
+  }
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(axes_without_extent_are_not_stored)
+{
+  check_bytes_of_flat_scenes<Kernel>(20000);
+  check_bytes_of_flat_scenes<CGAL::Simple_cartesian<CGAL::Exact_rational>>(2000);
 }
 
 BOOST_AUTO_TEST_CASE(flat_scenes_have_the_pairs_of_brute_force)

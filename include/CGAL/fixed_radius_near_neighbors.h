@@ -53,29 +53,30 @@ bool report_by_slabs(const Route& route, std::size_t size,
   return route.search(*first_set_size, report, progress);
 }
 
-// Searches points in the plane or in space by slabs, others by the book.
+// Searches points in the plane or in space by slabs, along the axes along which they differ, at
+// least two; others by the book.
 template <class ConcurrencyTag, class Elements, class Callback, class NamedParameters>
 bool search_near_pairs(const Elements& points, std::optional<std::size_t> first_set_size,
-                       const Doubles<Elements>& doubles, double error,
-                       const Scene_profile& profile,
+                       Doubles<Elements>& doubles, double error, const Scene_profile& profile,
                        const Thick_point_traits_d<typename Elements::value_type>& traits,
                        Callback& callback, const NamedParameters& np)
 {
   using Point = typename Elements::value_type;
   [[maybe_unused]] const auto search_slabs = [&](auto dimension) {
     constexpr int axes = decltype(dimension)::value;
+    doubles.keep(searched_axes<axes>(profile));
     const auto is_within = traits.do_intersect_d_object();
     const Slab_route<ConcurrencyTag, axes, Elements> route(points, doubles, error, profile,
                                                            is_within);
     return report_by_slabs(route, points.size(), first_set_size, callback, np);
   };
-  if(fits_slabs(profile)) {
-    if constexpr(dimension_or<Point>(2) == 2)
-      if(profile.dimension() == 2)
-        return search_slabs(std::integral_constant<int, 2>());
+  const int dimension = profile.dimension();
+  if((dimension == 2 || dimension == 3) && fits_slabs(profile)) {
     if constexpr(dimension_or<Point>(3) == 3)
-      if(profile.dimension() == 3)
+      if(profile.extended_axes() == 3)
         return search_slabs(std::integral_constant<int, 3>());
+    if constexpr(dimension_or<Point>(2) == 2 || dimension_or<Point>(3) == 3)
+      return search_slabs(std::integral_constant<int, 2>());
   }
   return report_intersections<ConcurrencyTag>(points, first_set_size, traits, callback, np);
 }

@@ -10,9 +10,11 @@
 #include <CGAL/Thick_intersection_d/internal/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/huge_pages.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -69,6 +71,9 @@ public:
 
   void set(std::size_t, int, double) {}
 
+  template <std::size_t Dimension>
+  void keep(const std::array<int, Dimension>&) {}
+
   double at(std::size_t position, int axis) const
   {
     return static_cast<double>(coordinate(points_[position], axis));
@@ -88,7 +93,8 @@ private:
   const Elements& points_;
 };
 
-// Lower bounds of other coordinates, computed once. Empty if the points are not for the slab route.
+// Lower bounds of other coordinates, computed once, a column per axis. Empty if the points are not
+// for the slab route.
 template <class Elements>
 class Copied_doubles
 {
@@ -96,39 +102,72 @@ public:
   explicit Copied_doubles(const Elements& points)
   {
     const int dimension = points.size() == 0 ? 0 : points[0].dimension();
-    if(dimension == 2 || dimension == 3) {
-      dimension_ = static_cast<std::size_t>(dimension);
-      doubles_ = make_uninitialized<double>(points.size() * dimension_);
-    }
+    if(dimension == 2 || dimension == 3)
+      for(int axis = 0; axis < dimension; ++axis)
+        columns_.push_back(make_uninitialized<double>(points.size()));
   }
 
   void set(std::size_t position, int axis, double x)
   {
-    if(doubles_)
-      doubles_[position * dimension_ + static_cast<std::size_t>(axis)] = x;
+    if(!columns_.empty())
+      columns_[static_cast<std::size_t>(axis)][position] = x;
+  }
+
+  // Forgets the coordinates along other axes.
+  template <std::size_t Dimension>
+  void keep(const std::array<int, Dimension>& axes)
+  {
+    for(std::size_t axis = 0; axis < columns_.size(); ++axis)
+      if(std::find(axes.begin(), axes.end(), static_cast<int>(axis)) == axes.end())
+        columns_[axis].reset();
   }
 
   double at(std::size_t position, int axis) const
   {
-    return doubles_[position * dimension_ + static_cast<std::size_t>(axis)];
+    return columns_[static_cast<std::size_t>(axis)][position];
   }
 
   template <int Dimension>
   std::array<double, Dimension> at(std::size_t position) const
   {
     std::array<double, Dimension> x;
-    std::copy_n(&doubles_[position * Dimension], Dimension, x.begin());
+    for(int axis = 0; axis < Dimension; ++axis)
+      x[axis] = at(position, axis);
     return x;
   }
 
 private:
-  std::unique_ptr<double[]> doubles_;
-  std::size_t dimension_ = 0;
+  std::vector<std::unique_ptr<double[]>> columns_;
 };
 
 template <class Elements>
 using Doubles = std::conditional_t<is_held_by_double_v<Coordinate_t<typename Elements::value_type>>,
                                    Held_doubles<Elements>, Copied_doubles<Elements>>;
+
+// The doubles of points along some of their axes.
+template <int Dimension, class All_doubles>
+class Doubles_along_axes
+{
+public:
+  Doubles_along_axes(const All_doubles& doubles, const std::array<int, Dimension>& axes)
+    : doubles_(doubles), axes_(axes)
+  {}
+
+  double at(std::size_t position, int axis) const { return doubles_.at(position, axes_[axis]); }
+
+  template <int>
+  std::array<double, Dimension> at(std::size_t position) const
+  {
+    std::array<double, Dimension> x;
+    for(int axis = 0; axis < Dimension; ++axis)
+      x[axis] = at(position, axis);
+    return x;
+  }
+
+private:
+  const All_doubles& doubles_;
+  std::array<int, Dimension> axes_;
+};
 
 } // namespace internal
 } // namespace Thick_intersection_d

@@ -96,17 +96,39 @@ private:
   Part spare_; // whose memory is used again
 };
 
+// Returns the axes of a search: those along which the points differ, at most `Dimension`, and as
+// many others as are missing to that number, in ascending order.
+template <int Dimension>
+std::array<int, Dimension> searched_axes(const Scene_profile& profile)
+{
+  std::array<int, Dimension> axes;
+  int missing = Dimension - profile.extended_axes();
+  int count = 0;
+  for(int axis = 0; axis < profile.dimension(); ++axis)
+    if(profile.range(axis).first < profile.range(axis).second || missing-- > 0)
+      axes[count++] = axis;
+  return axes;
+}
+
+// Searches along `Dimension` axes, which suffice to tell the points apart.
 template <class ConcurrencyTag, int Dimension, class Elements>
 class Slab_route
 {
   using Point = typename Elements::value_type;
 
+  // Along all axes, if the type of the points tells that these are no more.
+  static constexpr bool takes_all_axes = dimension_or<Point>(0) == Dimension;
+  using All_doubles = Doubles<Elements>;
+  using Some_doubles = std::conditional_t<takes_all_axes, const All_doubles&,
+                                          const Doubles_along_axes<Dimension, All_doubles>>;
+
 public:
   // Coordinates are not less than their doubles, and not greater by more than `error`.
-  Slab_route(const Elements& points, const Doubles<Elements>& doubles, double error,
+  Slab_route(const Elements& points, const All_doubles& doubles, double error,
              const Scene_profile& profile, const Is_within_distance<Point>& is_within,
              const Part_sizes& sizes = Part_sizes())
-    : points_(points), doubles_(doubles), profile_(profile),
+    : points_(points), axes_(searched_axes<Dimension>(profile)),
+      doubles_(some_doubles(doubles, axes_)), profile_(profile),
       reach_(padded(is_within.bound().reach(), error)), filter_(is_within.filter()),
       wide_filter_(widen(filter_, is_within.bound(), error)), sizes_(sizes), is_within_(is_within)
   {}
@@ -159,13 +181,22 @@ public:
   }
 
 private:
-  static constexpr int axis = Dimension - 1; // that slabs are cut along
+  static constexpr int axis = Dimension - 1; // of those searched, that slabs are cut along
+
+  static Some_doubles some_doubles(const All_doubles& doubles,
+                                   const std::array<int, Dimension>& axes)
+  {
+    if constexpr(takes_all_axes)
+      return doubles;
+    else
+      return Some_doubles(doubles, axes);
+  }
 
   // Whether no two points of the scene are farther apart than the bound, for sure.
   bool is_within_bound_as_a_whole() const
   {
     double s = 0;
-    for(int i = 0; i < Dimension; ++i) {
+    for(const int i : axes_) {
       const double extent = profile_.range(i).second - profile_.range(i).first;
       s += extent * extent;
     }
@@ -224,7 +255,7 @@ private:
   // Returns the slabs of the points at the positions [first, last).
   Slabs<Dimension> make_slabs(std::size_t first, std::size_t last) const
   {
-    const Range range = {profile_.range(axis).first, profile_.range(axis).second};
+    const Range range = {profile_.range(axes_[axis]).first, profile_.range(axes_[axis]).second};
     return Slabs<Dimension>(ConcurrencyTag(), doubles_, first, last, range, reach_, sizes_);
   }
 
@@ -236,7 +267,8 @@ private:
   }
 
   const Elements& points_;
-  const Doubles<Elements>& doubles_;
+  const std::array<int, Dimension> axes_;
+  Some_doubles doubles_;
   const Scene_profile& profile_;
   const double reach_;
   const Distance_filter filter_;
