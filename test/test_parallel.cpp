@@ -155,3 +155,27 @@ BOOST_AUTO_TEST_CASE(neighbor_lists)
       check(make_points<Cartesian_points<Epick, 3>>(large_scene(3)));
   }
 }
+
+// Each thread counts for itself; nothing is counted twice or lost.
+BOOST_AUTO_TEST_CASE(decisions_are_counted_as_in_sequence)
+{
+  const auto ignore = [](std::size_t, std::size_t) {};
+  for(const double unit : {87654321., 0.1}) {
+    const auto points
+      = make_points<Cartesian_points<Epick, 3>>(shuffled(lattice_points(3, 30, unit), 3));
+    const auto bound = CGAL::within_distance(3 * unit);
+    for(const CGAL::Arithmetic_tier tier :
+        {CGAL::Arithmetic_tier::INT128, CGAL::Arithmetic_tier::FILTERED_EXACT}) {
+      CGAL::Scene_profile in_sequence, in_parallel;
+      in_sequence.force_tier(tier);
+      in_parallel.force_tier(tier);
+      CGAL::fixed_radius_near_neighbors(points, bound, ignore, in_sequence);
+      CGAL::fixed_radius_near_neighbors<CGAL::Parallel_tag>(points, bound, ignore, in_parallel);
+      BOOST_CHECK_GT(in_sequence.decided(tier), 1000u);
+      for(const CGAL::Arithmetic_tier each :
+          {CGAL::Arithmetic_tier::DOUBLE, CGAL::Arithmetic_tier::INT64,
+           CGAL::Arithmetic_tier::INT128, CGAL::Arithmetic_tier::FILTERED_EXACT})
+        BOOST_CHECK_EQUAL(in_parallel.decided(each), in_sequence.decided(each));
+    }
+  }
+}
