@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// This package, on several kernels and by both routes.
+// This package: on several kernels, by both routes, by each arithmetic that is exact for a scene.
 
 #include "methods.h"
 
@@ -46,6 +46,21 @@ Found find_by_the_book(const Point_scene& scene)
   });
 }
 
+// The search by a tier, or by the tier that the scene needs if that is a more general one.
+template <int Dimension, CGAL::Arithmetic_tier tier>
+Found find_by_tier(const Point_scene& scene)
+{
+  const auto points = kernel_points<CGAL::Simple_cartesian<double>, Dimension>(scene);
+  return test_support::with_bound(scene.radius, [&](const auto& bound) {
+    CGAL::Scene_profile profile;
+    profile.force_tier((std::max)(tier, CGAL::profile_scene(points, bound).needed_tier()));
+    return timed(false, [&](Pairs& pairs) {
+      const auto append = [&](std::size_t i, std::size_t j) { pairs.emplace_back(i, j); };
+      CGAL::fixed_radius_near_neighbors(points, bound, append, profile);
+    });
+  });
+}
+
 template <int Dimension>
 std::vector<Method> methods()
 {
@@ -53,6 +68,10 @@ std::vector<Method> methods()
   return {
     {"ours, double", "ours", find<Double_kernel, Dimension>},
     {"ours, double, book route", "ours", find_by_the_book<Double_kernel, Dimension>},
+    {"ours, int64", "ours", find_by_tier<Dimension, CGAL::Arithmetic_tier::INT64>},
+    {"ours, int128", "ours", find_by_tier<Dimension, CGAL::Arithmetic_tier::INT128>},
+    {"ours, filter + exact", "ours",
+     find_by_tier<Dimension, CGAL::Arithmetic_tier::FILTERED_EXACT>},
     {"ours, EPICK", "ours", find<CGAL::Exact_predicates_inexact_constructions_kernel, Dimension>},
     {"ours, EPECK", "ours", find<CGAL::Exact_predicates_exact_constructions_kernel, Dimension>},
     {"ours, rational", "ours", find<CGAL::Simple_cartesian<CGAL::Exact_rational>, Dimension>},
