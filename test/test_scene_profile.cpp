@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 // No more than a scene needs, and the same pairs: every tier that is exact for a scene, up to its
-// limit and in every rounding mode; the counts of decisions; and axes that are not stored.
+// limit and in every rounding mode; the counts of decisions; axes and radii that are not stored.
 //
 // Compiled twice: the second time with fused multiplication wherever the compiler finds a use.
 
@@ -14,6 +14,7 @@
 
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Thick_ball_traits_d.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -252,6 +253,34 @@ BOOST_AUTO_TEST_CASE(axes_without_extent_are_not_stored)
 {
   check_bytes_of_flat_scenes<Kernel>(20000);
   check_bytes_of_flat_scenes<CGAL::Simple_cartesian<CGAL::Exact_rational>>(2000);
+}
+
+// Balls of one size take the bytes of their centres, those of other sizes 16 bytes for each place
+// that the book route keeps them in: no radius.
+BOOST_AUTO_TEST_CASE(radii_are_not_stored)
+{
+  const std::size_t n = 20000;
+  const auto centers = make_points<Plane>(uniform_points(2, n, 0, 1, 6));
+  std::size_t pairs_of_centers = 0;
+  const std::size_t bytes = bytes_of_search(centers, 0.01, pairs_of_centers);
+
+  std::vector<std::pair<Kernel::Point_2, double>> balls;
+  for(const Kernel::Point_2& center : centers)
+    balls.emplace_back(center, 0.005);
+  std::size_t pairs = 0;
+  const auto bytes_of_balls = [&] {
+    const CGAL::Thick_ball_traits_d<Kernel::Point_2> traits(balls);
+    pairs = 0;
+    reset_peak();
+    const std::size_t before = current_bytes();
+    CGAL::thick_self_intersection_d(balls, [&](std::size_t, std::size_t) { ++pairs; },
+                                    CGAL::parameters::geom_traits(traits));
+    return peak_bytes() - before;
+  };
+  BOOST_CHECK_EQUAL(bytes_of_balls(), bytes);
+  BOOST_CHECK_EQUAL(pairs, pairs_of_centers);
+  balls.front().second = 0.004;
+  BOOST_CHECK_LE(bytes_of_balls(), 3 * 16 * n);
 }
 
 BOOST_AUTO_TEST_CASE(flat_scenes_have_the_pairs_of_brute_force)

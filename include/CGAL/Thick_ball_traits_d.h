@@ -23,7 +23,9 @@ They have degree 1 and 2 \cgalCite{v-riato-03}; with squared radii, as in `Spher
 would be 4.
 
 The reach along each axis is twice the largest radius, so that the time grows with the ratio of the
-largest ball to the typical one.
+largest ball to the typical one. If all balls that are searched have the same radius, no radius is
+looked at in the search, and none is stored: the centres are searched as points within twice that
+radius, as by `fixed_radius_near_neighbors()`.
 
 Objects of this class may be used by several threads at once.
 
