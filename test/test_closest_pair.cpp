@@ -201,7 +201,8 @@ BOOST_AUTO_TEST_CASE(joins_visit_all_close_pairs)
       Pairs visited;
       const internal::Cell_join<CGAL::Sequential_tag, 2, Elements> join(elements, reach,
                                                                         factor * reach);
-      join(internal::All_positions(points.size()), [&] { return Visitor{visited}; });
+      internal::No_progress progress;
+      join(internal::All_positions(points.size()), [&] { return Visitor{visited}; }, progress);
       std::sort(visited.begin(), visited.end());
       const Pairs& pairs = truth_of(scene).pairs;
       BOOST_CHECK_MESSAGE(std::includes(visited.begin(), visited.end(), pairs.begin(),
@@ -264,10 +265,8 @@ void check_work(const std::string& name, const Points& scene, double greatest_co
   const Elements_of<typename Maker<Dimension>::Point> elements(points);
   Work_of_division work;
   Counting_minimum<std::decay_t<decltype(elements)>> minimum(elements, profile_of(points), work);
-  std::vector<std::size_t> positions(points.size());
-  std::iota(positions.begin(), positions.end(), 0);
-  internal::Closest_pair_divide<CGAL::Sequential_tag, decltype(minimum)>(positions, Dimension)
-    .search(minimum);
+  internal::No_progress progress;
+  internal::divide_and_conquer<CGAL::Sequential_tag>(points.size(), Dimension, minimum, progress);
   const double n = static_cast<double>(points.size());
   const double comparisons = static_cast<double>(work.comparisons) / (n * std::log2(n));
   BOOST_TEST_MESSAGE(name << ' ' << Dimension << "D: " << comparisons
@@ -377,6 +376,52 @@ BOOST_AUTO_TEST_CASE(close_pair_is_a_function_of_the_input)
     BOOST_CHECK(CGAL::find_close_pair(points, CGAL::within_distance(r))
                 == CGAL::find_close_pair(points, CGAL::within_distance(r)));
 }
+
+// ---- progress -----------------------------------------------------------------------------------
+
+namespace {
+
+template <class Scene>
+void check_progress_on(const std::string& name, const Scene& scene, std::size_t least_calls)
+{
+  BOOST_TEST_CONTEXT(name)
+  check_progress_of_both<CGAL::Sequential_tag>(make_points<Maker<2>>(scene), least_calls);
+}
+
+} // namespace
+
+// By the join, by the grid of few points or of crowded cells, and by divide and conquer.
+BOOST_AUTO_TEST_CASE(progress_grows_to_one_and_cancels)
+{
+  const Points uniform = uniform_points(2, 20000, 0, 1, 17);
+  check_progress_on("uniform", uniform, 50);
+  check_progress_on("few", uniform_points(2, 300, 0, 1, 18), 50);
+  check_progress_on("crowded", clustered_points(2, 20000, 3, 1. / 1048576, 19), 50);
+  check_progress_on("huge", moved<2>(uniform, 1e200, 0), 50);
+}
+
+// The last step of a search that finds a pair early, and of one that has nothing to do.
+BOOST_AUTO_TEST_CASE(progress_ends_at_one)
+{
+  const auto points = make_points<Maker<2>>(uniform_points(2, 20000, 0, 1, 20));
+  const std::vector<Point> same(5000, Point(1, 2)), none;
+  const auto find = [](const auto& points) {
+    return [&](const auto& np) {
+      CGAL::find_close_pair(points, CGAL::within_distance(0.1), np);
+    };
+  };
+  BOOST_CHECK_EQUAL(progress_of(find(points), 2).back(), 1);
+  BOOST_CHECK_EQUAL(progress_of(find(same), 2).back(), 1);
+  BOOST_CHECK_EQUAL(progress_of(find(none), 2).back(), 1);
+  BOOST_CHECK_EQUAL(progress_of([&](const auto& np) { CGAL::closest_pair(same, np); }, 2).back(),
+                    1);
+}
+
+// Searches that nobody watches have nothing to keep or to count.
+static_assert(std::is_empty_v<internal::No_progress>);
+static_assert(std::is_same_v<decltype(internal::make_progress(CGAL::parameters::default_values(),
+                                                              1)),
+                             internal::No_progress>);
 
 // ---- real data ----------------------------------------------------------------------------------
 

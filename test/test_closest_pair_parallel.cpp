@@ -22,7 +22,6 @@ void check_parallel(const std::string& name, const Points& scene)
   BOOST_TEST_CONTEXT(name << ' ' << Dimension << 'D')
   {
     const auto points = make_points<Cartesian_points<Epick, Dimension>>(scene);
-    const Elements_of<typename Cartesian_points<Epick, Dimension>::Point> elements(points);
     const Pair expected = CGAL::closest_pair(points);
     check_pair("division", expected, closest_by_division(points));
     const double distance
@@ -31,7 +30,7 @@ void check_parallel(const std::string& name, const Points& scene)
       const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
       check_pair("parallel", expected, CGAL::closest_pair<CGAL::Parallel_tag>(points));
       check_pair("parallel division", expected,
-                 internal::divide_and_conquer<CGAL::Parallel_tag>(elements, profile_of(points)));
+                 closest_by_division<CGAL::Parallel_tag>(points));
       for(const double factor : {0.5, 1.5, 1000.}) {
         const auto bound = CGAL::within_distance(factor * distance);
         BOOST_CHECK_EQUAL(CGAL::has_close_pair<CGAL::Parallel_tag>(points, bound),
@@ -58,6 +57,19 @@ void check_parallel_scenes()
 
 BOOST_AUTO_TEST_CASE(same_pair_in_the_plane) { check_parallel_scenes<2>(); }
 BOOST_AUTO_TEST_CASE(same_pair_in_space) { check_parallel_scenes<3>(); }
+
+BOOST_AUTO_TEST_CASE(progress_grows_to_one_and_cancels)
+{
+  const auto points
+    = make_points<Cartesian_points<Epick, 2>>(uniform_points(2, 50000, 0, 1, 5));
+  const auto huge
+    = make_points<Cartesian_points<Epick, 2>>(uniform_points(2, 20000, 0, 1e200, 6));
+  for(const std::size_t threads : {1, 2, 7}) {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    check_progress_of_both<CGAL::Parallel_tag>(points, 50);
+    check_progress_of_both<CGAL::Parallel_tag>(huge, 50);
+  }
+}
 
 BOOST_AUTO_TEST_CASE(bad_input_is_refused)
 {

@@ -99,9 +99,19 @@ public:
     add("has_close_pair, yes", 0.15, any_size, 1,
         [this, heavy] { return CGAL::has_close_pair(points_, CGAL::within_distance(heavy)); });
     add("divide and conquer", 0, any_size, least, [&] {
-      return square_of(internal::divide_and_conquer<CGAL::Sequential_tag>(elements_, profile_));
+      return square_by([&](auto& minimum, auto& progress) {
+        internal::divide_and_conquer<CGAL::Sequential_tag>(points_.size(), Dimension, minimum,
+                                                           progress);
+      });
     });
-    add("incremental grid", 0, any_size, least, [&] { return by_incremental_grid(); });
+    add("incremental grid", 0, any_size, least, [&] {
+      return square_by([&](auto& minimum, auto& progress) {
+        std::vector<std::uint32_t> positions(points_.size());
+        std::iota(positions.begin(), positions.end(), 0);
+        internal::Closest_pair_grid<Dimension, Elements>(elements_, std::move(positions), Dimension,
+                                                         0, 1).search(minimum, progress);
+      });
+    });
     add("grid of cells r, hashing, no", 0, any_size, 0,
         [this, below] { return by_grid(below, internal::Bucket_access::HASHING); });
     add("grid of cells r, order, no", 0, any_size, 0,
@@ -131,14 +141,13 @@ private:
     return x.front() > x.back();
   }
 
-  double by_incremental_grid() const
+  // The squared distance of the pair that search(minimum, progress) leaves.
+  template <class Search>
+  double square_by(const Search& search) const
   {
-    std::vector<std::uint32_t> positions(points_.size());
-    std::iota(positions.begin(), positions.end(), 0);
     internal::Pair_minimum<Elements> minimum(elements_, profile_);
-    internal::Closest_pair_grid<Dimension, Elements> grid(elements_, std::move(positions),
-                                                          Dimension, 0, 1);
-    grid.search(minimum);
+    internal::No_progress progress;
+    search(minimum, progress);
     return square_of(minimum.pair());
   }
 
@@ -146,9 +155,10 @@ private:
   {
     using Exact = internal::Exact_number_t<double>;
     const internal::Squared_bound<Exact> bound(CGAL::within_distance(r));
-    const internal::Close_pair_grid<CGAL::Sequential_tag, Elements> grid(elements_, bound,
-                                                                         Dimension, access);
-    return grid.find(internal::All_positions(points_.size())).has_value();
+    const internal::Close_pair_grid<CGAL::Sequential_tag, Elements> grid(elements_, bound, profile_,
+                                                                         0, access);
+    internal::No_progress progress;
+    return grid.find(internal::All_positions(points_.size()), progress).has_value();
   }
 
   const Points<Dimension>& points_;

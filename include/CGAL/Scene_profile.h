@@ -250,9 +250,8 @@ template <class Elements, class Exact>
 Scene_profile profile_elements(const Elements& points, const Squared_bound<Exact>& bound,
                                const std::string& name)
 {
-  const auto store_nothing = [](std::size_t, int, double) {};
   return make_profile<Coordinate_t<typename Elements::value_type>>(
-    points.size(), scan_coordinates<Sequential_tag>(points, name, store_nothing), bound);
+    points.size(), scan_coordinates<Sequential_tag>(points, name), bound);
 }
 
 } // namespace internal

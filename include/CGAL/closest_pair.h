@@ -8,8 +8,7 @@
 // The closest pair of points, and the question whether any two are within a distance.
 
 #include <CGAL/Distance_bound.h>
-#include <CGAL/Scene_profile.h>
-
+#include <CGAL/Thick_intersection_d/internal/Elements.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair_search.h>
 
 #include <optional>
@@ -60,12 +59,23 @@ below
     \cgalParamDefault{0}
     \cgalParamExtra{The result does not depend on it.}
   \cgalParamNEnd
+  \cgalParamNBegin{callback}
+    \cgalParamDescription{a functor `bool(double)` that is called with the progress between 0 and 1,
+                          and cancels the search by returning `false`}
+    \cgalParamDefault{none}
+    \cgalParamExtra{In parallel it is called by one thread at a time, not always the same. The
+                    last value is 1 if it does not cancel. The check of the points comes before,
+                    and sorting is not interrupted.}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the two positions, the smaller one first.
+\return the two positions, the smaller one first. If the progress functor cancels the search, they
+are the closest pair of those that were compared until then, of which (0, 1) is the first.
 
 \throws std::invalid_argument if there are fewer than two points, if a coordinate is NaN or
 infinite, or if the points differ in dimension. The message tells the position of the point.
+Exceptions of the progress functor pass through.
+\throws std::length_error if there are \f$ 2^{32} - 1 \f$ points or more.
 
 \sa `find_close_pair()`
 */
@@ -79,15 +89,17 @@ closest_pair(const PointRange& points, const NamedParameters& np = parameters::d
   using Elements = std::decay_t<decltype(elements)>;
   using Exact = internal::Exact_number_t<internal::Coordinate_t<typename Elements::value_type>>;
 
-  internal::check_size(elements.size());
-  const Scene_profile profile
-    = internal::profile_elements(elements, internal::Squared_bound<Exact>(within_distance(0)),
-                                 "point");
+  const auto scene = internal::check_scene<ConcurrencyTag>(
+    elements, internal::Squared_bound<Exact>(within_distance(0)));
   if(elements.size() < 2)
     throw std::invalid_argument("The closest pair of fewer than two points is asked for.");
   const unsigned int seed
     = parameters::choose_parameter(parameters::get_parameter(np, internal_np::random_seed), 0u);
-  return internal::Closest_pair_search<ConcurrencyTag, Elements>(elements, profile, seed).find();
+  auto progress = internal::make_progress(np, elements.size());
+  const auto pair = internal::Closest_pair_search<ConcurrencyTag, Elements, decltype(progress)>(
+    elements, scene, seed, progress).find();
+  progress.finish();
+  return pair;
 }
 
 /*!
@@ -130,12 +142,23 @@ below
     \cgalParamDefault{the kernel deduced from the point type}
     \cgalParamExtra{Accepted as by other functions of \cgal; the points alone tell their kernel.}
   \cgalParamNEnd
+  \cgalParamNBegin{callback}
+    \cgalParamDescription{a functor `bool(double)` that is called with the progress between 0 and 1,
+                          and cancels the search by returning `false`}
+    \cgalParamDefault{none}
+    \cgalParamExtra{In parallel it is called by one thread at a time, not always the same. The
+                    last value is 1 if it does not cancel. The check of the points comes before,
+                    and sorting is not interrupted.}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the two positions, the smaller one first; nothing if no two points are within the bound.
+\return the two positions, the smaller one first; nothing if no two points are within the bound,
+or if the progress functor cancels the search before two are found.
 
 \throws std::invalid_argument if a coordinate is NaN or infinite, if the points differ in dimension,
-or if the bound is negative or NaN. All points are checked, wherever the pair is.
+or if the bound is negative or NaN. All points are checked, wherever the pair is. Exceptions of the
+progress functor pass through.
+\throws std::length_error if there are \f$ 2^{32} - 1 \f$ points or more.
 
 \sa `closest_pair()`
 \sa `fixed_radius_near_neighbors()`
@@ -151,17 +174,21 @@ find_close_pair(const PointRange& points, const Distance_bound<NT>& bound,
   using Elements = std::decay_t<decltype(elements)>;
   using Exact = internal::Exact_number_t<internal::Coordinate_t<typename Elements::value_type>>;
 
-  internal::check_size(elements.size());
   const internal::Squared_bound<Exact> squared_bound(bound);
-  const Scene_profile profile = internal::profile_elements(elements, squared_bound, "point");
-  return internal::Close_pair_search<ConcurrencyTag, Elements>(elements, squared_bound, profile)
-    .find();
+  const auto scene = internal::check_scene<ConcurrencyTag>(elements, squared_bound);
+  auto progress = internal::make_progress(np, elements.size());
+  const auto pair = internal::Close_pair_search<ConcurrencyTag, Elements, decltype(progress)>(
+    elements, squared_bound, scene, progress).find();
+  progress.finish();
+  return pair;
 }
 
 /*!
 \ingroup PkgThickIntersectionDRef
 
 returns whether two points of a range are within a bound: whether `find_close_pair()` finds a pair.
+
+If the progress functor cancels the search, the answer is `true` if a pair was found, else `false`.
 */
 template <class ConcurrencyTag = Sequential_tag, class PointRange, class NT,
           class NamedParameters = parameters::Default_named_parameters>

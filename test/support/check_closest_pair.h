@@ -27,16 +27,31 @@ template <class Point>
 using Elements_of = internal::Elements<std::vector<Point>>;
 
 template <class Point>
+using Exact_of = internal::Exact_number_t<internal::Coordinate_t<Point>>;
+
+template <class Point>
+internal::Checked_scene checked_scene_of(const Elements_of<Point>& elements)
+{
+  const internal::Squared_bound<Exact_of<Point>> bound(CGAL::within_distance(0));
+  return internal::check_scene<CGAL::Sequential_tag>(elements, bound);
+}
+
+template <class Point>
 CGAL::Scene_profile profile_of(const std::vector<Point>& points)
 {
   return CGAL::profile_scene(points, CGAL::within_distance(0));
 }
 
-template <class Point>
+template <class ConcurrencyTag = CGAL::Sequential_tag, class Point>
 Pair closest_by_division(const std::vector<Point>& points)
 {
-  return internal::divide_and_conquer<CGAL::Sequential_tag>(Elements_of<Point>(points),
-                                                            profile_of(points));
+  const Elements_of<Point> elements(points);
+  const CGAL::Scene_profile profile = profile_of(points);
+  internal::Pair_minimum<Elements_of<Point>> minimum(elements, profile);
+  internal::No_progress progress;
+  internal::divide_and_conquer<ConcurrencyTag>(points.size(), profile.dimension(), minimum,
+                                               progress);
+  return minimum.pair();
 }
 
 constexpr int static_dimension(CGAL::Dynamic_dimension_tag) { return 0; }
@@ -51,14 +66,14 @@ template <int Dimension, class Point>
 std::optional<Pair> closest_by_grid(const std::vector<Point>& points, std::uint64_t seed)
 {
   const Elements_of<Point> elements(points);
-  const CGAL::Scene_profile profile = profile_of(points);
+  const internal::Checked_scene scene = checked_scene_of<Point>(elements);
   std::vector<std::uint32_t> positions(points.size());
   std::iota(positions.begin(), positions.end(), 0);
-  internal::Pair_minimum<Elements_of<Point>> minimum(elements, profile);
+  internal::Pair_minimum<Elements_of<Point>> minimum(elements, scene.profile);
   internal::Closest_pair_grid<Dimension, Elements_of<Point>> grid(
-    elements, positions, profile.dimension(),
-    internal::greatest_error(elements, profile.dimension()), seed);
-  return grid.search(minimum) ? std::optional<Pair>(minimum.pair()) : std::nullopt;
+    elements, positions, scene.profile.dimension(), scene.error, seed);
+  internal::No_progress progress;
+  return grid.search(minimum, progress) ? std::optional<Pair>(minimum.pair()) : std::nullopt;
 }
 
 template <class Point, class NT>
@@ -66,12 +81,13 @@ std::optional<Pair> close_by_grid(const std::vector<Point>& points,
                                   const CGAL::Distance_bound<NT>& bound,
                                   internal::Bucket_access access)
 {
-  using Exact = internal::Exact_number_t<internal::Coordinate_t<Point>>;
   const Elements_of<Point> elements(points);
-  const internal::Squared_bound<Exact> squared_bound(bound);
-  const int dimension = points.empty() ? 0 : points.front().dimension();
+  const internal::Checked_scene scene = checked_scene_of<Point>(elements);
+  const internal::Squared_bound<Exact_of<Point>> squared_bound(bound);
+  internal::No_progress progress;
   return internal::Close_pair_grid<CGAL::Sequential_tag, Elements_of<Point>>(
-    elements, squared_bound, dimension, access).find(internal::All_positions(points.size()));
+    elements, squared_bound, scene.profile, scene.error, access)
+    .find(internal::All_positions(points.size()), progress);
 }
 
 inline const Closest& known_closest(const Points& points)
@@ -156,6 +172,85 @@ void check_closest_scenes(int dimension)
 {
   for(const Point_scene& scene : closest_pair_scenes(dimension))
     check_closest_scene<Maker>(scene);
+}
+
+// Notes the progress, and cancels at a share of it.
+struct Watch
+{
+  std::vector<double>& told;
+  double last;
+
+  bool operator()(double done) const
+  {
+    told.push_back(done);
+    return done < last;
+  }
+};
+
+// Calls search(np) with a functor that cancels at `last`; returns what the functor was told.
+template <class Search>
+std::vector<double> progress_of(const Search& search, double last)
+{
+  std::vector<double> told;
+  search(CGAL::parameters::callback(Watch{told, last}));
+  BOOST_CHECK(std::is_sorted(told.begin(), told.end()));
+  BOOST_REQUIRE(!told.empty());
+  BOOST_CHECK_GE(told.front(), 0);
+  BOOST_CHECK_LE(told.size(), 1001u);
+  return told;
+}
+
+// The progress grows to 1; the functor that has cancelled is not called again.
+template <class Search>
+void check_progress(const Search& search, std::size_t least_calls)
+{
+  const std::vector<double> all = progress_of(search, 2);
+  BOOST_CHECK_EQUAL(all.back(), 1);
+  BOOST_CHECK_EQUAL(std::count(all.begin(), all.end(), 1.), 1);
+  BOOST_CHECK_GE(all.size(), least_calls);
+  BOOST_CHECK_EQUAL(progress_of(search, 0).size(), 1u);
+  const std::vector<double> half = progress_of(search, 0.5);
+  BOOST_CHECK_EQUAL(std::count_if(half.begin(), half.end(), [](double x) { return x >= 0.5; }), 1);
+}
+
+// Whatever is cancelled when, closest_pair() returns a pair that is no farther than the first two
+// points, and find_close_pair() a close one or none. At once, they have seen little.
+template <class ConcurrencyTag, class Point>
+void check_progress_of_both(const std::vector<Point>& points, std::size_t least_calls)
+{
+  const Pair closest = CGAL::closest_pair(points);
+  const auto square_of = [&](const Pair& pair) {
+    return internal::exact_squared_distance(points[pair.first], points[pair.second],
+                                            points.front().dimension());
+  };
+  const auto least = CGAL::within_squared_distance(square_of(closest));
+  check_progress([&](const auto& np) {
+    const Pair pair = CGAL::closest_pair<ConcurrencyTag>(points, np);
+    BOOST_CHECK(pair.first < pair.second && pair.second < points.size());
+    BOOST_CHECK(square_of(pair) <= square_of(Pair(0, 1)));
+  }, least_calls);
+  check_progress([&](const auto& np) {
+    const auto pair = CGAL::find_close_pair<ConcurrencyTag>(points, least, np);
+    BOOST_CHECK(!pair || square_of(*pair) == square_of(closest));
+  }, 1);
+  check_progress([&](const auto& np) {
+    BOOST_CHECK(!CGAL::has_close_pair<ConcurrencyTag>(points, least.open(), np));
+  }, least_calls);
+
+  const auto at_once = CGAL::parameters::callback([](double) { return false; });
+  BOOST_CHECK(CGAL::closest_pair<ConcurrencyTag>(points, at_once) != closest);
+  BOOST_CHECK(!CGAL::find_close_pair<ConcurrencyTag>(points, least, at_once));
+  const auto to_the_end = CGAL::parameters::callback([](double done) { return done < 1; });
+  BOOST_CHECK(CGAL::closest_pair<ConcurrencyTag>(points, to_the_end) == closest);
+
+  struct Failure {};
+  const auto fail = CGAL::parameters::callback([](double done) -> bool {
+    if(done > 0.3)
+      throw Failure();
+    return true;
+  });
+  BOOST_CHECK_THROW(CGAL::closest_pair<ConcurrencyTag>(points, fail), Failure);
+  BOOST_CHECK_THROW(CGAL::has_close_pair<ConcurrencyTag>(points, least.open(), fail), Failure);
 }
 
 } // namespace test_support

@@ -113,9 +113,10 @@ public:
 
   // Enters the points at `positions`, and visits pairs of them. Each task has a visitor of its own,
   // made by make_visitor(): visitor(i, j) returns whether to go on, visitor.finish() is called
-  // last.
-  template <class Positions, class Make_visitor>
-  void operator()(const Positions& positions, const Make_visitor& make_visitor) const
+  // last. The progress is that of twice as many objects: points to enter, and points to visit.
+  template <class Positions, class Make_visitor, class Progress>
+  void operator()(const Positions& positions, const Make_visitor& make_visitor,
+                  Progress& progress) const
   {
     int digit_bits = 0;
     while(positions.size() >> digit_bits > points_per_list && digit_bits < greatest_digit_bits)
@@ -127,16 +128,18 @@ public:
       for(std::size_t p = first; p != last; ++p) {
         parts[p] = Cell_entry_lists(list_count);
         enter(positions, positions.size() * p / part_count,
-              positions.size() * (p + 1) / part_count, digit_bits, parts[p]);
+              positions.size() * (p + 1) / part_count, digit_bits, parts[p], progress);
       }
     });
 
-    std::atomic<bool> go_on = true;
+    std::atomic<bool> go_on = !progress.is_cancelled();
     for_each_block<ConcurrencyTag>(list_count, [&](std::size_t first, std::size_t last) {
       auto visitor = make_visitor();
       Bucket_table table;
       for(std::size_t list = first; list != last && go_on.load(std::memory_order_relaxed); ++list)
-        if(!join(parts, list, table, visitor))
+        if(!join(parts, list, table, visitor)
+           || !progress.advance(positions.size() * (list + 1) / list_count
+                                - positions.size() * list / list_count))
           go_on.store(false, std::memory_order_relaxed);
       visitor.finish();
     });
@@ -150,9 +153,9 @@ private:
 
   // Appends the entries of the positions [first, last). Most points have one cell, so a block of
   // them is looked at without branches before the others.
-  template <class Positions>
+  template <class Positions, class Progress>
   void enter(const Positions& positions, std::size_t first, std::size_t last, int digit_bits,
-             Cell_entry_lists& lists) const
+             Cell_entry_lists& lists, Progress& progress) const
   {
     const auto append = [&](std::uint64_t hash, std::uint32_t position) {
       const std::uint32_t cell = static_cast<std::uint32_t>(hash);
@@ -180,6 +183,8 @@ private:
           is_first = false;
         });
       }
+      if(!progress.advance(size))
+        return;
     }
   }
 

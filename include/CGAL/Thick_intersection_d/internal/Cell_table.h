@@ -162,8 +162,8 @@ private:
 class Bucket_dictionary
 {
 public:
-  Bucket_dictionary(const Cell_table& table, int axis_count)
-    : table_(table), axis_count_(axis_count)
+  Bucket_dictionary(const Cell_table& table, const Forward_offsets& offsets, int axis_count)
+    : table_(table), offsets_(offsets), axis_count_(axis_count)
   {
     std::size_t size = 4;
     while(size < 2 * table.bucket_count())
@@ -177,9 +177,10 @@ public:
     }
   }
 
-  // Returns the bucket at an offset from `bucket`, or bucket_count() if it is empty.
-  std::size_t operator()(std::size_t bucket, const std::vector<int>& offset) const
+  // Returns the bucket at offset `i` from `bucket`, or bucket_count() if it is empty.
+  std::size_t operator()(std::size_t bucket, std::size_t i) const
   {
+    const std::vector<int>& offset = offsets_[i];
     std::size_t slot = first_slot(
       [&](int axis) { return table_.number(bucket, axis) + offset[axis]; });
     while(slots_[slot] != free_slot && table_.compare(slots_[slot], bucket, offset) != 0)
@@ -200,6 +201,7 @@ private:
   static constexpr std::uint32_t free_slot = ~std::uint32_t(0);
 
   const Cell_table& table_;
+  const Forward_offsets& offsets_;
   int axis_count_;
   std::vector<std::uint32_t> slots_;
 };

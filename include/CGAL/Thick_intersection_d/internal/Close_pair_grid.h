@@ -35,6 +35,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
 #include <mutex>
 #include <numeric>
 #include <optional>
@@ -53,65 +54,75 @@ class Close_pair_grid
   using Found = std::optional<Position_pair>;
 
 public:
-  Close_pair_grid(const Elements& points, const Squared_bound<Exact>& bound, int dimension,
+  // Of points in the scene of `profile`, whose coordinates have doubles around them that are at
+  // most `error` apart.
+  Close_pair_grid(const Elements& points, const Squared_bound<Exact>& bound,
+                  const Scene_profile& profile, double error,
                   Bucket_access access = Bucket_access::HASHING)
-    : points_(points), bound_(bound), filter_(make_distance_filter(bound, dimension)),
-      is_within_(bound, filter_, dimension), dimension_(dimension), access_(access)
+    : points_(points), bound_(bound), profile_(profile), dimension_(profile.dimension()),
+      error_(error), access_(access), filter_(make_distance_filter(bound, dimension_)),
+      is_within_(bound, filter_, dimension_)
   {}
 
   // Returns a pair of the points at `positions` within the bound, if there is one: in sequence,
-  // always the same for the same positions.
-  template <class Positions>
-  Found find(const Positions& positions) const
+  // always the same for the same positions. The progress is that of all points once for each axis,
+  // and once more.
+  template <class Positions, class Progress>
+  Found find(const Positions& positions, Progress& progress) const
   {
     if(positions.size() < 2)
       return std::nullopt;
     std::vector<std::vector<Cell_number>> numbers(dimension_);
-    for(int axis = 0; axis < dimension_; ++axis)
-      if(!number_rounded(positions, axis, numbers[axis]))
-        number_strips(positions, axis, numbers[axis]);
+    for(int axis = 0; axis < dimension_; ++axis) {
+      numbers[axis] = can_round(axis) ? number_rounded(positions, axis)
+                                      : number_strips(positions, axis);
+      if(!progress.advance(positions.size()))
+        return std::nullopt;
+    }
     const Cell_table table(positions.size(), dimension_, [&](std::size_t member, int axis) {
       return numbers[axis][member];
     });
     if(const Found pair = find_in_heavy_bucket(table, positions))
       return pair;
-    return access_ == Bucket_access::HASHING ? find_by_hashing(table, positions)
-                                             : find_in_order(table, positions);
+    const Forward_offsets offsets(dimension_);
+    if(access_ == Bucket_access::SORTED_ORDER)
+      return find_in_buckets(table, positions, offsets.size(), progress,
+                             [&] { return Sorted_bucket_finder(table, offsets); });
+    const Bucket_dictionary dictionary(table, offsets, dimension_);
+    return find_in_buckets(table, positions, offsets.size(), progress,
+                           [&] { return std::cref(dictionary); });
   }
 
 private:
-  // Numbers cells along an axis from 1. Returns false if they would be too many, or not exact.
-  template <class Positions>
-  bool number_rounded(const Positions& positions, int axis,
-                      std::vector<Cell_number>& numbers) const
-  {
-    std::pair<double, double> range = bounds(coordinate(points_[positions[0]], axis));
-    double error = 0;
-    for(std::size_t i = 0; i < positions.size(); ++i) {
-      const std::pair<double, double> x = bounds(coordinate(points_[positions[i]], axis));
-      range = {(std::min)(range.first, x.first), (std::max)(range.second, x.second)};
-      error = (std::max)(error, x.second - x.first);
-    }
-    const double side = (bound_.reach() + error) * (1 + std::ldexp(1., -16));
-    if(!(bound_.reach() >= std::ldexp(1., -900) && bound_.reach() <= std::ldexp(1., 900)
-         && error <= bound_.reach() * std::ldexp(1., -20)
-         && (range.second - range.first) / side < std::ldexp(1., 30)))
-      return false;
+  double side() const { return (bound_.reach() + error_) * (1 + std::ldexp(1., -16)); }
 
-    const double scale = 1 / side;
-    numbers.resize(positions.size());
-    for(std::size_t i = 0; i < positions.size(); ++i)
+  // Whether rounded numbers along an axis are exact enough, and not too large.
+  bool can_round(int axis) const
+  {
+    const std::pair<double, double>& range = profile_.range(axis);
+    return bound_.reach() >= std::ldexp(1., -900) && bound_.reach() <= std::ldexp(1., 900)
+           && error_ <= bound_.reach() * std::ldexp(1., -20)
+           && (range.second - range.first) / side() < std::ldexp(1., 30);
+  }
+
+  // Returns the number of the cell of each point along an axis; the first cell has number 1.
+  template <class Positions>
+  std::vector<Cell_number> number_rounded(const Positions& positions, int axis) const
+  {
+    const double low = profile_.range(axis).first;
+    const double scale = 1 / side();
+    std::vector<Cell_number> numbers(positions.size());
+    for(std::size_t i = 0; i < numbers.size(); ++i)
       numbers[i] = 1 + static_cast<Cell_number>(
-        (bounds(coordinate(points_[positions[i]], axis)).first - range.first) * scale);
-    return true;
+        (coordinate_bounds(points_[positions[i]], axis).first - low) * scale);
+    return numbers;
   }
 
   template <class Positions>
-  void number_strips(const Positions& positions, int axis,
-                     std::vector<Cell_number>& numbers) const
+  std::vector<Cell_number> number_strips(const Positions& positions, int axis) const
   {
     const std::vector<std::uint32_t> order = sort_along(positions, axis);
-    numbers.resize(positions.size());
+    std::vector<Cell_number> numbers(positions.size());
     Cell_number number = 0;
     std::size_t first = 0; // the first member of the strip
     for(const std::uint32_t member : order) {
@@ -121,6 +132,7 @@ private:
       }
       numbers[member] = number;
     }
+    return numbers;
   }
 
   // Returns the members of `positions` in order along an axis.
@@ -151,7 +163,7 @@ private:
   {
     const auto& p = points_[i];
     const auto& q = points_[j];
-    const Gap g = gap(coordinate(p, axis), coordinate(q, axis));
+    const Gap g = gap_along(p, q, axis);
     if(g.sup * g.sup <= filter_.inside)
       return true;
     if(g.inf * g.inf > filter_.outside)
@@ -172,62 +184,35 @@ private:
     return std::nullopt;
   }
 
-  template <class Positions>
-  Found find_by_hashing(const Cell_table& table, const Positions& positions) const
-  {
-    const Forward_offsets offsets(dimension_);
-    const Bucket_dictionary dictionary(table, dimension_);
-    return find_in_buckets(table, positions, [&] {
-      return [&](std::size_t bucket, const auto& compare) {
-        for(std::size_t i = 0; i < offsets.size(); ++i)
-          if(compare(dictionary(bucket, offsets[i])))
-            return;
-      };
-    });
-  }
-
-  template <class Positions>
-  Found find_in_order(const Cell_table& table, const Positions& positions) const
-  {
-    const Forward_offsets offsets(dimension_);
-    return find_in_buckets(table, positions, [&] {
-      return [&, finder = Sorted_bucket_finder(table, offsets)](std::size_t bucket,
-                                                                const auto& compare) mutable {
-        for(std::size_t i = 0; i < offsets.size(); ++i)
-          if(compare(finder(bucket, i)))
-            return;
-      };
-    });
-  }
-
-  // Compares each bucket with itself and with the adjacent ones ahead. `make_visitor()` returns a
-  // function that is called as visit(bucket, compare) for increasing buckets, and calls
-  // compare(other) for those adjacent ones until it returns true.
-  template <class Positions, class Make_visitor>
+  // Compares each bucket with itself and with the adjacent ones ahead. `make_finder()` returns a
+  // function that is called as find(bucket, i) for increasing buckets, and returns the bucket at
+  // the offset `i`.
+  template <class Positions, class Progress, class Make_finder>
   Found find_in_buckets(const Cell_table& table, const Positions& positions,
-                        const Make_visitor& make_visitor) const
+                        std::size_t offset_count, Progress& progress,
+                        const Make_finder& make_finder) const
   {
     Found result;
     std::mutex mutex;
-    std::atomic<bool> is_found = false;
+    std::atomic<bool> go_on = true;
     for_each_block<ConcurrencyTag>(table.bucket_count(), [&](std::size_t first, std::size_t last) {
-      auto visit = make_visitor();
+      auto find = make_finder();
       Found pair;
       for(std::size_t bucket = first;
-          bucket != last && !is_found.load(std::memory_order_relaxed); ++bucket) {
+          bucket != last && go_on.load(std::memory_order_relaxed); ++bucket) {
         pair = find_within(table, table.begin(bucket), table.end(bucket), positions);
-        if(!pair)
-          visit(bucket, [&](std::size_t other) {
-            if(other != table.bucket_count())
-              pair = find_between(table, bucket, other, positions);
-            return pair.has_value();
-          });
-        if(pair)
-          is_found.store(true, std::memory_order_relaxed);
+        for(std::size_t i = 0; !pair && i < offset_count; ++i) {
+          const std::size_t other = find(bucket, i);
+          if(other != table.bucket_count())
+            pair = find_between(table, bucket, other, positions);
+        }
+        if(pair || !progress.advance(table.end(bucket) - table.begin(bucket)))
+          go_on.store(false, std::memory_order_relaxed);
       }
-      const std::lock_guard<std::mutex> lock(mutex);
-      if(pair)
+      if(pair) {
+        const std::lock_guard<std::mutex> lock(mutex);
         result = pair;
+      }
     });
     return result;
   }
@@ -263,10 +248,12 @@ private:
 
   const Elements& points_;
   const Squared_bound<Exact>& bound_;
+  const Scene_profile& profile_;
+  int dimension_;
+  double error_;
+  Bucket_access access_;
   const Distance_filter filter_;
   const Is_within_distance<Point> is_within_;
-  int dimension_;
-  Bucket_access access_;
 };
 
 } // namespace internal

@@ -68,7 +68,8 @@ public:
   {}
 
   // Offers the closest pairs to `minimum`, all of them or the lexicographically smallest.
-  void search(Minimum& minimum)
+  template <class Progress>
+  void search(Minimum& minimum, Progress& progress)
   {
     sort_lexicographically(minimum);
     if(offer_equal_points(minimum))
@@ -76,7 +77,8 @@ public:
     sort_along_axes(minimum);
     scratch_.resize(positions_.size());
     strip_.resize(positions_.size());
-    divide(0, positions_.size(), minimum);
+    progress.restart(positions_.size() * level_count(positions_.size()));
+    divide(0, positions_.size(), minimum, progress);
   }
 
 private:
@@ -149,36 +151,60 @@ private:
     }
   }
 
-  // Offers the closest pairs among the ranks [first, last). Leaves the orders as they were.
-  void divide(Rank first, Rank last, Minimum& minimum)
+  // Returns in how many ranges of the recursion a point is at most.
+  static std::size_t level_count(std::size_t size)
   {
-    if(last - first <= 3) {
-      for(Rank a = first; a != last; ++a)
-        for(Rank b = a + 1; b != last; ++b)
-          minimum.offer(positions_[a], positions_[b]);
+    std::size_t levels = 1;
+    for(; size > greatest_leaf; size -= size / 2)
+      ++levels;
+    return levels;
+  }
+
+  // Offers the closest pairs among the ranks [first, last). Leaves the orders as they were.
+  template <class Progress>
+  void divide(Rank first, Rank last, Minimum& minimum, Progress& progress)
+  {
+    if(progress.is_cancelled())
       return;
-    }
+    if(last - first <= greatest_leaf)
+      offer_all(first, last, minimum);
+    else
+      divide_at_middle(first, last, minimum, progress);
+    progress.advance(last - first);
+  }
+
+  void offer_all(Rank first, Rank last, Minimum& minimum) const
+  {
+    for(Rank a = first; a != last; ++a)
+      for(Rank b = a + 1; b != last; ++b)
+        minimum.offer(positions_[a], positions_[b]);
+  }
+
+  template <class Progress>
+  void divide_at_middle(Rank first, Rank last, Minimum& minimum, Progress& progress)
+  {
     const Rank middle = first + (last - first) / 2;
     for(Order& order : orders_)
       divide_order(order.ranks, first, middle, last);
-    conquer(first, middle, last, minimum);
+    conquer(first, middle, last, minimum, progress);
     for(Order& order : orders_)
       merge_order(order, first, middle, last);
     scan_strip(first, middle, last, minimum);
   }
 
-  void conquer(Rank first, Rank middle, Rank last, Minimum& minimum)
+  template <class Progress>
+  void conquer(Rank first, Rank middle, Rank last, Minimum& minimum, Progress& progress)
   {
     if(is_parallel_v<ConcurrencyTag> && last - first > greatest_task) {
       Minimum other(minimum);
-      invoke_all<ConcurrencyTag>([&] { divide(first, middle, minimum); return true; },
-                                 [&] { divide(middle, last, other); return true; },
+      invoke_all<ConcurrencyTag>([&] { divide(first, middle, minimum, progress); return true; },
+                                 [&] { divide(middle, last, other, progress); return true; },
                                  [] { return true; });
       minimum.offer_pair_of(other);
     }
     else {
-      divide(first, middle, minimum);
-      divide(middle, last, minimum);
+      divide(first, middle, minimum, progress);
+      divide(middle, last, minimum, progress);
     }
   }
 
@@ -309,7 +335,8 @@ private:
     }
   }
 
-  static constexpr std::size_t greatest_task = 2000;
+  static constexpr std::size_t greatest_leaf = 3;
+  static constexpr std::size_t greatest_task = 2000; // not divided among threads
 
   std::vector<std::size_t> positions_; // by rank
   int dimension_;

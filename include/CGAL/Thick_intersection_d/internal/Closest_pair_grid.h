@@ -47,8 +47,9 @@ public:
   }
 
   // Offers the closest pairs to `minimum`. Returns false if it cannot go on: if points are equal,
-  // or if cells of doubles are too coarse for the distance.
-  bool search(Minimum& minimum)
+  // or if cells of doubles are too coarse for the distance. The progress is that of all points.
+  template <class Progress>
+  bool search(Minimum& minimum, Progress& progress)
   {
     if(!minimum.has_pair() && positions_.size() >= 2)
       minimum.offer(positions_[0], positions_[1]);
@@ -65,6 +66,8 @@ public:
       if(minimum.reach() < reach_ && !refine(minimum, k))
         return false;
       insert(k);
+      if(!progress.advance(1))
+        return true;
     }
     return true;
   }

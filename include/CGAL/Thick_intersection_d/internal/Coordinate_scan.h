@@ -108,6 +108,12 @@ Coordinate_scan scan_coordinates(const Elements& points, const std::string& name
   return scan;
 }
 
+template <class ConcurrencyTag, class Elements>
+Coordinate_scan scan_coordinates(const Elements& points, const std::string& name)
+{
+  return scan_coordinates<ConcurrencyTag>(points, name, [](std::size_t, int, double) {});
+}
+
 } // namespace internal
 } // namespace Thick_intersection_d
 } // namespace CGAL

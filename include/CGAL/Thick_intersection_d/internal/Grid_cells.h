@@ -48,7 +48,7 @@ public:
   {
     std::uint64_t hash = 0;
     for(int axis = 0; axis < dimension(); ++axis)
-      hash = add_to_hash(hash, index(bounds(coordinate(p, axis)).first));
+      hash = add_to_hash(hash, index(coordinate_bounds(p, axis).first));
     return finish_hash(hash);
   }
 
@@ -95,7 +95,7 @@ private:
   template <class Point>
   Index_range index_range(const Point& p, int axis) const
   {
-    const std::pair<double, double> x = bounds(coordinate(p, axis));
+    const std::pair<double, double> x = coordinate_bounds(p, axis);
     return {index(x.first - width_), index(x.second + width_)};
   }
 

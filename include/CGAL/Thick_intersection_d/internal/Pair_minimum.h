@@ -83,7 +83,7 @@ public:
       return false;
     const auto& p = points_[i];
     const auto& q = points_[j];
-    const Gap g = gap(coordinate(p, axis), coordinate(q, axis));
+    const Gap g = gap_along(p, q, axis);
     if(g.inf * g.inf > outside_)
       return true;
     if(is_exact_ || g.sup * g.sup <= inside_)
@@ -113,7 +113,7 @@ private:
     const auto& q = points_[j];
     Gap sum = {0, 0};
     for(int axis = 0; axis < dimension_; ++axis) {
-      const Gap g = gap(coordinate(p, axis), coordinate(q, axis));
+      const Gap g = gap_along(p, q, axis);
       sum.inf += g.inf * g.inf;
       sum.sup += g.sup * g.sup;
     }

@@ -9,7 +9,6 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <mutex>
 
@@ -20,7 +19,10 @@ namespace internal {
 // For searches that nobody watches.
 struct No_progress
 {
+  void restart(std::size_t) {}
   bool advance(std::size_t) { return true; }
+  bool is_cancelled() const { return false; }
+  void finish() {}
 };
 
 // Calls the functor about a thousand times, one call at a time, with growing values up to 1.
@@ -28,28 +30,62 @@ template <class Functor>
 class Progress
 {
 public:
-  Progress(const Functor& functor, std::size_t total)
-    : functor_(functor), total_(total), step_((std::max)(total / 1000, std::size_t(1)))
-  {}
+  Progress(const Functor& functor, std::size_t total) : functor_(functor), total_(total) {}
+
+  // Begins another part of the search: `total` objects share what is left of the progress.
+  void restart(std::size_t total)
+  {
+    start_ = share_done();
+    total_ = total;
+    done_ = 0;
+  }
 
   // Counts `finished` more objects as done; returns false iff the functor says to cancel.
   bool advance(std::size_t finished)
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     done_ += finished;
-    if(done_ < next_ && done_ < total_)
-      return !cancelled_;
-    next_ = done_ + step_;
-    cancelled_ = !functor_(static_cast<double>(done_) / static_cast<double>(total_)) || cancelled_;
+    const double value = share_done();
+    if(value >= last_ + step || (value == 1 && last_ < 1))
+      tell(value);
     return !cancelled_;
   }
 
+  bool is_cancelled()
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return cancelled_;
+  }
+
+  // Tells that all is done, unless that was told before.
+  void finish()
+  {
+    if(last_ < 1)
+      tell(1);
+  }
+
 private:
+  static constexpr double step = 0.001;
+
+  double share_done() const
+  {
+    if(done_ >= total_)
+      return 1;
+    return start_ + (1 - start_) * (static_cast<double>(done_) / static_cast<double>(total_));
+  }
+
+  // Who has cancelled is not called again.
+  void tell(double value)
+  {
+    last_ = value;
+    cancelled_ = cancelled_ || !functor_(value);
+  }
+
   Functor functor_;
-  std::size_t total_;
-  std::size_t step_;
+  std::size_t total_;    // of this part of the search
   std::size_t done_ = 0;
-  std::size_t next_ = 0;
+  double start_ = 0;     // the share that was done before
+  double last_ = -step;  // what the functor was told
   bool cancelled_ = false;
   std::mutex mutex_;
 };

@@ -15,6 +15,8 @@
 #include <CGAL/Thick_intersection_d/internal/Close_pair_grid.h>
 #include <CGAL/Thick_intersection_d/internal/Closest_pair_divide.h>
 #include <CGAL/Thick_intersection_d/internal/Closest_pair_grid.h>
+#include <CGAL/Thick_intersection_d/internal/Coordinate_scan.h>
+#include <CGAL/Thick_intersection_d/internal/Progress.h>
 #include <CGAL/Thick_intersection_d/internal/first_equal_pair.h>
 
 #include <mutex>
@@ -37,18 +39,22 @@ inline void check_size(std::size_t size)
     throw std::length_error("There are too many points: " + std::to_string(size) + ".");
 }
 
-// Returns the greatest distance of the two doubles around a coordinate, rounded up.
-template <class Elements>
-double greatest_error(const Elements& points, int dimension)
+// What a search knows of its points before it begins: all of them have been checked.
+struct Checked_scene
 {
-  double error = 0;
-  if constexpr(!is_held_by_double_v<Coordinate_t<typename Elements::value_type>>)
-    for(std::size_t i = 0; i < points.size(); ++i)
-      for(int axis = 0; axis < dimension; ++axis) {
-        const std::pair<double, double> x = bounds(coordinate(points[i], axis));
-        error = (std::max)(error, x.second - x.first);
-      }
-  return error == 0 ? 0 : std::nextafter(error, std::numeric_limits<double>::infinity());
+  Scene_profile profile;
+  double error; // of two doubles around a coordinate: how far apart they are at most
+};
+
+// Throws if there are too many points, or if one is not like the others or not finite.
+template <class ConcurrencyTag, class Elements, class Exact>
+Checked_scene check_scene(const Elements& points, const Squared_bound<Exact>& bound)
+{
+  check_size(points.size());
+  const Coordinate_scan scan = scan_coordinates<ConcurrencyTag>(points, "point");
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return {make_profile<Coordinate_t<typename Elements::value_type>>(points.size(), scan, bound),
+          scan.error == 0 ? 0 : std::nextafter(scan.error, infinity)}; // it was rounded
 }
 
 // Calls f(std::integral_constant<int, D>) for the dimension D of the points if it is 2 or 3; else
@@ -85,20 +91,18 @@ inline double join_cell_side(const Scene_profile& profile, std::size_t size, dou
 // others.
 inline std::size_t greatest_visit_count(std::size_t size) { return 100 * size; }
 
-// Returns the closest pair of all points, two or more of them, by the divide and conquer of [L].
-template <class ConcurrencyTag, class Elements>
-Position_pair divide_and_conquer(const Elements& points, const Scene_profile& profile)
+// Offers the closest pairs of the first `size` points to `minimum`, by the divide and conquer of
+// [L].
+template <class ConcurrencyTag, class Minimum, class Progress>
+void divide_and_conquer(std::size_t size, int dimension, Minimum& minimum, Progress& progress)
 {
-  using Minimum = Pair_minimum<Elements>;
-  Minimum minimum(points, profile);
-  std::vector<std::size_t> positions(points.size());
+  std::vector<std::size_t> positions(size);
   std::iota(positions.begin(), positions.end(), 0);
-  Closest_pair_divide<ConcurrencyTag, Minimum>(std::move(positions), profile.dimension())
-    .search(minimum);
-  return minimum.pair();
+  Closest_pair_divide<ConcurrencyTag, Minimum>(std::move(positions), dimension)
+    .search(minimum, progress);
 }
 
-template <class ConcurrencyTag, class Elements>
+template <class ConcurrencyTag, class Elements, class Progress>
 class Closest_pair_search
 {
   using Point = typename Elements::value_type;
@@ -106,41 +110,47 @@ class Closest_pair_search
   using Positions = std::vector<std::uint32_t>;
 
 public:
-  // Of two points or more, which have been checked.
-  Closest_pair_search(const Elements& points, const Scene_profile& profile, std::uint64_t seed)
-    : points_(points), profile_(profile), dimension_(profile.dimension()),
-      error_(greatest_error(points, profile.dimension())), random_(seed)
+  // Of two points or more.
+  Closest_pair_search(const Elements& points, const Checked_scene& scene, std::uint64_t seed,
+                      Progress& progress)
+    : points_(points), profile_(scene.profile), dimension_(profile_.dimension()),
+      error_(scene.error), random_(seed), progress_(progress)
   {}
 
+  // Returns the closest pair; if it is cancelled, the closest one of those that were seen, of which
+  // the first one is (0, 1).
   Position_pair find()
   {
     Minimum minimum(points_, profile_);
+    minimum.offer(0, 1);
     const bool is_found
       = for_plane_and_space<Point>(dimension_, [&](auto dimension) {
-          return search<decltype(dimension)::value>(All_positions(points_.size()), minimum);
+          return search<decltype(dimension)::value>(All_positions(points_.size()), 0, minimum);
         }, [] { return false; });
-    if(is_found)
+    if(is_found || progress_.is_cancelled())
       return minimum.pair();
     if constexpr(is_held_by_double_v<Coordinate_t<Point>>)
       if(minimum.is_zero())
         return *first_equal_pair(points_, dimension_);
-    return divide_and_conquer<ConcurrencyTag>(points_, profile_);
+    divide_and_conquer<ConcurrencyTag>(points_.size(), dimension_, minimum, progress_);
+    return minimum.pair();
   }
 
 private:
   // Offers the closest pairs of some points to `minimum`, in expected linear time. Returns false if
-  // points are equal or doubles are too coarse.
+  // points are equal or doubles are too coarse. So many others come later.
   //
   // The closest pair of an eighth of the points, by the same method, gives the join a distance that
   // few pairs of all points are within: 8^2 of them, if it were for independent pairs.
   template <int Dimension, class Some_positions>
-  bool search(const Some_positions& positions, Minimum& minimum)
+  bool search(const Some_positions& positions, std::size_t later, Minimum& minimum)
   {
     if(positions.size() <= greatest_small_size)
-      return search_grid<Dimension>(positions, minimum);
-    return search<Dimension>(draw_sample(positions), minimum) && minimum.has_tight_reach()
-           && Grid_cells<Dimension>::fits(minimum.reach(), error_)
-           && (join<Dimension>(positions, minimum) || search_grid<Dimension>(positions, minimum));
+      return search_grid<Dimension>(positions, later, minimum);
+    return search<Dimension>(draw_sample(positions), later + positions.size(), minimum)
+           && minimum.has_tight_reach() && Grid_cells<Dimension>::fits(minimum.reach(), error_)
+           && (join<Dimension>(positions, later, minimum)
+               || search_grid<Dimension>(positions, later, minimum));
   }
 
   // Offers the pairs that a join visits to a minimum of its own, and that one to the result.
@@ -169,8 +179,9 @@ private:
 
   // Returns false if cells are so crowded that it was given up.
   template <int Dimension, class Some_positions>
-  bool join(const Some_positions& positions, Minimum& minimum) const
+  bool join(const Some_positions& positions, std::size_t later, Minimum& minimum) const
   {
+    progress_.restart(2 * (positions.size() + later));
     const double distance = minimum.reach();
     const Cell_join<ConcurrencyTag, Dimension, Elements> join_cells(
       points_, distance, join_cell_side(profile_, positions.size(), distance));
@@ -178,18 +189,19 @@ private:
     bool is_complete = true;
     join_cells(positions, [&, start = minimum] {
       return Visitor{minimum, mutex, is_complete, greatest_visit_count(positions.size()), start};
-    });
+    }, progress_);
     return is_complete;
   }
 
   template <int Dimension, class Some_positions>
-  bool search_grid(const Some_positions& positions, Minimum& minimum)
+  bool search_grid(const Some_positions& positions, std::size_t later, Minimum& minimum)
   {
+    progress_.restart(positions.size() + later);
     Positions all(positions.size());
     for(std::size_t i = 0; i < all.size(); ++i)
       all[i] = positions[i];
     return Closest_pair_grid<Dimension, Elements>(points_, std::move(all), dimension_, error_,
-                                                  random_()).search(minimum);
+                                                  random_()).search(minimum, progress_);
   }
 
   // Takes each position with a probability of 1/8, by steps of 1 to 15.
@@ -207,9 +219,10 @@ private:
   int dimension_;
   double error_;
   std::mt19937_64 random_;
+  Progress& progress_;
 };
 
-template <class ConcurrencyTag, class Elements>
+template <class ConcurrencyTag, class Elements, class Progress>
 class Close_pair_search
 {
   using Point = typename Elements::value_type;
@@ -217,27 +230,29 @@ class Close_pair_search
   using Found = std::optional<Position_pair>;
 
 public:
-  // Of points that have been checked.
   Close_pair_search(const Elements& points, const Squared_bound<Exact>& bound,
-                    const Scene_profile& profile)
-    : points_(points), profile_(profile), reach_(bound.reach()),
-      is_within_(bound, make_distance_filter(bound, profile.dimension()), profile.dimension()),
-      grid_(points, bound, profile.dimension())
+                    const Checked_scene& scene, Progress& progress)
+    : points_(points), all_(points.size()), bound_(bound), profile_(scene.profile),
+      error_(scene.error),
+      is_within_(bound, make_distance_filter(bound, profile_.dimension()), profile_.dimension()),
+      grid_(points, bound, profile_, error_), progress_(progress)
   {}
 
+  // Returns a close pair, if there is one and if it was found before the search was cancelled.
   Found find() const
   {
-    const All_positions all(points_.size());
+    if(!bound_.holds_for(Exact(0))) // nothing is closer than zero
+      return std::nullopt;
     if(profile_.dimension() > greatest_grid_dimension)
       return test_closest_pair();
-    if(all.size() <= greatest_small_size)
-      return grid_.find(all);
+    if(all_.size() <= greatest_small_size)
+      return find_by_grid(all_, 0);
     // Where cells are heavy, a few points will do.
-    if(const Found pair = grid_.find(All_positions(all.size() / 128)))
+    if(const Found pair = find_by_grid(All_positions(all_.size() / 128), 2 * all_.size()))
       return pair;
     return for_plane_and_space<Point>(profile_.dimension(), [&](auto dimension) {
       return find_by_join<decltype(dimension)::value>();
-    }, [&] { return grid_.find(all); });
+    }, [&] { return find_by_grid(all_, 0); });
   }
 
 private:
@@ -248,8 +263,19 @@ private:
   {
     if(points_.size() < 2)
       return std::nullopt;
-    const Position_pair pair = divide_and_conquer<ConcurrencyTag>(points_, profile_);
+    Pair_minimum<Elements> minimum(points_, profile_);
+    minimum.offer(0, 1);
+    divide_and_conquer<ConcurrencyTag>(points_.size(), profile_.dimension(), minimum, progress_);
+    const Position_pair& pair = minimum.pair();
     return is_within_(points_[pair.first], points_[pair.second]) ? Found(pair) : std::nullopt;
+  }
+
+  // `later` is the progress that is left for what comes later.
+  Found find_by_grid(const All_positions& positions, std::size_t later) const
+  {
+    const std::size_t rounds = static_cast<std::size_t>(profile_.dimension()) + 1;
+    progress_.restart(rounds * positions.size() + later);
+    return grid_.find(positions, progress_);
   }
 
   // Tests the pairs that a join visits.
@@ -282,25 +308,29 @@ private:
   template <int Dimension>
   Found find_by_join() const
   {
-    const All_positions all(points_.size());
-    if(!Grid_cells<Dimension>::fits(reach_, greatest_error(points_, Dimension)))
-      return grid_.find(all);
+    const double reach = bound_.reach();
+    if(!Grid_cells<Dimension>::fits(reach, error_))
+      return find_by_grid(all_, 0);
+    progress_.restart(2 * all_.size());
     const Cell_join<ConcurrencyTag, Dimension, Elements> join_cells(
-      points_, reach_, join_cell_side(profile_, all.size(), reach_));
+      points_, reach, join_cell_side(profile_, all_.size(), reach));
     Found result;
     std::mutex mutex;
     bool is_complete = true;
-    join_cells(all, [&] {
-      return Visitor{*this, result, mutex, is_complete, greatest_visit_count(all.size())};
-    });
-    return result || is_complete ? result : grid_.find(all);
+    join_cells(all_, [&] {
+      return Visitor{*this, result, mutex, is_complete, greatest_visit_count(all_.size())};
+    }, progress_);
+    return result || is_complete ? result : find_by_grid(all_, 0);
   }
 
   const Elements& points_;
+  const All_positions all_;
+  const Squared_bound<Exact>& bound_;
   const Scene_profile& profile_;
-  double reach_;
+  double error_;
   Is_within_distance<Point> is_within_;
   Close_pair_grid<ConcurrencyTag, Elements> grid_;
+  Progress& progress_;
 };
 
 } // namespace internal
