@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-# Draws the charts of the manual from what `compare` wrote.
+# Draws the charts of the manual from what `compare` and `closest_pair_table --chart` wrote.
 #
 #   python3 plot.py <compare.json> <folder>
+#   python3 plot.py <closest_pair.csv> <folder>
 #
-# A measurement is called <dimension>/<scene>/<k/n aimed at>/<n>/<method>; repetitions of it are
+# A measurement of `compare` is called <dimension>/<scene>/<k/n aimed at>/<n>/<method>; repetitions of it are
 # reduced to their median. Seconds are those of the processor for one thread, and those of the clock
 # for several. Of box_self_intersection_d the best cutoff is shown for each scene, besides the
 # default.
@@ -11,6 +12,7 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 
 import collections
+import csv
 import json
 import pathlib
 import statistics
@@ -45,6 +47,20 @@ STYLES = {  # colour, marker, line
     "Boost.Geometry rtree": (YELLOW, "X", "-"),
     "ANN": (GREY, "*", "-"),
     "all pairs": (GREY, "", ":"),
+}
+
+CLOSEST_STYLES = {
+    "closest_pair": (RED, "o", "-"),
+    "has_close_pair, no": (BLUE, "s", "-"),
+    "has_close_pair, yes": (GREEN, "^", "-"),
+    SORT: (BLACK, "", "--"),
+    "divide and conquer": (RED, "o", ":"),
+    "incremental grid": (RED, "X", ":"),
+    "grid of cells r, hashing, no": (BLUE, "s", ":"),
+    "grid of cells r, order, no": (BLUE, "P", ":"),
+    "Delaunay": (PURPLE, "D", "-"),
+    "Kd_tree": (ORANGE, "v", "-"),
+    "nanoflann": (SKY, "P", "-"),
 }
 
 Key = collections.namedtuple("Key", "dimension kind neighbours n method")
@@ -112,12 +128,12 @@ def draw_lines(axes, results, chosen, point):
                       zorder=3 if method == OURS else 2)
 
 
-def add_legend(figure, panels, columns=3):
+def add_legend(figure, panels, columns=3, styles=STYLES):
     entries = {}
     for axes in panels:
         for handle, label in zip(*axes.get_legend_handles_labels()):
             entries.setdefault(label, handle)
-    labels = [method for method in STYLES if method in entries]
+    labels = [method for method in styles if method in entries]
     figure.legend([entries[label] for label in labels], labels, loc="lower center", ncol=columns,
                   frameon=False, fontsize=9)
 
@@ -226,11 +242,37 @@ def draw_book_variants(results, folder):
                 "time / time of [V03] with median pivot, sweep and reach D", "linear")
 
 
+def draw_closest_pair(path, folder):
+    seconds = collections.defaultdict(list)
+    with open(path, encoding="utf-8") as file:
+        for row in csv.DictReader(file):
+            seconds[row["dimension"], row["method"]].append((int(row["n"]), float(row["seconds"])))
+    figure, panels = plt.subplots(1, 2, figsize=(8, 5.4), sharey=True)
+    for axes, dimension in zip(panels, "23"):
+        prepare_axes(axes)
+        for method, (colour, marker, line) in CLOSEST_STYLES.items():
+            points = seconds.get((dimension, method), [])
+            axes.plot([n for n, _ in points], [1e9 * s / n for n, s in points], color=colour,
+                      marker=marker, linestyle=line, label=method, linewidth=1.5, markersize=5)
+        axes.set_title(f"{dimension}D, uniform, 1 thread", fontsize=11)
+        axes.set_xlabel("points n")
+        for axis in (axes.xaxis, axes.yaxis):
+            axis.set_major_formatter(FuncFormatter(plain))
+            axis.set_minor_formatter(NullFormatter())
+    panels[0].set_ylabel("time per point (ns)")
+    add_legend(figure, panels, styles=CLOSEST_STYLES)
+    figure.tight_layout(rect=(0, 0.2, 1, 1))
+    save(figure, folder, "closest_pair_time.svg")
+
+
 def main():
     if len(sys.argv) != 3:
-        sys.exit("usage: plot.py <compare.json> <folder>")
+        sys.exit("usage: plot.py <compare.json or closest_pair.csv> <folder>")
     matplotlib.rcParams.update({"svg.hashsalt": "Thick_intersection_d", "svg.fonttype": "none",
                                 "font.size": 10})
+    if sys.argv[1].endswith(".csv"):
+        draw_closest_pair(*sys.argv[1:])
+        return
     results = read_results(sys.argv[1])
     for draw in (draw_time_against_n, draw_time_against_k, draw_rivals, draw_book_variants):
         draw(results, sys.argv[2])

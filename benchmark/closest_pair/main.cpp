@@ -4,17 +4,25 @@
 // The closest pair and a close pair, in multiples of std::sort of the x-coordinates in the same
 // process.
 //
-//   closest_pair_table            a row per promise: measured, target; and the other methods
+//   closest_pair_table            Markdown: a row per promise, and the other methods
 //   closest_pair_table --chart    CSV of all methods for 10^3 to 10^7 points
+//   --quick                       10^4 points at most: does it work?
 //
-// Points are uniform in the unit square or cube. All methods take turns, and the least time of the
-// processor counts. It ends with status 1 if two methods disagree or a target is missed.
+// Points are uniform in the unit square or cube, or all the same. Methods take turns, and the least
+// time of the processor counts; what takes more than a second is measured once. It ends with status
+// 1 if two methods disagree.
 
 #include "methods.h"
 
+#include "../support/run_facts.h"
 #include "../support/timing.h"
 
 #include <CGAL/closest_pair.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#include <tbb/parallel_invoke.h>
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +30,9 @@
 #include <iomanip>
 #include <iostream>
 #include <numeric>
+#include <optional>
 #include <random>
+#include <stdexcept>
 #include <string>
 
 namespace thick_benchmark {
@@ -40,15 +50,14 @@ struct Method
   double seconds = std::numeric_limits<double>::infinity();
 };
 
-double seconds_of(const Method& method, bool& agrees)
+void measure(Method& method)
 {
   double result = 0;
   const double seconds = processor_seconds_of([&] { result = method.run(); });
-  if(result != method.expected) {
-    std::cerr << method.name << ": " << result << " instead of " << method.expected << '\n';
-    agrees = false;
-  }
-  return seconds;
+  if(result != method.expected)
+    throw std::runtime_error(method.name + ": " + std::to_string(result) + " instead of "
+                             + std::to_string(method.expected));
+  method.seconds = std::min(method.seconds, seconds);
 }
 
 template <int Dimension>
@@ -72,61 +81,51 @@ template <int Dimension>
 class Methods
 {
   using Elements = internal::Elements<Points<Dimension>>;
-  static constexpr std::size_t any_size = ~std::size_t(0);
 
 public:
   explicit Methods(const Points<Dimension>& points)
-    : points_(points), elements_(points), profile_(CGAL::profile_scene(points, zero()))
+    : points_(points), elements_(points),
+      profile_(CGAL::profile_scene(points, CGAL::within_distance(0))),
+      least_(square_of(CGAL::closest_pair(points))),
+      below_(CGAL::within_squared_distance(0.99 * least_).open())
   {}
 
-  std::vector<Method> operator()() const
+  // What is promised, after the sort.
+  std::vector<Method> promised() const
   {
-    const double least = square_of(CGAL::closest_pair(points_));
-    const double below = std::sqrt(least) * 0.99;
     // A cell of this side has 0.2 points on average, so some of them have five or more.
-    const double heavy = std::pow(0.2 / static_cast<double>(points_.size()), 1. / Dimension);
-    std::vector<Method> methods;
-    const auto add = [&](const std::string& name, double target, std::size_t greatest_size,
-                         double expected, const std::function<double()>& run) {
-      if(points_.size() <= greatest_size)
-        methods.push_back({name, target, expected, run});
-    };
-    add("sort", 0, any_size, 0, [&] { return sort(); });
-    add("closest_pair", Dimension == 2 ? 0.5 : 0.8, any_size, least,
-        [&] { return square_of(CGAL::closest_pair(points_)); });
-    add("has_close_pair, no", Dimension == 2 ? 0.35 : 0.6, any_size, 0,
-        [this, below] { return CGAL::has_close_pair(points_, CGAL::within_distance(below)); });
-    add("has_close_pair, yes", 0.15, any_size, 1,
-        [this, heavy] { return CGAL::has_close_pair(points_, CGAL::within_distance(heavy)); });
-    add("divide and conquer", 0, any_size, least, [&] {
-      return square_by([&](auto& minimum, auto& progress) {
-        internal::divide_and_conquer<CGAL::Sequential_tag>(points_.size(), Dimension, minimum,
-                                                           progress);
-      });
-    });
-    add("incremental grid", 0, any_size, least, [&] {
-      return square_by([&](auto& minimum, auto& progress) {
-        std::vector<std::uint32_t> positions(points_.size());
-        std::iota(positions.begin(), positions.end(), 0);
-        internal::Closest_pair_grid<Dimension, Elements>(elements_, std::move(positions), Dimension,
-                                                         0, 1).search(minimum, progress);
-      });
-    });
-    add("grid of cells r, hashing, no", 0, any_size, 0,
-        [this, below] { return by_grid(below, internal::Bucket_access::HASHING); });
-    add("grid of cells r, order, no", 0, any_size, 0,
-        [this, below] { return by_grid(below, internal::Bucket_access::SORTED_ORDER); });
-    add("Delaunay", 0, 1000000, least, [&] { return closest_by_delaunay(points_); });
-    add("Kd_tree", 0, 1000000, least, [&] { return closest_by_kd_tree(points_); });
+    const auto heavy = CGAL::within_distance(
+      std::pow(0.2 / static_cast<double>(points_.size()), 1. / Dimension));
+    return {{"std::sort of x", 0, 0, [&] { return sort(); }},
+            {"closest_pair", Dimension == 2 ? 0.5 : 0.8, least_,
+             [&] { return square_of(CGAL::closest_pair(points_)); }},
+            {"has_close_pair, no", Dimension == 2 ? 0.35 : 0.6, 0,
+             [&] { return CGAL::has_close_pair(points_, below_); }},
+            {"has_close_pair, yes", 0.15, 1,
+             [this, heavy] { return CGAL::has_close_pair(points_, heavy); }}};
+  }
+
+  // The algorithms of [L] and the randomised grid, and the rivals. For distinct points.
+  std::vector<Method> others() const
+  {
+    std::vector<Method> methods
+      = {{"divide and conquer", 0, least_, [&] { return by_division(); }},
+         {"incremental grid", 0, least_, [&] { return by_incremental_grid(); }}};
+    if(points_.size() > 1000000)
+      return methods;
+    methods.push_back({"grid of cells r, hashing, no", 0, 0,
+                       [&] { return by_grid(internal::Bucket_access::HASHING); }});
+    methods.push_back({"grid of cells r, order, no", 0, 0,
+                       [&] { return by_grid(internal::Bucket_access::SORTED_ORDER); }});
+    methods.push_back({"Delaunay", 0, least_, [&] { return closest_by_delaunay(points_); }});
+    methods.push_back({"Kd_tree", 0, least_, [&] { return closest_by_kd_tree(points_); }});
 #ifdef THICK_BENCHMARK_HAS_NANOFLANN
-    add("nanoflann", 0, 1000000, least, [&] { return closest_by_nanoflann(points_); });
+    methods.push_back({"nanoflann", 0, least_, [&] { return closest_by_nanoflann(points_); }});
 #endif
     return methods;
   }
 
 private:
-  static CGAL::Distance_bound<int> zero() { return CGAL::within_distance(0); }
-
   double square_of(const internal::Position_pair& pair) const
   {
     return CGAL::squared_distance(points_[pair.first], points_[pair.second]);
@@ -141,107 +140,169 @@ private:
     return x.front() > x.back();
   }
 
-  // The squared distance of the pair that search(minimum, progress) leaves.
-  template <class Search>
-  double square_by(const Search& search) const
+  double by_division() const
   {
     internal::Pair_minimum<Elements> minimum(elements_, profile_);
     internal::No_progress progress;
-    search(minimum, progress);
+    internal::divide_and_conquer<CGAL::Sequential_tag>(points_.size(), Dimension, minimum,
+                                                       progress);
     return square_of(minimum.pair());
   }
 
-  double by_grid(double r, internal::Bucket_access access) const
+  double by_incremental_grid() const
+  {
+    std::vector<std::uint32_t> positions(points_.size());
+    std::iota(positions.begin(), positions.end(), 0);
+    internal::Pair_minimum<Elements> minimum(elements_, profile_);
+    internal::No_progress progress;
+    internal::Closest_pair_grid<Dimension, Elements>(elements_, std::move(positions), Dimension, 0,
+                                                     1).search(minimum, progress);
+    return square_of(minimum.pair());
+  }
+
+  double by_grid(internal::Bucket_access access) const
   {
     using Exact = internal::Exact_number_t<double>;
-    const internal::Squared_bound<Exact> bound(CGAL::within_distance(r));
-    const internal::Close_pair_grid<CGAL::Sequential_tag, Elements> grid(elements_, bound, profile_,
-                                                                         0, access);
+    const internal::Squared_bound<Exact> bound(below_);
     internal::No_progress progress;
-    return grid.find(internal::All_positions(points_.size()), progress).has_value();
+    return internal::Close_pair_grid<CGAL::Sequential_tag, Elements>(elements_, bound, profile_, 0,
+                                                                     access)
+      .find(internal::All_positions(points_.size()), progress).has_value();
   }
 
   const Points<Dimension>& points_;
   const Elements elements_;
   const CGAL::Scene_profile profile_;
+  const double least_; // the squared distance of the closest pair
+  const CGAL::Distance_bound<double> below_; // no pair is within it
 };
 
+void take_turns(std::vector<Method>& methods, int rounds)
+{
+  for(int round = 0; round < rounds; ++round)
+    for(Method& method : methods)
+      if(round == 0 || method.seconds <= 1)
+        measure(method);
+}
+
+// Returns the seconds of the sort, which are the unit unless another one is given: equal numbers
+// are sorted in no time.
 template <int Dimension>
-std::vector<Method> timed_methods(std::size_t n, int repetitions, bool& agrees)
+double print_rows(const std::string& scene, const Points<Dimension>& points, bool with_others,
+                  std::optional<double> unit = std::nullopt)
+{
+  const Methods<Dimension> all(points);
+  std::vector<Method> methods = all.promised();
+  if(with_others)
+    for(const Method& method : all.others())
+      methods.push_back(method);
+  take_turns(methods, 5);
+  const double sort = unit.value_or(methods.front().seconds);
+  for(const Method& method : methods) {
+    std::cout << "| " << Dimension << "D " << scene << " | " << points.size() << " | "
+              << method.name << " | " << std::fixed << std::setprecision(1)
+              << 1000 * method.seconds << " | " << std::setprecision(2) << method.seconds / sort
+              << " | ";
+    if(method.target != 0)
+      std::cout << "<= " << method.target
+                << (method.seconds <= method.target * sort ? " | met |\n" : " | missed |\n");
+    else
+      std::cout << "| |\n";
+  }
+  return sort;
+}
+
+#ifdef CGAL_LINKED_WITH_TBB
+
+// The speed-up of a function by two threads, and that of two sorts, which have nothing to do with
+// each other: how much of two processors the machine had to give at the time.
+template <int Dimension, class Function>
+void print_speed_up(const std::string& name, const Points<Dimension>& points,
+                    const Function& function)
+{
+  const tbb::global_control two_threads(tbb::global_control::max_allowed_parallelism, 2);
+  const auto sort = [&] {
+    std::vector<double> x;
+    for(std::size_t i = 0; i < points.size(); i += 4)
+      x.push_back(points[i].x());
+    std::sort(x.begin(), x.end());
+  };
+  const std::vector<Seconds> times = time_in_turns(
+    {timed_by_the_clock([&] { function(CGAL::Sequential_tag()); }),
+     timed_by_the_clock([&] { function(CGAL::Parallel_tag()); }),
+     timed_by_the_clock([&] { sort(); sort(); }),
+     timed_by_the_clock([&] { tbb::parallel_invoke(sort, sort); })}, 7);
+  std::cout << "| " << Dimension << "D uniform | " << points.size() << " | " << name << " | "
+            << std::setprecision(1) << median(times, [](const Seconds& s) { return 1000 * s[1]; })
+            << " | " << std::setprecision(2)
+            << median(times, [](const Seconds& s) { return s[0] / s[1]; }) << " | "
+            << median(times, [](const Seconds& s) { return s[2] / s[3]; }) << " |\n";
+}
+
+template <int Dimension>
+void print_speed_ups(std::size_t n)
 {
   const Points<Dimension> points = uniform_points<Dimension>(n);
-  const Methods<Dimension> make_methods(points);
-  std::vector<Method> methods = make_methods();
-  for(int repetition = 0; repetition < repetitions; ++repetition)
-    for(Method& method : methods)
-      method.seconds = std::min(method.seconds, seconds_of(method, agrees));
-  for(Method& method : methods)
-    method.run = nullptr; // it refers to the points
-  return methods;
+  const auto [i, j] = CGAL::closest_pair(points);
+  const auto below
+    = CGAL::within_squared_distance(CGAL::squared_distance(points[i], points[j])).open();
+  print_speed_up<Dimension>("closest_pair", points, [&](auto tag) {
+    CGAL::closest_pair<decltype(tag)>(points);
+  });
+  print_speed_up<Dimension>("has_close_pair, no", points, [&](auto tag) {
+    CGAL::has_close_pair<decltype(tag)>(points, below);
+  });
+}
+
+#endif // CGAL_LINKED_WITH_TBB
+
+template <int Dimension>
+void print_rows_of_dimension(bool is_quick)
+{
+  const std::size_t n = is_quick ? 1000 : 1000000;
+  print_rows<Dimension>("uniform", uniform_points<Dimension>(n), true);
+  const double sort = print_rows<Dimension>("uniform", uniform_points<Dimension>(10 * n), false);
+  const Point<Dimension> point = uniform_points<Dimension>(1).front();
+  print_rows<Dimension>("identical", Points<Dimension>(10 * n, point), false, sort);
+}
+
+void print_tables(bool is_quick)
+{
+  for(const Run_fact& fact : run_facts())
+    std::cout << "- " << fact.name << ": " << fact.value << '\n';
+  std::cout << "\n| scene | n | method | ms | time / std::sort | target | verdict |\n"
+               "|---|--:|---|--:|--:|--:|---|\n";
+  print_rows_of_dimension<2>(is_quick);
+  print_rows_of_dimension<3>(is_quick);
+#ifdef CGAL_LINKED_WITH_TBB
+  const std::size_t n = is_quick ? 10000 : 1000000;
+  std::cout << "\n| scene | n | method | ms of 2 threads | speed-up | machine |\n"
+               "|---|--:|---|--:|--:|--:|\n";
+  print_speed_ups<2>(n);
+  print_speed_ups<3>(n);
+#endif
 }
 
 template <int Dimension>
-bool print_table(std::size_t n)
+void print_chart(std::size_t n)
 {
-  bool is_good = true;
-  const std::vector<Method> methods = timed_methods<Dimension>(n, 3, is_good);
-  const double sort = methods.front().seconds;
-  std::cout << Dimension << "D, n = " << n << ": sort " << std::fixed << std::setprecision(1)
-            << 1000 * sort << " ms\n";
-  for(const Method& method : methods) {
-    std::cout << "  " << std::left << std::setw(32) << method.name << std::right << std::setw(10)
-              << std::setprecision(1) << 1000 * method.seconds << " ms" << std::setw(9)
-              << std::setprecision(2) << method.seconds / sort << " sorts";
-    if(method.target != 0) {
-      const bool is_met = method.seconds <= method.target * sort;
-      std::cout << "   target " << method.target << (is_met ? "   met" : "   MISSED");
-      is_good = is_good && is_met;
-    }
-    std::cout << '\n';
-  }
-  return is_good;
-}
-
-// n equal points, for which no time may depend on the number of pairs.
-template <int Dimension>
-void print_identical(std::size_t n)
-{
-  const Points<Dimension> points(n, uniform_points<Dimension>(1).front());
-  internal::Position_pair pair;
-  const double seconds = processor_seconds_of([&] { pair = CGAL::closest_pair(points); });
-  std::cout << Dimension << "D, " << n << " equal points: pair " << pair.first << ' '
-            << pair.second << std::setprecision(1) << " in "
-            << 1000 * seconds << " ms\n";
-}
-
-template <int Dimension>
-bool print_chart(std::size_t n)
-{
-  bool agrees = true;
-  const std::vector<Method> methods
-    = timed_methods<Dimension>(n, n <= 100000 ? 7 : n <= 1000000 ? 3 : 1, agrees);
+  const Points<Dimension> points = uniform_points<Dimension>(n);
+  const Methods<Dimension> all(points);
+  std::vector<Method> methods = all.promised();
+  for(const Method& method : all.others())
+    methods.push_back(method);
+  take_turns(methods, n <= 100000 ? 7 : 3);
   for(const Method& method : methods)
-    std::cout << Dimension << ',' << n << ",\"" << method.name << "\"," << method.seconds << ','
-              << method.seconds / methods.front().seconds << '\n';
-  return agrees;
+    std::cout << Dimension << ',' << n << ",\"" << method.name << "\"," << method.seconds << '\n';
 }
 
-bool run(bool is_chart)
+void print_charts(bool is_quick)
 {
-  bool is_good = true;
-  if(is_chart) {
-    std::cout << "dimension,n,method,seconds,sorts\n";
-    for(std::size_t n = 1000; n <= 10000000; n *= 10) {
-      is_good = print_chart<2>(n) && is_good;
-      is_good = print_chart<3>(n) && is_good;
-    }
-    return is_good;
+  std::cout << "dimension,n,method,seconds\n";
+  for(std::size_t n = 1000; n <= (is_quick ? 10000 : 10000000); n *= 10) {
+    print_chart<2>(n);
+    print_chart<3>(n);
   }
-  is_good = print_table<2>(1000000) && is_good;
-  is_good = print_table<3>(1000000) && is_good;
-  print_identical<2>(10000000);
-  print_identical<3>(10000000);
-  return is_good;
 }
 
 } // namespace
@@ -249,9 +310,21 @@ bool run(bool is_chart)
 
 int main(int argc, char** argv)
 {
-  if(argc > 2 || (argc == 2 && std::string(argv[1]) != "--chart")) {
-    std::cerr << "usage: " << argv[0] << " [--chart]\n";
-    return 2;
+  bool is_chart = false, is_quick = false;
+  for(int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    is_chart = is_chart || argument == "--chart";
+    is_quick = is_quick || argument == "--quick";
+    if(argument != "--chart" && argument != "--quick") {
+      std::cerr << "usage: " << argv[0] << " [--chart] [--quick]\n";
+      return 2;
+    }
   }
-  return thick_benchmark::run(argc == 2) ? 0 : 1;
+  try {
+    is_chart ? thick_benchmark::print_charts(is_quick) : thick_benchmark::print_tables(is_quick);
+  }
+  catch(const std::runtime_error& error) { // methods disagree
+    std::cerr << error.what() << '\n';
+    return 1;
+  }
 }
