@@ -395,7 +395,7 @@ BOOST_AUTO_TEST_CASE(progress_grows_to_one_and_cancels)
 {
   const Points uniform = uniform_points(2, 20000, 0, 1, 17);
   check_progress_on("uniform", uniform, 50);
-  check_progress_on("few", uniform_points(2, 300, 0, 1, 18), 50);
+  check_progress_on("few", uniform_points(2, 300, 0, 1, 18), 2);
   check_progress_on("crowded", clustered_points(2, 20000, 3, 1. / 1048576, 19), 50);
   check_progress_on("huge", moved<2>(uniform, 1e200, 0), 50);
 }

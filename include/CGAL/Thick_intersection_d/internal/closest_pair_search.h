@@ -29,7 +29,7 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Sets of this size are not worth a join.
+// The closest pair of so few points is not worth a join.
 constexpr std::size_t greatest_small_size = 1000;
 
 // Throws if there are more points than positions of 32 bits.
@@ -245,8 +245,6 @@ public:
       return std::nullopt;
     if(profile_.dimension() > greatest_grid_dimension)
       return test_closest_pair();
-    if(all_.size() <= greatest_small_size)
-      return find_by_grid(all_, 0);
     // Where cells are heavy, a few points will do.
     if(const Found pair = find_by_grid(All_positions(all_.size() / 128), 2 * all_.size()))
       return pair;
