@@ -71,41 +71,10 @@ BOOST_AUTO_TEST_CASE(float_3) { check_float_scenes<Cartesian_points<Float_kernel
 namespace {
 
 template <int Dimension>
-Points moved(Points points, double scale, double offset)
-{
-  for(Coordinates& c : points)
-    for(double& x : c)
-      x = x * scale + offset;
-  return points;
-}
-
-// The closest pair, and whether there is a pair at its distance, below and above.
-template <int Dimension>
 void check_large(const std::string& name, const Points& scene)
 {
   BOOST_TEST_CONTEXT(name << ' ' << Dimension << 'D')
-  {
-    check_closest_pair<Maker<Dimension>>(scene);
-    const auto points = make_points<Maker<Dimension>>(scene);
-    const Pair closest = known_closest(scene).pair;
-    const CGAL::Exact_rational square = internal::exact_squared_distance(
-      Cartesian_points<CGAL::Simple_cartesian<CGAL::Exact_rational>, Dimension>::make(
-        scene[closest.first]),
-      Cartesian_points<CGAL::Simple_cartesian<CGAL::Exact_rational>, Dimension>::make(
-        scene[closest.second]),
-      Dimension);
-    const auto bound = CGAL::within_squared_distance(square);
-    const auto found = CGAL::find_close_pair(points, bound);
-    BOOST_REQUIRE(found);
-    const Scaled_points both = scaled_points({scene[found->first], scene[found->second]});
-    BOOST_CHECK(squared_distance(both[0], both[1]) == known_closest(scene).square);
-    BOOST_CHECK(!CGAL::has_close_pair(points, bound.open()));
-    for(const auto access :
-        {internal::Bucket_access::HASHING, internal::Bucket_access::SORTED_ORDER}) {
-      BOOST_CHECK(close_by_grid(points, bound, access));
-      BOOST_CHECK(!close_by_grid(points, bound.open(), access));
-    }
-  }
+  check_closest_and_close_pair<Maker<Dimension>>(scene);
 }
 
 template <int Dimension>
@@ -118,13 +87,13 @@ void check_large_scenes()
   check_large<Dimension>("uniform", uniform);
   check_large<Dimension>("clusters", clustered_points(Dimension, n, 9, 1. / 4096, 3));
   check_large<Dimension>("lattice", lattice);
-  check_large<Dimension>("lattice of tenths", moved<Dimension>(lattice, 0.1, 0));
-  check_large<Dimension>("lattice far away", moved<Dimension>(lattice, 1, 1e15));
-  check_large<Dimension>("huge", moved<Dimension>(uniform, 1e200, 0));
-  check_large<Dimension>("huge lattice", moved<Dimension>(lattice, 1e200, 0));
-  check_large<Dimension>("tiny", moved<Dimension>(uniform, 1e-200, 0));
-  check_large<Dimension>("denormal", moved<Dimension>(lattice, 5e-324, 0));
-  check_large<Dimension>("as large as doubles are", moved<Dimension>(uniform, 1e308, 0));
+  check_large<Dimension>("lattice of tenths", moved(lattice, 0.1, 0));
+  check_large<Dimension>("lattice far away", moved(lattice, 1, 1e15));
+  check_large<Dimension>("huge", moved(uniform, 1e200, 0));
+  check_large<Dimension>("huge lattice", moved(lattice, 1e200, 0));
+  check_large<Dimension>("tiny", moved(uniform, 1e-200, 0));
+  check_large<Dimension>("denormal", moved(lattice, 5e-324, 0));
+  check_large<Dimension>("as large as doubles are", moved(uniform, 1e308, 0));
 
   Points outlier = uniform;
   outlier[n / 2] = Coordinates(Dimension, 1e15);
@@ -132,7 +101,7 @@ void check_large_scenes()
   Points pair_far_out = outlier; // beyond 2^63 cells of their distance
   pair_far_out[1] = Coordinates(Dimension, 1e15);
   pair_far_out[1][0] = std::nextafter(1e15, 0);
-  check_large<Dimension>("pair far out", moved<Dimension>(pair_far_out, 1, 0));
+  check_large<Dimension>("pair far out", moved(pair_far_out, 1, 0));
 
   Points steps; // ever smaller: half of the points are in a cell of any size
   for(int i = 0; i < 1200; ++i)
@@ -397,7 +366,7 @@ BOOST_AUTO_TEST_CASE(progress_grows_to_one_and_cancels)
   check_progress_on("uniform", uniform, 50);
   check_progress_on("few", uniform_points(2, 300, 0, 1, 18), 2);
   check_progress_on("crowded", clustered_points(2, 20000, 3, 1. / 1048576, 19), 50);
-  check_progress_on("huge", moved<2>(uniform, 1e200, 0), 50);
+  check_progress_on("huge", moved(uniform, 1e200, 0), 50);
 }
 
 // The last step of a search that finds a pair early, and of one that has nothing to do.

@@ -25,27 +25,52 @@ template <int Dimension>
 using Static_points = Points_d<CGAL::Epick_d<CGAL::Dimension_tag<Dimension>>>;
 using Dynamic_points = Points_d<CGAL::Epick_d<CGAL::Dynamic_dimension_tag>>;
 
-BOOST_AUTO_TEST_CASE(epeck_2) { check_closest_scenes<Cartesian_points<Epeck, 2>>(2); }
-BOOST_AUTO_TEST_CASE(epeck_3) { check_closest_scenes<Cartesian_points<Epeck, 3>>(3); }
-BOOST_AUTO_TEST_CASE(rational_2) { check_closest_scenes<Cartesian_points<Rational_kernel, 2>>(2); }
-BOOST_AUTO_TEST_CASE(rational_3) { check_closest_scenes<Cartesian_points<Rational_kernel, 3>>(3); }
-BOOST_AUTO_TEST_CASE(mpfr_2) { check_closest_scenes<Cartesian_points<Mpfr_kernel, 2>>(2); }
-BOOST_AUTO_TEST_CASE(mpfr_3) { check_closest_scenes<Cartesian_points<Mpfr_kernel, 3>>(3); }
-BOOST_AUTO_TEST_CASE(homogeneous_2)
+// Where addresses are watched, numbers with memory of their own take ten times as long.
+#ifdef __SANITIZE_ADDRESS__
+constexpr std::size_t greatest_size = 150;
+#else
+constexpr std::size_t greatest_size = 100000;
+#endif
+
+template <class Maker>
+void check_scenes(int dimension)
 {
-  check_closest_scenes<Homogeneous_points<Integer_kernel, 2>>(2);
+  for(Point_scene scene : closest_pair_scenes(dimension)) {
+    scene.points.resize((std::min)(scene.points.size(), greatest_size));
+    check_closest_scene<Maker>(scene);
+  }
 }
-BOOST_AUTO_TEST_CASE(homogeneous_3)
+
+BOOST_AUTO_TEST_CASE(epeck_2) { check_scenes<Cartesian_points<Epeck, 2>>(2); }
+BOOST_AUTO_TEST_CASE(epeck_3) { check_scenes<Cartesian_points<Epeck, 3>>(3); }
+BOOST_AUTO_TEST_CASE(rational_2) { check_scenes<Cartesian_points<Rational_kernel, 2>>(2); }
+BOOST_AUTO_TEST_CASE(rational_3) { check_scenes<Cartesian_points<Rational_kernel, 3>>(3); }
+BOOST_AUTO_TEST_CASE(mpfr_2) { check_scenes<Cartesian_points<Mpfr_kernel, 2>>(2); }
+BOOST_AUTO_TEST_CASE(mpfr_3) { check_scenes<Cartesian_points<Mpfr_kernel, 3>>(3); }
+BOOST_AUTO_TEST_CASE(homogeneous_2) { check_scenes<Homogeneous_points<Integer_kernel, 2>>(2); }
+BOOST_AUTO_TEST_CASE(homogeneous_3) { check_scenes<Homogeneous_points<Integer_kernel, 3>>(3); }
+BOOST_AUTO_TEST_CASE(epick_d_2) { check_scenes<Static_points<2>>(2); }
+BOOST_AUTO_TEST_CASE(epick_d_3) { check_scenes<Static_points<3>>(3); }
+BOOST_AUTO_TEST_CASE(epick_d_5) { check_scenes<Static_points<5>>(5); }
+BOOST_AUTO_TEST_CASE(epick_d_dynamic_1) { check_scenes<Dynamic_points>(1); }
+BOOST_AUTO_TEST_CASE(epick_d_dynamic_2) { check_scenes<Dynamic_points>(2); }
+BOOST_AUTO_TEST_CASE(epick_d_dynamic_3) { check_scenes<Dynamic_points>(3); }
+BOOST_AUTO_TEST_CASE(epick_d_dynamic_4) { check_scenes<Dynamic_points>(4); }
+
+// What the families of the plane and of space have.
+BOOST_AUTO_TEST_CASE(extremes_in_other_dimensions)
 {
-  check_closest_scenes<Homogeneous_points<Integer_kernel, 3>>(3);
+  for(const int d : {1, 4, 5}) {
+    const Points lattice = shuffled(lattice_points(d, lattice_side(d), 1, -2), 1);
+    const Points uniform = uniform_points(d, 200, 0, 1, 2);
+    for(const double scale : {5e-324, 1e-200, 1e-160, 1e153, 1e200})
+      for(const Points& points : {lattice, uniform})
+        BOOST_TEST_CONTEXT(d << "D, scale " << scale)
+        check_closest_and_close_pair<Dynamic_points>(moved(points, scale, 0));
+    BOOST_TEST_CONTEXT(d << "D, far away")
+    check_closest_and_close_pair<Dynamic_points>(moved(lattice, 1, 1e15));
+  }
 }
-BOOST_AUTO_TEST_CASE(epick_d_2) { check_closest_scenes<Static_points<2>>(2); }
-BOOST_AUTO_TEST_CASE(epick_d_3) { check_closest_scenes<Static_points<3>>(3); }
-BOOST_AUTO_TEST_CASE(epick_d_5) { check_closest_scenes<Static_points<5>>(5); }
-BOOST_AUTO_TEST_CASE(epick_d_dynamic_1) { check_closest_scenes<Dynamic_points>(1); }
-BOOST_AUTO_TEST_CASE(epick_d_dynamic_2) { check_closest_scenes<Dynamic_points>(2); }
-BOOST_AUTO_TEST_CASE(epick_d_dynamic_3) { check_closest_scenes<Dynamic_points>(3); }
-BOOST_AUTO_TEST_CASE(epick_d_dynamic_4) { check_closest_scenes<Dynamic_points>(4); }
 
 // Enough points in one strip for cells along two axes.
 BOOST_AUTO_TEST_CASE(division_by_cells_in_dimension_4)

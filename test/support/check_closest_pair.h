@@ -141,6 +141,28 @@ void check_close_pair(const std::vector<typename Maker::Point>& points,
                    close_by_grid(points, bound, internal::Bucket_access::SORTED_ORDER));
 }
 
+// The closest pair, and whether there is a pair at its distance, and none below.
+template <class Maker>
+void check_closest_and_close_pair(const Points& scene)
+{
+  check_closest_pair<Maker>(scene);
+  const auto points = make_points<Maker>(scene);
+  const Closest& closest = known_closest(scene);
+  const auto bound = CGAL::within_squared_distance(
+    internal::exact_squared_distance(points[closest.pair.first], points[closest.pair.second],
+                                     points.front().dimension()));
+  const auto found = CGAL::find_close_pair(points, bound);
+  BOOST_REQUIRE(found);
+  const Scaled_points both = scaled_points({scene[found->first], scene[found->second]});
+  BOOST_CHECK(squared_distance(both[0], both[1]) == closest.square);
+  BOOST_CHECK(!CGAL::has_close_pair(points, bound.open()));
+  for(const auto access : {internal::Bucket_access::HASHING,
+                           internal::Bucket_access::SORTED_ORDER}) {
+    BOOST_CHECK(close_by_grid(points, bound, access));
+    BOOST_CHECK(!close_by_grid(points, bound.open(), access));
+  }
+}
+
 // At the distance of the closest pair, and at that of the scene, closed and open.
 template <class Maker>
 void check_closest_scene(const Point_scene& scene)
@@ -156,6 +178,14 @@ void check_closest_scene(const Point_scene& scene)
     if(points.size() >= 2)
       check_closest_pair<Maker>(scene.points);
   }
+}
+
+inline Points moved(Points points, double scale, double offset)
+{
+  for(Coordinates& c : points)
+    for(double& x : c)
+      x = x * scale + offset;
+  return points;
 }
 
 inline Scenes closest_pair_scenes(int dimension)
