@@ -42,7 +42,7 @@ public:
   {
     if(!data_ || size > size_) { // moved from, or too small
       data_.reset(); // first, so that both are never held at once
-      size_ = size + size / 8;
+      size_ = size + size / 64; // sizes of slabs differ a little
       data_ = make_uninitialized<T>(size_);
     }
     return data_.get();

@@ -103,7 +103,7 @@ public:
   }
 
   // Appends the points of a strip of another slab whose coordinate along `axis` is in `range`.
-  // `kept` is room for as many places as there are points.
+  // `kept` is room for as many places as there are points in the strip.
   void append_part(const Strips& other, const Strip<Dimension>& strip, int axis,
                    const Range& range, Place* kept)
   {

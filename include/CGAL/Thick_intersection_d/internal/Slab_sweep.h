@@ -75,10 +75,13 @@ private:
             Strips<Dimension>& kept)
   {
     Place size = 0;
-    for(const Strip<Dimension>& strip : strips)
+    Place longest = 0;
+    for(const Strip<Dimension>& strip : strips) {
       size += strip.end - strip.begin;
+      longest = (std::max)(longest, strip.end - strip.begin);
+    }
     kept.reset(size, static_cast<Place>(strips.size()));
-    Place* const places = places_.require(size);
+    Place* const places = places_.require(longest);
     for(const Strip<Dimension>& strip : strips)
       kept.append_part(slab, strip, axis, range, places);
   }

@@ -57,7 +57,7 @@ class Slab_window
 public:
   Slab_window(const Slabs<Dimension>& slabs, double reach, Place first,
               const Part_sizes& sizes = Part_sizes())
-    : stream_(slabs, reach, first, sizes), end_(slabs.count())
+    : stream_(slabs, reach, first, sizes), reach_(reach), end_(slabs.count())
   {}
 
   // Returns the strips at `index` in the window, or nullptr if there are no more.
@@ -72,6 +72,16 @@ public:
       parts_.back().slab = stream_.slab();
     }
     return &parts_[index].strips;
+  }
+
+  // Returns the strips at `index` if some of them are within reach above `high`, otherwise nullptr.
+  // Strips follow each other, so those before them may tell that they need not be made.
+  const Strips<Dimension>* within_reach(std::size_t index, double high)
+  {
+    if(index > 0 && parts_[index - 1].strips.range(axis).high - high > reach_)
+      return nullptr;
+    const Strips<Dimension>* const strips = (*this)[index];
+    return strips && strips->range(axis).low - high <= reach_ ? strips : nullptr;
   }
 
   // The number of the slab that the first strips belong to, or that of slabs if there are none.
@@ -90,7 +100,10 @@ private:
     Place slab = 0;
   };
 
+  static constexpr int axis = Dimension - 1; // that slabs are cut along
+
   Slab_stream<Dimension> stream_;
+  const double reach_;
   const Place end_;
   std::deque<Part> parts_;
   Part spare_; // whose memory is used again
@@ -143,9 +156,9 @@ public:
     sweep_slabs(slabs.count(), report, [&](auto& sweep, Place first, Place last) {
       Slab_window<Dimension> window(slabs, reach_, first, sizes_);
       for(; window.slab() < last && !report.is_stopped(); window.pop()) {
-        const Range range = window[0]->range(axis);
+        const double high = window[0]->range(axis).high;
         sweep.within(*window[0]);
-        for(std::size_t f = 1; window[f] && window[f]->range(axis).low - range.high <= reach_; ++f)
+        for(std::size_t f = 1; window.within_reach(f, high); ++f)
           sweep.between(*window[0], *window[f]);
         advance(progress, window[0]->size(), report);
       }
@@ -171,7 +184,7 @@ public:
         const Range range = window[0]->range(axis);
         while(near[0] && range.low - near[0]->range(axis).high > reach_)
           near.pop();
-        for(std::size_t f = 0; near[f] && near[f]->range(axis).low - range.high <= reach_; ++f)
+        for(std::size_t f = 0; near.within_reach(f, range.high); ++f)
           sweep.between(*window[0], *near[f]);
         advance(progress, window[0]->size(), report);
       }
