@@ -191,6 +191,21 @@ BOOST_AUTO_TEST_CASE(grids_at_the_ends_of_the_doubles)
   }
 }
 
+// The squares of all differences vanish, so that no filter keeps far points from the integers.
+BOOST_AUTO_TEST_CASE(differences_of_a_multiple_of_2_to_64_steps_are_not_zero)
+{
+  const double step = 5e-324, reach = std::ldexp(step, 55);
+  for(int axis = 0; axis < 2; ++axis) {
+    Points points = lattice_points(2, 4, reach / 2);
+    points.push_back({step, 0});
+    for(const Coordinates& c : lattice_points(2, 3, reach / 2)) {
+      points.push_back(c);
+      points.back()[axis] += std::ldexp(step, 64);
+    }
+    check_tiers<Plane>(points, reach, Arithmetic_tier::INT128);
+  }
+}
+
 // --- what a scene does not need
 
 BOOST_AUTO_TEST_CASE(a_denormal_outlier_falls_back_to_the_filter)

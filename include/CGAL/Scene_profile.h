@@ -77,7 +77,8 @@ public:
   /// returns the smallest and the largest coordinate along axis `i`, rounded outwards.
   const std::pair<double, double>& range(int i) const { return box_[i]; }
 
-  /// returns the number of axes along which the points differ. The others are not searched.
+  /// returns the number of axes along which the points differ. In the plane and in space, others
+  /// are neither stored nor searched.
   int extended_axes() const
   {
     int count = 0;

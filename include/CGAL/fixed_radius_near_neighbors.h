@@ -198,6 +198,7 @@ If a tier is forced in `profile`, by `Scene_profile::force_tier()`, the search u
 Whatever the profile was made for, the points are looked at again, and a tier that is not exact for
 them is refused. A `Scene_profile` without points serves if only the answer is wanted.
 
+\param points,bound,callback,np as in the version above.
 \param profile is replaced by the profile of the points and the bound, with the same tier forced,
 and with the numbers of pairs that each kind of arithmetic has decided. It is left alone if the
 function throws.

@@ -103,22 +103,22 @@ public:
   }
 
   // Returns the least integer s, below 2^bits, for which s 4^e is not within the bound as a squared
-  // distance. Bit by bit: all integers before `least` are within.
+  // distance: by long division of r^2 by 4^e.
   template <class Integer>
   Integer first_beyond(int e, int bits) const
   {
     const Exact unit(std::ldexp(1., e));
-    const Exact square(unit * unit);
-    Integer least = 0;
-    Exact exact_least(0);
+    const Exact divisor(unit * unit * denominator_);
+    Exact rest(numerator_);
+    Integer quotient = 0;
     for(int bit = bits - 1; bit >= 0; --bit) {
-      const Exact next(exact_least + Exact(std::ldexp(1., bit)));
-      if(holds_for(Exact((next - Exact(1)) * square))) {
-        exact_least = next;
-        least += Integer(1) << bit;
+      const Exact part(divisor * Exact(std::ldexp(1., bit)));
+      if(part <= rest) {
+        rest -= part;
+        quotient += Integer(1) << bit;
       }
     }
-    return least;
+    return open_ && rest == Exact(0) ? quotient : Integer(quotient + 1);
   }
 
 private:
