@@ -203,6 +203,15 @@ BOOST_AUTO_TEST_CASE(differences_of_a_multiple_of_2_to_64_steps_are_not_zero)
       points.back()[axis] += std::ldexp(step, 64);
     }
     check_tiers<Plane>(points, reach, Arithmetic_tier::INT128);
+
+    // Whether a sweep asks for such a pair depends on its lanes.
+    namespace internal = CGAL::Thick_intersection_d::internal;
+    const internal::Squared_bound<internal::Exact_number_t<double>> bound(
+      CGAL::within_distance(reach));
+    const auto made = make_points<Plane>(points);
+    const CGAL::Thick_point_traits_d<Kernel::Point_2> traits(
+      bound, CGAL::profile_scene(made, CGAL::within_distance(reach)));
+    BOOST_CHECK(!traits.do_intersect_d_object()(made[0], made[17]));
   }
 }
 
