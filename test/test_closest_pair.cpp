@@ -13,6 +13,7 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <list>
+#include <random>
 #include <set>
 
 using namespace test_support;
@@ -144,6 +145,33 @@ BOOST_AUTO_TEST_CASE(the_first_two_of_equal_points)
   BOOST_CHECK(closest_by_division(same) == Pair(0, 1));
 }
 
+// The leaves of the recursion, and what is just above them.
+BOOST_AUTO_TEST_CASE(a_few_points_of_a_small_lattice)
+{
+  std::mt19937_64 random(21);
+  for(std::size_t n = 2; n <= 7; ++n)
+    for(int repetition = 0; repetition < 100; ++repetition) {
+      Points points;
+      for(std::size_t i = 0; i < n; ++i)
+        points.push_back({static_cast<double>(random() % 12), static_cast<double>(random() % 12)});
+      BOOST_TEST_CONTEXT(n << " points, repetition " << repetition)
+      check_closest_and_close_pair<Maker<2>>(points);
+    }
+}
+
+// Nearly all points are in the strip, so that it is cut into cells; the closest pair is often in
+// two of them.
+BOOST_AUTO_TEST_CASE(closest_pair_of_a_wall)
+{
+  for(std::uint64_t seed = 0; seed < 20; ++seed) {
+    Points wall = uniform_points(3, 200, 0, 1, seed);
+    for(Coordinates& c : wall)
+      c[0] /= 1048576;
+    BOOST_TEST_CONTEXT("seed " << seed)
+    check_closest_pair<Maker<3>>(wall);
+  }
+}
+
 // What a join promises: all close pairs are visited, in the order of the input or not.
 BOOST_AUTO_TEST_CASE(joins_visit_all_close_pairs)
 {
@@ -199,6 +227,18 @@ BOOST_AUTO_TEST_CASE(as_many_points_as_a_cell_holds)
   BOOST_CHECK_EQUAL(internal::greatest_packing(4), 81u); // 17 are possible
 }
 
+// The grid of cells r: rounded numbers of cells near the end of a cell.
+BOOST_AUTO_TEST_CASE(cells_lose_no_pair_at_the_bound)
+{
+  for(int i = -50; i < 50; ++i) {
+    const double x = 2 + std::ldexp(i, -18);
+    const std::vector<Point> points = {{0, 0}, {x, 0}, {x + 1, 0}};
+    for(const auto access : {internal::Bucket_access::HASHING,
+                             internal::Bucket_access::SORTED_ORDER})
+      BOOST_CHECK(close_by_grid(points, CGAL::within_distance(1), access) == Pair(1, 2));
+  }
+}
+
 // ---- bounds of any size -------------------------------------------------------------------------
 
 BOOST_AUTO_TEST_CASE(bounds_of_any_size)
@@ -226,6 +266,57 @@ BOOST_AUTO_TEST_CASE(bounds_of_any_size)
 // ---- the work -----------------------------------------------------------------------------------
 
 namespace {
+
+// Counts how often points are looked at.
+template <class Point_>
+struct Counted_points
+{
+  using value_type = Point_;
+  const std::vector<Point_>& points;
+  std::size_t& count;
+
+  std::size_t size() const { return points.size(); }
+  const Point_& operator[](std::size_t i) const
+  {
+    ++count;
+    return points[i];
+  }
+};
+
+// Points in cells of their own, before them the corners of a cell, which are not closer than 1, and
+// behind them five points in a cell, two of which are, but not two of the first four.
+std::vector<Point> points_before_a_heavy_cell()
+{
+  const double side = 1 + std::ldexp(1., -16);
+  const double low = 64 * side + std::ldexp(1., -18);
+  std::vector<Point> points;
+  for(const double x : {0., low})
+    for(const Coordinates& c : lattice_points(2, 2, 1))
+      points.emplace_back(x + c[0], x + c[1]);
+  points.emplace_back(low + 0.5, low + 0.5);
+  for(const Coordinates& c : lattice_points(2, 20, 3, 3))
+    points.emplace_back(c[0], c[1]);
+  return points;
+}
+
+// Of the randomised grid, per point.
+template <int Dimension>
+double looks_of_grid(const Points& scene)
+{
+  using Counted = Counted_points<typename Maker<Dimension>::Point>;
+  const auto points = make_points<Maker<Dimension>>(scene);
+  std::vector<std::uint32_t> positions(points.size());
+  std::iota(positions.begin(), positions.end(), 0);
+  std::size_t looks = 0;
+  const Counted counted = {points, looks};
+  const CGAL::Scene_profile profile = profile_of(points);
+  internal::Pair_minimum<Counted> minimum(counted, profile);
+  internal::Closest_pair_grid<Dimension, Counted> grid(counted, positions, Dimension, 0, 1);
+  internal::No_progress progress;
+  BOOST_CHECK(grid.search(minimum, progress));
+  BOOST_TEST_MESSAGE(Dimension << "D grid: " << looks / points.size() << " looks per point");
+  return static_cast<double>(looks) / static_cast<double>(points.size());
+}
 
 template <int Dimension>
 void check_work(const std::string& name, const Points& scene, double greatest_comparisons)
@@ -257,6 +348,29 @@ Points flattened(Points points)
 }
 
 } // namespace
+
+// Each point for its cell along each axis, and the pairs of the five.
+BOOST_AUTO_TEST_CASE(heavy_cell_ends_the_search)
+{
+  const std::vector<Point> points = points_before_a_heavy_cell();
+  std::size_t looks = 0;
+  const Counted_points<Point> counted = {points, looks};
+  const internal::Squared_bound<Exact_of<Point>> bound(CGAL::within_distance(1).open());
+  const CGAL::Scene_profile profile = profile_of(points);
+  const internal::Close_pair_grid<CGAL::Sequential_tag, Counted_points<Point>> grid(
+    counted, bound, profile, 0);
+  internal::No_progress progress;
+  BOOST_CHECK(grid.find(internal::All_positions(points.size()), progress));
+  BOOST_CHECK_LE(looks, 2 * points.size() + 20);
+}
+
+BOOST_AUTO_TEST_CASE(randomised_grid_looks_at_points_a_few_times)
+{
+  BOOST_CHECK_LT(looks_of_grid<2>(uniform_points(2, 20000, 0, 1, 22)), 30);
+  BOOST_CHECK_LT(looks_of_grid<2>(lattice_points(2, 150, 1)), 30);
+  BOOST_CHECK_LT(looks_of_grid<3>(uniform_points(3, 20000, 0, 1, 23)), 30);
+  BOOST_CHECK_LT(looks_of_grid<3>(lattice_points(3, 28, 1)), 100);
+}
 
 BOOST_AUTO_TEST_CASE(division_makes_n_log_n_comparisons_in_the_plane)
 {
