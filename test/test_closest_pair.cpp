@@ -372,6 +372,23 @@ BOOST_AUTO_TEST_CASE(randomised_grid_looks_at_points_a_few_times)
   BOOST_CHECK_LT(looks_of_grid<3>(lattice_points(3, 28, 1)), 100);
 }
 
+// Squared distances overflow for the first pair only.
+BOOST_AUTO_TEST_CASE(first_point_may_be_far_out)
+{
+  auto points = make_points<Maker<2>>(uniform_points(2, 20000, 0, 1, 26));
+  points[0] = Point(1e200, 0);
+  std::size_t looks = 0;
+  const Counted_points<Point> counted = {points, looks};
+  const auto scene = internal::check_scene<CGAL::Sequential_tag>(
+    counted, internal::Squared_bound<Exact_of<Point>>(CGAL::within_distance(0)));
+  internal::No_progress progress;
+  const Pair pair = internal::Closest_pair_search<CGAL::Sequential_tag, Counted_points<Point>,
+                                                  internal::No_progress>(counted, scene, 1,
+                                                                         progress).find();
+  BOOST_CHECK(pair == closest_by_division(points));
+  BOOST_CHECK_LE(looks, 20 * points.size());
+}
+
 BOOST_AUTO_TEST_CASE(division_makes_n_log_n_comparisons_in_the_plane)
 {
   BOOST_CHECK_EQUAL(internal::greatest_candidate_count(2), 7u);
@@ -498,6 +515,46 @@ BOOST_AUTO_TEST_CASE(progress_ends_at_one)
   BOOST_CHECK_EQUAL(progress_of(find(none), 2).back(), 1);
   BOOST_CHECK_EQUAL(progress_of([&](const auto& np) { CGAL::closest_pair(same, np); }, 2).back(),
                     1);
+}
+
+BOOST_AUTO_TEST_CASE(parts_of_a_search_share_what_is_left_of_the_progress)
+{
+  std::vector<double> told;
+  const Watch watch = {told, 2};
+  internal::Progress<Watch> progress(watch, 4);
+  for(const std::size_t total : {4, 2}) {
+    progress.restart(total);
+    progress.advance(1);
+    progress.advance(1);
+  }
+  BOOST_CHECK((told == std::vector<double>{0.25, 0.5, 0.75, 1}));
+}
+
+// Once it is cancelled, a search ends with the block of points that it is in.
+BOOST_AUTO_TEST_CASE(cancelled_search_looks_at_few_points_more)
+{
+  const auto points = make_points<Maker<2>>(uniform_points(2, 20000, 0, 1, 25));
+  std::size_t looks = 0;
+  const Counted_points<Point> counted = {points, looks};
+  const internal::Squared_bound<Exact_of<Point>> zero(CGAL::within_distance(0));
+  const auto scene = internal::check_scene<CGAL::Sequential_tag>(counted, zero);
+  for(const double share : {0., 0.1, 0.3, 0.6, 0.9}) {
+    std::size_t before = 0;
+    const auto cancel = [&](double done) {
+      before = looks;
+      return done < share;
+    };
+    using Progress = internal::Progress<decltype(cancel)>;
+    using Counted = Counted_points<Point>;
+    Progress progress(cancel, points.size());
+    internal::Closest_pair_search<CGAL::Sequential_tag, Counted, Progress>(counted, scene, 1,
+                                                                           progress).find();
+    BOOST_CHECK_LE(looks - before, 4000u);
+    Progress other(cancel, points.size());
+    internal::Close_pair_search<CGAL::Sequential_tag, Counted, Progress>(counted, zero, scene,
+                                                                         other).find();
+    BOOST_CHECK_LE(looks - before, 4000u);
+  }
 }
 
 // Searches that nobody watches have nothing to keep or to count.

@@ -70,7 +70,7 @@ public:
   template <class Positions, class Progress>
   Found find(const Positions& positions, Progress& progress) const
   {
-    if(positions.size() < 2)
+    if(positions.size() < 2 || progress.is_cancelled())
       return std::nullopt;
     std::vector<std::vector<Cell_number>> numbers(dimension_);
     for(int axis = 0; axis < dimension_; ++axis) {

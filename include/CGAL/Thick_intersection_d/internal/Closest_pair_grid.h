@@ -51,7 +51,7 @@ public:
   template <class Progress>
   bool search(Minimum& minimum, Progress& progress)
   {
-    if(!minimum.has_pair() && positions_.size() >= 2)
+    if(positions_.size() >= 2)
       minimum.offer(positions_[0], positions_[1]);
     if(!refine(minimum, 0))
       return false;
