@@ -43,7 +43,8 @@ bool invoke_all(const Task1& task1, const Task2& task2, const Task3& task3)
                 "Parallel_tag is enabled but TBB is unavailable.");
 #ifdef CGAL_LINKED_WITH_TBB
   if constexpr(is_parallel_v<ConcurrencyTag>) {
-    bool go_on[3];
+    // Tasks are left out when another task around them throws.
+    bool go_on[3] = {false, false, false};
     tbb::parallel_invoke([&] { go_on[0] = task1(); },
                          [&] { go_on[1] = task2(); },
                          [&] { go_on[2] = task3(); });
