@@ -9,7 +9,7 @@
 // have their lists in a cache.
 
 #include <CGAL/Neighbor_lists.h>
-#include <CGAL/Thick_intersection_d/internal/Slab_points.h>
+#include <CGAL/Thick_intersection_d/internal/uninitialized_memory.h>
 
 #include <algorithm>
 #include <memory>

@@ -100,8 +100,7 @@ public:
   // `range`.
   template <class ConcurrencyTag, class Doubles>
   Slabs(ConcurrencyTag, const Doubles& doubles, std::size_t first, std::size_t last,
-        const Range& range,
-        double reach, const Part_sizes& sizes = Part_sizes())
+        const Range& range, double reach, const Part_sizes& sizes = Part_sizes())
     : points_(make_uninitialized<Point>(last - first))
   {
     const Place size = static_cast<Place>(last - first);

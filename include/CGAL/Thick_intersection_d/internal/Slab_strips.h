@@ -9,6 +9,7 @@
 // strip, in space it is cut along axis 1.
 
 #include <CGAL/Thick_intersection_d/internal/Slab_points.h>
+#include <CGAL/Thick_intersection_d/internal/uninitialized_memory.h>
 
 #include <algorithm>
 #include <cmath>

@@ -10,6 +10,7 @@
 
 #include <CGAL/Scene_profile.h>
 #include <CGAL/Thick_intersection_d/internal/Is_within_distance.h>
+#include <CGAL/Thick_intersection_d/internal/Point_doubles.h>
 #include <CGAL/Thick_intersection_d/internal/Slab_stream.h>
 #include <CGAL/Thick_intersection_d/internal/Slab_sweep.h>
 
