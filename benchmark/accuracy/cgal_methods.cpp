@@ -162,6 +162,9 @@ std::vector<Method> methods()
     result.push_back({"Delaunay EPICK", "library", find_by_delaunay<Epick>});
     result.push_back({"Delaunay EPECK", "library", find_by_delaunay<Epeck>});
   }
+  else
+    for(const Method& method : delaunay_methods_3())
+      result.push_back(method);
   return result;
 }
 

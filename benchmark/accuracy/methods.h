@@ -42,6 +42,7 @@ struct Method
 // The methods for points of a dimension, 2 or 3, in the order in which tables have them.
 std::vector<Method> plain_methods(int dimension);   // forms, grids, nanoflann, Boost
 std::vector<Method> cgal_methods(int dimension);    // Kd_tree, Delaunay, boxes, squared distances
+std::vector<Method> delaunay_methods_3();           // those of cgal_methods() in space
 std::vector<Method> package_methods(int dimension); // ours
 
 inline std::vector<Method> all_methods(int dimension)
