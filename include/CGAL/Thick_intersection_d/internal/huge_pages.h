@@ -6,7 +6,7 @@
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_HUGE_PAGES_H
 
 // Huge pages for large arrays. Each page is cleared by the system when it is touched first: for
-// 10^7 points, in pages of 4 kB, that takes half as long as the rest of the search (doc/design.md).
+// 10^7 points in the plane, in pages of 4 kB, that was a quarter of the search (doc/design.md).
 // The only file with a call of an operating system.
 
 #include <cstddef>
