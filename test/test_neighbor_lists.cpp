@@ -51,17 +51,58 @@ void check_lists(const CGAL::Neighbor_lists& lists, const Points& points, double
 
 BOOST_AUTO_TEST_CASE(short_and_long_lists)
 {
-  // Lists of up to 64 neighbours are sorted in a way of their own, and bins have 4096 points.
-  for(const double r : {0., 0.01, 0.12, 0.13, 0.5, 2.}) {
+  // Lists of up to 256 neighbours are sorted in a way of their own.
+  for(const double r : {0., 0.01, 0.12, 0.24, 0.5, 2.}) {
     const Points points = uniform_points(2, 1500, 0, 1, 3);
     check_lists(CGAL::fixed_radius_neighbor_lists(make_points<Cartesian_points<Kernel, 2>>(points),
                                                   CGAL::within_distance(r)),
                 points, r);
   }
-  const Points many = uniform_points(3, 9000, 0, 1, 4);
+  const Points many = uniform_points(3, 2500, 0, 1, 4);
   check_lists(CGAL::fixed_radius_neighbor_lists(make_points<Cartesian_points<Kernel, 3>>(many),
-                                                CGAL::within_distance(0.05)),
-              many, 0.05);
+                                                CGAL::within_distance(0.08)),
+              many, 0.08);
+}
+
+// Positions take more than 16 bits, and there are bins of 16384 points. Points of a line have known
+// neighbours.
+BOOST_AUTO_TEST_CASE(lists_of_more_points_than_16_bits_tell_apart)
+{
+  const std::size_t size = 140000;
+  const std::size_t step = 99991; // prime, hence the points are in another order than on the line
+  const auto place = [&](std::size_t i) { return i * step % size; };
+  std::vector<Kernel::Point_2> points;
+  std::vector<CGAL::Neighbor_lists::Position> positions(size);
+  for(std::size_t i = 0; i < size; ++i) {
+    points.emplace_back(static_cast<double>(place(i)), 0);
+    positions[place(i)] = static_cast<CGAL::Neighbor_lists::Position>(i);
+  }
+  const CGAL::Neighbor_lists lists
+    = CGAL::fixed_radius_neighbor_lists(points, CGAL::within_distance(2));
+  std::size_t wrong = 0;
+  for(std::size_t i = 0; i < size; ++i) {
+    std::vector<CGAL::Neighbor_lists::Position> expected;
+    for(const std::size_t p : {place(i) - 2, place(i) - 1, place(i) + 1, place(i) + 2})
+      if(p < size)
+        expected.push_back(positions[p]);
+    std::sort(expected.begin(), expected.end());
+    wrong += !std::equal(lists[i].begin(), lists[i].end(), expected.begin(), expected.end());
+  }
+  BOOST_CHECK_EQUAL(wrong, 0u);
+}
+
+BOOST_AUTO_TEST_CASE(distinct_numbers_are_sorted)
+{
+  Random random(5);
+  for(std::size_t size = 0; size < 300; ++size) {
+    std::vector<std::uint32_t> numbers;
+    for(std::size_t i = 0; i < size; ++i) // distinct, half of them with the highest bit
+      numbers.push_back(static_cast<std::uint32_t>(i << 24 | random.below(1 << 24)) ^ 0xffffffffu);
+    std::vector<std::uint32_t> expected = numbers;
+    std::sort(expected.begin(), expected.end());
+    CGAL::Thick_intersection_d::internal::sort_distinct(numbers.data(), numbers.data() + size);
+    BOOST_CHECK(numbers == expected);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(lists_of_lattices_with_ties)

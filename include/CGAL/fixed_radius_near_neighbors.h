@@ -302,8 +302,7 @@ Neighbor_lists fixed_radius_neighbor_lists(const PointRange& points,
   if(elements.size() > (std::numeric_limits<Neighbor_lists::Position>::max)())
     throw std::length_error("There are more points than a list of neighbors can tell apart.");
   internal::Neighbor_collector<ConcurrencyTag> collector(elements.size());
-  const auto collect = [&](std::size_t i, std::size_t j) { collector.add(i, j); };
-  internal::report_near_pairs<ConcurrencyTag>(elements, std::nullopt, bound, collect, np);
+  internal::report_near_pairs<ConcurrencyTag>(elements, std::nullopt, bound, collector, np);
   return collector.lists();
 }
 

@@ -19,44 +19,57 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-struct Neighbor
-{
-  Neighbor_lists::Position of;
-  Neighbor_lists::Position position;
-};
-
 // Bins grow by chunks that stay where they are; vectors would copy all neighbours to grow. Chunks
 // are taken from large blocks of memory, which copies of the bins share.
 class Neighbor_bins
 {
 public:
-  static constexpr std::size_t bin_size = 4096; // points
+  using Position = Neighbor_lists::Position;
+  static constexpr std::size_t bin_size = 16384; // points
 
   // Makes bins for `size` points.
   explicit Neighbor_bins(std::size_t size) : bins_((size + bin_size - 1) / bin_size) {}
 
-  std::size_t count() const { return bins_.size(); }
-
-  void add(const Neighbor& neighbor)
+  // Throws the neighbour of a point into the bin of that.
+  void add(Position of, Position neighbor)
   {
-    Bin& bin = bins_[neighbor.of / bin_size];
+    Bin& bin = bins_[of / bin_size];
     if(bin.next == bin.end)
       extend(bin);
-    *bin.next++ = neighbor;
+    *bin.next++ = {static_cast<std::uint16_t>(of % bin_size), static_cast<std::uint16_t>(neighbor),
+                   static_cast<std::uint16_t>(neighbor >> 16)};
   }
 
-  // Calls task(neighbor) for those of the points in a bin.
+  // Returns the number of neighbours in a bin.
+  std::size_t size(std::size_t index) const
+  {
+    const Bin& bin = bins_[index];
+    return bin.chunks.size() * chunk_size - static_cast<std::size_t>(bin.end - bin.next);
+  }
+
+  // Calls task(of, neighbor) for those in a bin, where `of` is counted from its first point.
   template <class Task>
   void for_each(std::size_t index, const Task& task) const
   {
     const Bin& bin = bins_[index];
-    for(const Neighbor* chunk : bin.chunks)
-      std::for_each(chunk, chunk + chunk_size == bin.end ? bin.next : chunk + chunk_size, task);
+    for(const Neighbor* chunk : bin.chunks) {
+      const Neighbor* const end = chunk + chunk_size == bin.end ? bin.next : chunk + chunk_size;
+      for(; chunk != end; ++chunk)
+        task(chunk->of, chunk->low | static_cast<Position>(chunk->high) << 16);
+    }
   }
 
 private:
   static constexpr std::size_t chunk_size = 1024;     // neighbours
   static constexpr std::size_t greatest_block = 2048; // chunks
+
+  // Six bytes: much of the time goes into moving them.
+  struct Neighbor
+  {
+    std::uint16_t of;
+    std::uint16_t low;
+    std::uint16_t high;
+  };
 
   struct Bin
   {

@@ -11,8 +11,13 @@
 // pairs are thrown into bins first, each for as many consecutive points as have their lists in a
 // cache; then the lists of one bin after another are filled and sorted.
 
+#include <CGAL/Neighbor_lists.h>
 #include <CGAL/Thick_intersection_d/internal/Neighbor_bins.h>
 #include <CGAL/Thick_intersection_d/internal/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/sort_distinct.h>
+
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -22,47 +27,61 @@ template <class ConcurrencyTag>
 class Neighbor_collector
 {
   using Position = Neighbor_lists::Position;
+  using Positions = std::vector<Position>;
 
 public:
   explicit Neighbor_collector(std::size_t size) : size_(size), bins_(Neighbor_bins(size)) {}
 
   // Makes the points at two positions neighbours of each other.
-  void add(std::size_t i, std::size_t j)
+  void operator()(std::size_t i, std::size_t j)
   {
     Neighbor_bins& bins = bins_.local();
-    const Position p = static_cast<Position>(i);
-    const Position q = static_cast<Position>(j);
-    bins.add({p, q});
-    bins.add({q, p});
+    bins.add(static_cast<Position>(i), static_cast<Position>(j));
+    bins.add(static_cast<Position>(j), static_cast<Position>(i));
   }
 
   Neighbor_lists lists()
   {
     std::vector<std::size_t> begins(size_ + 1, 0);
-    for_each_bin([&](std::size_t bin) {
-      for_each_neighbor(bin, [&](const Neighbor& n) { ++begins[n.of + std::size_t(1)]; });
-    });
-    for(std::size_t i = 0; i < size_; ++i)
-      begins[i + 1] += begins[i];
+    Positions positions;
+    const std::vector<std::size_t> begins_of_bins = begins_of_all_bins();
+    positions.reserve(begins_of_bins.back());
+    ask_for_huge_pages(positions.data(), begins_of_bins.back() * sizeof(Position));
+    if constexpr(is_parallel_v<ConcurrencyTag>)
+      positions.resize(begins_of_bins.back()); // otherwise appended: written once, not twice
 
-    std::vector<Position> positions;
-    positions.reserve(begins.back());
-    ask_for_huge_pages(positions.data(), begins.back() * sizeof(Position));
-    positions.resize(begins.back());
-    for_each_bin([&](std::size_t bin) { fill(bin, begins, positions); });
+    for_each_block<ConcurrencyTag>(bin_count(), [&](std::size_t bin, std::size_t last) {
+      Buffer<Position> lists;
+      for(; bin != last; ++bin) {
+        const std::size_t begin = begins_of_bins[bin];
+        const std::size_t end = begins_of_bins[bin + 1];
+        Position* const first = lists.require(end - begin);
+        make_lists(bin, begin, begins, first);
+        if constexpr(is_parallel_v<ConcurrencyTag>)
+          std::copy(first, first + (end - begin), positions.data() + begin);
+        else
+          positions.insert(positions.end(), first, first + (end - begin));
+      }
+    });
     return Neighbor_lists(std::move(begins), std::move(positions));
   }
 
 private:
   static constexpr std::size_t bin_size = Neighbor_bins::bin_size;
 
-  template <class Task>
-  void for_each_bin(const Task& task)
+  std::size_t bin_count() const { return (size_ + bin_size - 1) / bin_size; }
+
+  // Returns how many neighbours the points of all bins before each have.
+  std::vector<std::size_t> begins_of_all_bins()
   {
-    for_each_block<ConcurrencyTag>(bins_.local().count(), [&](std::size_t bin, std::size_t last) {
-      for(; bin != last; ++bin)
-        task(bin);
+    std::vector<std::size_t> begins(bin_count() + 1, 0);
+    bins_.for_each([&](const Neighbor_bins& bins) {
+      for(std::size_t bin = 0; bin < bin_count(); ++bin)
+        begins[bin + 1] += bins.size(bin);
     });
+    for(std::size_t bin = 0; bin < bin_count(); ++bin)
+      begins[bin + 1] += begins[bin];
+    return begins;
   }
 
   template <class Task>
@@ -71,37 +90,25 @@ private:
     bins_.for_each([&](const Neighbor_bins& bins) { bins.for_each(bin, task); });
   }
 
-  // Fills the lists of a bin.
-  void fill(std::size_t bin, const std::vector<std::size_t>& begins,
-            std::vector<Position>& positions)
+  // Writes the lists of a bin, the first of which begins at `begin`, to `lists`, and where they
+  // begin to `begins`.
+  void make_lists(std::size_t bin, std::size_t begin, std::vector<std::size_t>& begins,
+                  Position* lists)
   {
-    const std::size_t first = bin * bin_size;
-    const std::size_t last = (std::min)(first + bin_size, size_);
-    std::vector<std::size_t> next(begins.begin() + static_cast<std::ptrdiff_t>(first),
-                                  begins.begin() + static_cast<std::ptrdiff_t>(last));
-    for_each_neighbor(
-      bin, [&](const Neighbor& n) { positions[next[n.of - first]++] = n.position; });
-    for(std::size_t i = first; i < last; ++i)
-      sort(positions.data() + begins[i], positions.data() + begins[i + 1]);
-  }
+    std::vector<std::size_t> ends(bin_size, 0); // of the lists, when all neighbours are in
+    for_each_neighbor(bin, [&](std::size_t of, Position) { ++ends[of]; });
+    std::size_t sum = 0;
+    for(std::size_t& end : ends)
+      sum += std::exchange(end, sum);
+    for_each_neighbor(bin, [&](std::size_t of, Position position) {
+      lists[ends[of]++] = position;
+    });
 
-  // Most lists are short: the rank of each of their positions, which are distinct, is counted in a
-  // loop without branches.
-  static void sort(Position* first, Position* last)
-  {
-    constexpr std::ptrdiff_t greatest_short_size = 64;
-    const std::ptrdiff_t size = last - first;
-    if(size > greatest_short_size) {
-      std::sort(first, last);
-      return;
-    }
-    Position copy[greatest_short_size];
-    std::copy(first, last, copy);
-    for(std::ptrdiff_t i = 0; i < size; ++i) {
-      Position rank = 0;
-      for(std::ptrdiff_t j = 0; j < size; ++j)
-        rank += copy[j] < copy[i];
-      first[rank] = copy[i];
+    const std::size_t first = bin * bin_size;
+    const std::size_t count = (std::min)(bin_size, size_ - first);
+    for(std::size_t i = 0; i < count; ++i) {
+      sort_distinct(lists + (i == 0 ? 0 : ends[i - 1]), lists + ends[i]);
+      begins[first + i + 1] = begin + ends[i];
     }
   }
 
