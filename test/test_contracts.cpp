@@ -347,6 +347,24 @@ BOOST_AUTO_TEST_CASE(progress_grows_to_one_and_cancels)
   BOOST_CHECK_LT(pairs, all);
 }
 
+// All but one of the points are in one slab.
+BOOST_AUTO_TEST_CASE(progress_of_a_crowd_grows_and_cancels)
+{
+  std::vector<Maker::Point> points(10000, Maker::Point(1, 2));
+  points.emplace_back(1000, 1000);
+  std::size_t pairs = 0, calls = 0;
+  const auto count = [&](std::size_t, std::size_t) { ++pairs; };
+  const auto cancel = [&](double done) {
+    ++calls;
+    return done < 0.5;
+  };
+  BOOST_CHECK(!CGAL::fixed_radius_near_neighbors(points, CGAL::within_distance(1), count,
+                                                 CGAL::parameters::callback(cancel)));
+  BOOST_CHECK_GE(calls, 3u);
+  BOOST_CHECK_GT(pairs, 0u);
+  BOOST_CHECK_LT(pairs, 10000u * 9999 / 2);
+}
+
 BOOST_AUTO_TEST_CASE(order_of_reports_is_a_function_of_the_input)
 {
   const auto points = make_points<Maker>(repeated(uniform_points(2, 300, 0, 1, 7), 2));

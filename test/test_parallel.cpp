@@ -136,6 +136,33 @@ BOOST_AUTO_TEST_CASE(progress_comes_in_order)
   BOOST_CHECK_EQUAL(last, 1);
 }
 
+// Points at one place are in one slab, which is swept in shares, and watched.
+BOOST_AUTO_TEST_CASE(crowds_are_shared_out)
+{
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, thread_count);
+  const std::size_t size = 12000;
+  std::vector<Epick::Point_2> points(size, Epick::Point_2(1, 2));
+  points.emplace_back(1000, 1000); // so that a search is needed
+  std::vector<std::atomic<std::size_t>> neighbors(size + 1);
+  const auto count = [&](std::size_t i, std::size_t j) {
+    neighbors[i].fetch_add(1, std::memory_order_relaxed);
+    neighbors[j].fetch_add(1, std::memory_order_relaxed);
+  };
+  std::size_t steps = 0;
+  double last = 0;
+  const auto watch = [&](double done) {
+    steps += done > last;
+    last = done;
+    return true;
+  };
+  BOOST_CHECK(CGAL::fixed_radius_near_neighbors<CGAL::Parallel_tag>(
+    points, CGAL::within_distance(1), count, CGAL::parameters::callback(watch)));
+  BOOST_CHECK_GE(steps, 5u);
+  BOOST_CHECK_EQUAL(last, 1);
+  BOOST_CHECK_EQUAL(std::count(neighbors.begin(), neighbors.end() - 1, size - 1), size);
+  BOOST_CHECK_EQUAL(neighbors.back(), 0u);
+}
+
 // The same lists for any number of threads.
 BOOST_AUTO_TEST_CASE(neighbor_lists)
 {

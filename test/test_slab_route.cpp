@@ -50,6 +50,7 @@ Points structured_scene(Generator& random, int dimension, double unit)
 Part_sizes small_sizes(Generator& random)
 {
   Part_sizes sizes;
+  sizes.crowd = below(random, 64) + 1;
   sizes.slab = static_cast<internal::Place>(1 + random() % 8);
   sizes.strip = static_cast<internal::Place>(1 + random() % 3);
   sizes.sorted_part = static_cast<internal::Place>(1 + random() % 4);

@@ -66,6 +66,7 @@ struct Part_sizes
   Place strip = 8;          // or part of a slab in which points crowd
   Place sorted_part = 12;   // of a strip or part in which they still do
   Place large_slab = 16384; // is cut again, to fit into a cache
+  double crowd = 1 << 24;   // of pairs that a sweep looks at; of more it takes shares
 };
 
 // Returns how many parts `size` points in `range` are cut into: at least the usual height high, and

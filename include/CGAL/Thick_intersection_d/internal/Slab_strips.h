@@ -43,6 +43,20 @@ struct Run
   std::array<const double*, Dimension> x;
   const Place* positions;
   Place size;
+
+  // Some of `count` shares of the run: sweeps that start with it meet the points behind, too.
+  Run share(Place index, Place count) const
+  {
+    const std::uint64_t groups = (size + lanes - 1) / lanes;
+    const Place begin = static_cast<Place>(groups * index / count * lanes);
+    const Place end = static_cast<Place>(groups * (index + 1) / count * lanes);
+    Run share = *this;
+    for(const double*& column : share.x)
+      column += begin;
+    share.positions += begin;
+    share.size = (std::min)(end, size) - begin;
+    return share;
+  }
 };
 
 // The places [begin, end) of columns, and the ranges of their coordinates along axis 1 and up.
@@ -63,6 +77,10 @@ public:
   const std::vector<Strip<Dimension>>& strips() const { return strips_; }
   Place size() const { return size_; }
   const Range& range(int axis) const { return ranges_[axis]; }
+
+  // About how many pairs of these points a sweep looks at. Not known for parts.
+  double crowd() const { return crowd_; }
+  void set_crowd(double crowd) { crowd_ = crowd; }
 
   Run<Dimension> run(const Strip<Dimension>& strip) const
   {
@@ -149,6 +167,7 @@ private:
   Buffer<Place> positions_;
   std::vector<Strip<Dimension>> strips_;
   std::array<Range, Dimension> ranges_;
+  double crowd_ = 0;
   Place size_ = 0;
   Place end_ = 0; // of the places used
 };

@@ -28,8 +28,24 @@ public:
     : reach_(reach), filter_(filter), close_call_(close_call), decide_(decide), report_(report)
   {}
 
+  // Takes only this one of `count` shares of all pairs from now on.
+  void take_share(Place index, Place count)
+  {
+    share_index_ = index;
+    share_count_ = count;
+  }
+
   // Which arithmetic has decided the pairs so far.
   const Decision_counts& counts() const { return counts_; }
+
+  // Reports the pairs of a point of a slab and one of any of some slabs, which may include itself.
+  bool between(const Strips<Dimension>& a, const std::vector<const Strips<Dimension>*>& slabs)
+  {
+    for(const Strips<Dimension>* b : slabs)
+      if(!(b == &a ? within(a) : between(a, *b)))
+        return false;
+    return true;
+  }
 
   // Reports the pairs of a slab.
   bool within(const Strips<Dimension>& slab)
@@ -96,14 +112,21 @@ private:
       sweep(part_a_.run(part_a_.strips().front()), part_b_.run(part_b_.strips().front()));
   }
 
-  void sweep(const Run<Dimension>& run)
+  Run<Dimension> share_of(const Run<Dimension>& run) const
   {
-    collect_within(run, reach_, filter_, candidates_, [&] { return flush(run, run); });
-    flush(run, run);
+    return share_count_ == 1 ? run : run.share(share_index_, share_count_);
   }
 
-  void sweep(const Run<Dimension>& a, const Run<Dimension>& b)
+  void sweep(const Run<Dimension>& run)
   {
+    const Run<Dimension> a = share_of(run);
+    collect_within(a, reach_, filter_, candidates_, [&] { return flush(a, a); });
+    flush(a, a);
+  }
+
+  void sweep(const Run<Dimension>& run, const Run<Dimension>& b)
+  {
+    const Run<Dimension> a = share_of(run);
     collect_between(a, b, reach_, filter_, candidates_, [&] { return flush(a, b); });
     flush(a, b);
   }
@@ -170,8 +193,10 @@ private:
   const double reach_;
   const Distance_filter filter_;
   const Close_call close_call_;
-  const Decide& decide_;
+  const Decide decide_;
   Report& report_;
+  Place share_index_ = 0;
+  Place share_count_ = 1;
   bool is_stopped_ = false;
   Decision_counts counts_;
   Candidates candidates_;

@@ -49,17 +49,18 @@ public:
 
   // Whether so many pairs of points in the same strip may be within a reach along axis 0 that they
   // should not be in one slab if that is high.
-  bool is_crowded() const { return is_crowded_; }
+  bool is_crowded() const { return !(crowd_ <= usual_crowd * size()); }
 
   const Range& range(int axis) const { return box_[axis]; }
 
   // Makes strips of the points that were counted.
   void make(Strips<Dimension>& strips)
   {
-    if(Dimension == 3 && is_crowded_ && are_strips_high() && size() > sizes_.sorted_part)
+    if(Dimension == 3 && is_crowded() && are_strips_high() && size() > sizes_.sorted_part)
       make_sorted_strips(strips);
     else
       make_counted_strips(strips);
+    strips.set_crowd(crowd_);
   }
 
 private:
@@ -97,7 +98,9 @@ private:
     }
     // A point is within reach of those in its own bucket and in so many behind it.
     const double width = (box_[0].high - box_[0].low) / along_.count();
-    is_crowded_ = !(squares * (std::ceil(reach_ / width) + 1) <= usual_crowd * size());
+    const double in_reach = squares * (std::ceil(reach_ / width) + 1);
+    const double all = static_cast<double>(size()) * size();
+    crowd_ = in_reach < all ? in_reach : all; // also if the width is zero
   }
 
   // Sorts the points into buckets, and those one by one.
@@ -155,7 +158,7 @@ private:
   Equal_cut across_{Range(), 1}; // into strips
   Equal_cut along_{Range(), 1};  // strips into buckets
   Place longest_ = 0;            // bucket
-  bool is_crowded_ = false;
+  double crowd_ = 0;   // about how many pairs are within reach along axis 0 in the same strip
   Buffer<Place> counts_;
   Buffer<Point> sorted_;
   Bucket_sorter<Dimension> sorter_;

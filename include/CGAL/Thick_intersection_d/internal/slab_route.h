@@ -156,12 +156,13 @@ public:
     const Slabs<Dimension> slabs = make_slabs(0, points_.size());
     sweep_slabs(slabs.count(), report, [&](auto& sweep, Place first, Place last) {
       Slab_window<Dimension> window(slabs, reach_, first, sizes_);
+      Slabs_nearby near;
       for(; window.slab() < last && !report.is_stopped(); window.pop()) {
-        const double high = window[0]->range(axis).high;
-        sweep.within(*window[0]);
-        for(std::size_t f = 1; window.within_reach(f, high); ++f)
-          sweep.between(*window[0], *window[f]);
-        advance(progress, window[0]->size(), report);
+        const Range range = window[0]->range(axis);
+        near.assign(1, window[0]);
+        for(std::size_t f = 1; const auto* strips = window.within_reach(f, range.high); ++f)
+          near.push_back(strips);
+        sweep_in_shares(*window[0], near, sweep, report, progress);
       }
     });
     return !report.is_stopped();
@@ -174,28 +175,51 @@ public:
     if(is_within_bound_as_a_whole())
       return report_all(first_set_size, first_set_size, report, progress);
     const Slabs<Dimension> slabs = make_slabs(0, first_set_size);
-    const Slabs<Dimension> others = make_slabs(first_set_size, points_.size());
+    const Slabs<Dimension> other_slabs = make_slabs(first_set_size, points_.size());
     sweep_slabs(slabs.count(), report, [&](auto& sweep, Place first, Place last) {
       Slab_window<Dimension> window(slabs, reach_, first, sizes_);
       if(window.slab() >= last)
         return;
-      Slab_window<Dimension> near(others, reach_,
-                                  others.slab_of(window[0]->range(axis).low - reach_), sizes_);
+      const Place lowest = other_slabs.slab_of(window[0]->range(axis).low - reach_);
+      Slab_window<Dimension> others(other_slabs, reach_, lowest, sizes_);
+      Slabs_nearby near;
       for(; window.slab() < last && !report.is_stopped(); window.pop()) {
         const Range range = window[0]->range(axis);
-        while(near[0] && range.low - near[0]->range(axis).high > reach_)
-          near.pop();
-        for(std::size_t f = 0; near.within_reach(f, range.high); ++f)
-          sweep.between(*window[0], *near[f]);
-        advance(progress, window[0]->size(), report);
+        while(others[0] && range.low - others[0]->range(axis).high > reach_)
+          others.pop();
+        near.clear();
+        for(std::size_t f = 0; const auto* strips = others.within_reach(f, range.high); ++f)
+          near.push_back(strips);
+        sweep_in_shares(*window[0], near, sweep, report, progress);
       }
     });
-    advance(progress, others.size(), report);
+    advance(progress, other_slabs.size(), report);
     return !report.is_stopped();
   }
 
 private:
   static constexpr int axis = Dimension - 1; // of those searched, that slabs are cut along
+
+  using Slabs_nearby = std::vector<const Strips<Dimension>*>;
+
+  struct Decide
+  {
+    const Slab_route& route;
+
+    bool operator()(Place i, Place j, Decision_counts& counts) const
+    {
+      return route.is_within_.decide(route.points_[i], route.points_[j], counts);
+    }
+  };
+
+  template <class Report>
+  using Sweep = Slab_sweep<Dimension, Decide, Report>;
+
+  template <class Report>
+  Sweep<Report> make_sweep(Report& report) const
+  {
+    return Sweep<Report>(reach_, wide_filter_, is_within_.close_call(), {*this}, report);
+  }
 
   static Some_doubles some_doubles(const All_doubles& doubles,
                                    const std::array<int, Dimension>& axes)
@@ -254,16 +278,45 @@ private:
   template <class Report, class Task>
   void sweep_slabs(Place count, Report& report, const Task& task) const
   {
-    const auto decide = [&](Place i, Place j, Decision_counts& counts) {
-      return is_within_.decide(points_[i], points_[j], counts);
-    };
     for_each_numbered_block<ConcurrencyTag>(
       block_count<ConcurrencyTag>(), count, [&](std::size_t, std::size_t first, std::size_t last) {
-        Slab_sweep<Dimension, decltype(decide), Report> sweep(
-          reach_, wide_filter_, is_within_.close_call(), decide, report);
+        Sweep<Report> sweep = make_sweep(report);
         task(sweep, static_cast<Place>(first), static_cast<Place>(last));
         share(sweep.counts());
       });
+  }
+
+  // Sweeps a slab with those nearby: where very many points crowd, in shares, which may be swept at
+  // the same time, and after each of which the search can be stopped.
+  template <class Report, class Progress>
+  void sweep_in_shares(const Strips<Dimension>& slab, const Slabs_nearby& nearby,
+                       Sweep<Report>& sweep, Report& report, Progress& progress) const
+  {
+    const Place count = share_count(slab, nearby);
+    if(count == 1) {
+      sweep.between(slab, nearby);
+      advance(progress, slab.size(), report);
+      return;
+    }
+    for_each_block<ConcurrencyTag>(count, [&](std::size_t s, std::size_t last) {
+      Sweep<Report> sweep_of_share = make_sweep(report);
+      for(; s != last && !report.is_stopped(); ++s) {
+        sweep_of_share.take_share(static_cast<Place>(s), count);
+        sweep_of_share.between(slab, nearby);
+        advance(progress, slab.size() * (s + 1) / count - slab.size() * s / count, report);
+      }
+      share(sweep_of_share.counts());
+    });
+  }
+
+  // So many that each takes milliseconds.
+  Place share_count(const Strips<Dimension>& slab, const Slabs_nearby& nearby) const
+  {
+    constexpr double greatest_count = 1024;
+    double crowd = 0;
+    for(const Strips<Dimension>* other : nearby)
+      crowd += std::sqrt(slab.crowd() * other->crowd());
+    return static_cast<Place>((std::min)(crowd / sizes_.crowd, greatest_count)) + 1;
   }
 
   // Returns the slabs of the points at the positions [first, last).
