@@ -5,9 +5,8 @@
 #   python3 plot.py <closest_pair.csv> <folder>
 #
 # A measurement of `compare` is called <dimension>/<scene>/<k/n aimed at>/<n>/<method>; repetitions of it are
-# reduced to their median. Seconds are those of the processor for one thread, and those of the clock
-# for several. Of box_self_intersection_d the best cutoff is shown for each scene, besides the
-# default.
+# reduced to their median. Of box_self_intersection_d the best cutoff is shown for each scene, besides
+# the default.
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 
@@ -77,8 +76,7 @@ def read_results(path):
             if run["run_type"] == "iteration":
                 dimension, kind, neighbours, n, method = run["name"].split("/")[:5]
                 key = Key(dimension, kind, float(neighbours), int(n), method)
-                time = "real_time" if method.endswith("threads") else "cpu_time"
-                found[key].append(Result(run[time], run["n"], run["k"]))
+                found[key].append(Result(run["real_time"], run["n"], run["k"]))
     results = {key: Result(statistics.median(r.milliseconds for r in runs), runs[0].n, runs[0].k)
                for key, runs in found.items()}
     for key, result in list(results.items()):

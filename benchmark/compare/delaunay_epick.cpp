@@ -8,7 +8,7 @@ namespace thick_benchmark {
 
 void add_delaunay_epick(Methods& methods)
 {
-  methods.push_back({"Delaunay EPICK + search", Answer::EXACT, 1000000, false,
+  methods.push_back({"Delaunay EPICK + search", Answer::EXACT, 10000000, false,
                      on_points<Epick>([](const auto& points, double r, Tally& tally) {
                        delaunay_search<Epick>(points, r, tally);
                      })});

@@ -8,7 +8,7 @@ namespace thick_benchmark {
 
 void add_nanoflann(Methods& methods)
 {
-  methods.push_back({"nanoflann", Answer::ROUNDED, 1000000, false,
+  methods.push_back({"nanoflann", Answer::ROUNDED, 10000000, false,
                      on_points([](const auto& points, double r, Tally& tally) {
                        nanoflann_search(points, r, tally);
                      })});
