@@ -14,35 +14,54 @@ using namespace test_support;
 using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
 using Rational_kernel = CGAL::Simple_cartesian<CGAL::Exact_rational>;
 
+namespace {
+
+// All coordinates divided by three, which leaves few doubles.
+template <class Kernel, int Dimension>
+struct Thirds : Cartesian_points<Kernel, Dimension>
+{
+  using FT = typename Kernel::FT;
+  using Point = typename Cartesian_points<Kernel, Dimension>::Point;
+
+  static Point make(const Coordinates& c)
+  {
+    if constexpr(Dimension == 2)
+      return Point(FT(c[0]) / FT(3), FT(c[1]) / FT(3));
+    else
+      return Point(FT(c[0]) / FT(3), FT(c[1]) / FT(3), FT(c[2]) / FT(3));
+  }
+};
+
+CGAL::Exact_rational square_of(const Radius& radius)
+{
+  if(!radius.length())
+    return exact_rational(radius.square_text());
+  const CGAL::Exact_rational length(*radius.length());
+  return length * length;
+}
+
+// Coordinates that are doubles are searched as such, whatever their type; these by their bounds.
+template <class Kernel, int Dimension>
+void check_thirds(const Scenes& scenes)
+{
+  for(const Point_scene& scene : scenes) {
+    const CGAL::Exact_rational square = square_of(scene.radius) / 9;
+    check_scene<Thirds<Kernel, Dimension>>(scene, CGAL::within_squared_distance(square));
+  }
+}
+
+} // namespace
+
 BOOST_AUTO_TEST_CASE(epeck_2) { check_kernel<Cartesian_points<Epeck, 2>>(2); }
 BOOST_AUTO_TEST_CASE(epeck_3) { check_kernel<Cartesian_points<Epeck, 3>>(3); }
 BOOST_AUTO_TEST_CASE(rational_2) { check_kernel<Cartesian_points<Rational_kernel, 2>>(2); }
 BOOST_AUTO_TEST_CASE(rational_3) { check_kernel<Cartesian_points<Rational_kernel, 3>>(3); }
 
-// Thirds are no doubles: a lattice of them has ties that only exact numbers see.
-template <class Kernel>
-void check_lattice_of_thirds()
-{
-  using FT = typename Kernel::FT;
-  const Points lattice = lattice_points(2, 12, 1);
-  std::vector<typename Kernel::Point_2> thirds;
-  for(const Coordinates& c : lattice)
-    thirds.emplace_back(FT(c[0]) / FT(3), FT(c[1]) / FT(3));
-  const Truth truth = brute_force(lattice, Radius::of_square("5"));
-  const auto bound = CGAL::within_squared_distance(CGAL::Exact_rational(5) / 9);
-
-  const Pairs_difference closed = compare(truth.pairs, near_pairs(thirds, bound));
-  BOOST_CHECK_MESSAGE(closed.empty(), closed);
-  const Pairs_difference open = compare(truth.open_pairs, near_pairs(thirds, bound.open()));
-  BOOST_CHECK_MESSAGE(open.empty(), open);
-  BOOST_CHECK_GT(truth.boundary, 0u);
-}
-
-BOOST_AUTO_TEST_CASE(coordinates_between_the_doubles)
-{
-  check_lattice_of_thirds<Epeck>();
-  check_lattice_of_thirds<Rational_kernel>();
-}
+// Each lazy number takes memory: all scenes of these take a minute.
+BOOST_AUTO_TEST_CASE(thirds_epeck_2) { check_thirds<Epeck, 2>(small_scenes(2)); }
+BOOST_AUTO_TEST_CASE(thirds_epeck_3) { check_thirds<Epeck, 3>(small_scenes(3)); }
+BOOST_AUTO_TEST_CASE(thirds_rational_2) { check_thirds<Rational_kernel, 2>(all_scenes(2)); }
+BOOST_AUTO_TEST_CASE(thirds_rational_3) { check_thirds<Rational_kernel, 3>(all_scenes(3)); }
 
 // Coordinates beyond the range of doubles.
 BOOST_AUTO_TEST_CASE(coordinates_beyond_the_doubles)

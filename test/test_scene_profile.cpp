@@ -28,6 +28,7 @@ namespace {
 using Kernel = CGAL::Simple_cartesian<double>;
 using Plane = Cartesian_points<Kernel, 2>;
 using Space = Cartesian_points<Kernel, 3>;
+using Rational_plane = Cartesian_points<CGAL::Simple_cartesian<CGAL::Exact_rational>, 2>;
 
 constexpr Arithmetic_tier all_tiers[] = {Arithmetic_tier::DOUBLE, Arithmetic_tier::INT64,
                                          Arithmetic_tier::INT128, Arithmetic_tier::FILTERED_EXACT};
@@ -100,6 +101,14 @@ Points near_sphere(int dimension, double r, double step)
     points.push_back(c);
   }
   points.push_back(Coordinates(dimension, 1)); // so that the grid is that of the integers
+  return points;
+}
+
+// Rational points, and one more, far away, with a coordinate that is no double.
+std::vector<Rational_plane::Point> with_a_third(const Points& scene)
+{
+  auto points = make_points<Rational_plane>(scene);
+  points.emplace_back(CGAL::Exact_rational(1) / 3 + 1000000, 0);
   return points;
 }
 
@@ -345,10 +354,8 @@ BOOST_AUTO_TEST_CASE(a_tier_that_is_not_exact_is_refused_by_name)
   // Coordinates that are no doubles have no grid.
   CGAL::Scene_profile of_rationals;
   of_rationals.force_tier(Arithmetic_tier::INT128);
-  using Rational_plane = Cartesian_points<CGAL::Simple_cartesian<CGAL::Exact_rational>, 2>;
-  BOOST_CHECK_THROW(
-    pairs_with(of_rationals, make_points<Rational_plane>(lattice_points(2, 3, 1)), bound),
-    std::invalid_argument);
+  BOOST_CHECK_THROW(pairs_with(of_rationals, with_a_third(lattice_points(2, 3, 1)), bound),
+                    std::invalid_argument);
 }
 
 // The doubles decide all but the ties at the bound.
@@ -380,19 +387,34 @@ BOOST_AUTO_TEST_CASE(decisions_are_counted_by_tier)
     BOOST_CHECK_EQUAL(profile.decided(each), 0u);
 }
 
-BOOST_AUTO_TEST_CASE(decisions_are_counted_for_exact_coordinates_and_two_sets)
+// Like doubles if they are, by exact numbers if a single one is not.
+BOOST_AUTO_TEST_CASE(exact_coordinates_that_are_doubles_have_a_grid)
 {
-  using Rational_plane = Cartesian_points<CGAL::Simple_cartesian<CGAL::Exact_rational>, 2>;
+  check_limit<Rational_plane>(2, 67108864, 1, Arithmetic_tier::DOUBLE);
+  check_limit<Rational_plane>(2, 2147483647, 1, Arithmetic_tier::INT64);
+  check_limit<Rational_plane>(2, 2147483648, 1, Arithmetic_tier::INT128);
+
   const Points scene = lattice_points(2, 10, 0.1);
   const Truth truth = brute_force(scene, Radius::of_length(0.5));
   CGAL::Scene_profile profile;
   BOOST_CHECK(pairs_with(profile, make_points<Rational_plane>(scene), CGAL::within_distance(0.5))
               == truth.pairs);
+  BOOST_CHECK(profile.tier() == Arithmetic_tier::INT128);
+  BOOST_CHECK_GE(profile.decided(Arithmetic_tier::INT128), truth.boundary);
+  BOOST_CHECK_EQUAL(profile.decided(Arithmetic_tier::FILTERED_EXACT), 0u);
+
+  BOOST_CHECK(pairs_with(profile, with_a_third(scene), CGAL::within_distance(0.5)) == truth.pairs);
+  BOOST_CHECK(!profile.has_grid());
   BOOST_CHECK_GE(profile.decided(Arithmetic_tier::FILTERED_EXACT), truth.boundary);
+  BOOST_CHECK_EQUAL(profile.decided(Arithmetic_tier::INT128), 0u);
   BOOST_CHECK_GE(profile.decided(Arithmetic_tier::DOUBLE)
                    + profile.decided(Arithmetic_tier::FILTERED_EXACT),
                  truth.pairs.size());
+}
 
+BOOST_AUTO_TEST_CASE(decisions_are_counted_for_two_sets)
+{
+  CGAL::Scene_profile profile;
   const auto points = make_points<Plane>(lattice_points(2, 10, 1));
   std::size_t pairs = 0;
   CGAL::fixed_radius_near_neighbors(points, points, CGAL::within_distance(1),

@@ -90,7 +90,8 @@ public:
   /// returns an upper bound on the distance along an axis of points within the bound.
   double reach() const { return reach_; }
 
-  /// returns whether all coordinates are doubles without rounding, so that there is a grid.
+  /// returns whether all coordinates are doubles without rounding, whatever their type, so that
+  /// there is a grid.
   bool has_grid() const { return grid_exponent_.has_value(); }
 
   /// returns the exponent \f$ e \f$ of the coarsest grid \f$ 2^e \mathbb{Z} \f$ that holds all
@@ -237,13 +238,11 @@ private:
 namespace Thick_intersection_d {
 namespace internal {
 
-template <class Number, class Exact>
+template <class Exact>
 Scene_profile make_profile(std::size_t size, const Coordinate_scan& scan,
                            const Squared_bound<Exact>& bound)
 {
-  return Scene_profile(size, scan.box, bound.reach(),
-                       is_held_by_double_v<Number> ? std::optional<int>(scan.grid_exponent())
-                                                   : std::nullopt);
+  return Scene_profile(size, scan.box, bound.reach(), scan.grid_exponent());
 }
 
 // Throws if a point has a NaN or infinite coordinate or another dimension than the first one.
@@ -251,8 +250,7 @@ template <class Elements, class Exact>
 Scene_profile profile_elements(const Elements& points, const Squared_bound<Exact>& bound,
                                const std::string& name)
 {
-  return make_profile<Coordinate_t<typename Elements::value_type>>(
-    points.size(), scan_coordinates<Sequential_tag>(points, name), bound);
+  return make_profile(points.size(), scan_coordinates<Sequential_tag>(points, name), bound);
 }
 
 } // namespace internal

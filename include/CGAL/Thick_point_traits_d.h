@@ -120,7 +120,7 @@ public:
                 ? Thick_intersection_d::internal::make_certified_filter(bound)
                 : Thick_intersection_d::internal::make_distance_filter(bound,
                                                                        profile.dimension())),
-      close_call_(Thick_intersection_d::internal::make_close_call<Number>(bound, profile)),
+      close_call_(bound, profile),
       dimension_(profile.dimension()), counts_(counts)
   {}
 

@@ -95,7 +95,7 @@ bool report_near_pairs(const Elements& points, std::optional<std::size_t> first_
   const Coordinate_scan scan = scan_coordinates<ConcurrencyTag>(
     points, "point",
     [&](std::size_t position, int axis, double x) { doubles.set(position, axis, x); });
-  Scene_profile profile = make_profile<Number>(points.size(), scan, squared_bound);
+  Scene_profile profile = make_profile(points.size(), scan, squared_bound);
   if(description != nullptr && description->forced_tier())
     profile.force_tier(*description->forced_tier());
 

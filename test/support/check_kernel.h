@@ -37,30 +37,35 @@ inline Pairs between_even_and_odd(const Pairs& pairs)
   return result;
 }
 
-template <class Maker>
-void check_scene(const Point_scene& scene)
+// Checks the pairs of a scene as `Maker` makes it, with the bound that belongs to that.
+template <class Maker, class NT>
+void check_scene(const Point_scene& scene, const CGAL::Distance_bound<NT>& bound)
 {
   BOOST_TEST_CONTEXT(scene)
   {
     const Truth& truth = truth_of(scene);
     const auto points = make_points<Maker>(scene.points);
-    with_bound(scene.radius, [&](const auto& bound) {
-      const Pairs_difference closed = compare(truth.pairs, near_pairs(points, bound));
-      BOOST_CHECK_MESSAGE(closed.empty(), "closed: " << closed);
+    const Pairs_difference closed = compare(truth.pairs, near_pairs(points, bound));
+    BOOST_CHECK_MESSAGE(closed.empty(), "closed: " << closed);
 
-      const Pairs_difference by_the_book = compare(
-        truth.pairs, near_pairs_by_the_book(points, bound, scene.dimension));
-      BOOST_CHECK_MESSAGE(by_the_book.empty(), "by the book: " << by_the_book);
+    const Pairs_difference by_the_book = compare(
+      truth.pairs, near_pairs_by_the_book(points, bound, scene.dimension));
+    BOOST_CHECK_MESSAGE(by_the_book.empty(), "by the book: " << by_the_book);
 
-      const Pairs_difference open = compare(truth.open_pairs, near_pairs(points, bound.open()));
-      BOOST_CHECK_MESSAGE(open.empty(), "open: " << open);
+    const Pairs_difference open = compare(truth.open_pairs, near_pairs(points, bound.open()));
+    BOOST_CHECK_MESSAGE(open.empty(), "open: " << open);
 
-      const Pairs_difference two_sets
-        = compare(between_even_and_odd(truth.pairs),
-                  near_pairs(every_other(points, 0), every_other(points, 1), bound));
-      BOOST_CHECK_MESSAGE(two_sets.empty(), "two sets: " << two_sets);
-    });
+    const Pairs_difference two_sets
+      = compare(between_even_and_odd(truth.pairs),
+                near_pairs(every_other(points, 0), every_other(points, 1), bound));
+    BOOST_CHECK_MESSAGE(two_sets.empty(), "two sets: " << two_sets);
   }
+}
+
+template <class Maker>
+void check_scene(const Point_scene& scene)
+{
+  with_bound(scene.radius, [&](const auto& bound) { check_scene<Maker>(scene, bound); });
 }
 
 inline Scenes all_scenes(int dimension)

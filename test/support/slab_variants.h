@@ -33,8 +33,7 @@ Pairs slab_pairs(const std::vector<Point>& points, const CGAL::Distance_bound<NT
   const internal::Coordinate_scan scan = internal::scan_coordinates<CGAL::Sequential_tag>(
     elements, "point",
     [&](std::size_t position, int axis, double x) { doubles.set(position, axis, x); });
-  const CGAL::Scene_profile profile
-    = internal::make_profile<Number>(points.size(), scan, bound);
+  const CGAL::Scene_profile profile = internal::make_profile(points.size(), scan, bound);
   const CGAL::Thick_point_traits_d<Point> traits(bound, profile);
   const auto is_within = traits.do_intersect_d_object();
   const internal::Slab_route<CGAL::Sequential_tag, Dimension, Elements> route(

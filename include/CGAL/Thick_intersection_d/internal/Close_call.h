@@ -5,8 +5,9 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSE_CALL_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSE_CALL_H
 
-// Decides the pairs that the filter does not, from coordinates that are doubles: in integers where
-// the scene's grid allows it, and otherwise, but for exact ties, in doubles of twice the precision.
+// Decides the pairs that the filter does not, from coordinates that are doubles, whatever their
+// type: in integers where the scene's grid allows it, and otherwise, but for exact ties, in doubles
+// of twice the precision.
 
 #include <CGAL/Scene_profile.h>
 #include <CGAL/Thick_intersection_d/internal/Grid_distance.h>
@@ -23,15 +24,17 @@ class Close_call
 public:
   Close_call() = default; // decides nothing
 
-  // For points of any coordinates that are doubles.
+  // For points of any coordinates of a type that a double holds.
   template <class Exact>
   Close_call(const Squared_bound<Exact>& bound, int dimension) : twofold_filter_(bound, dimension)
   {}
 
-  // For the points of a scene that has a grid, and no others.
+  // For the points of a scene, and no others. Decides nothing if the scene has no grid.
   template <class Exact>
   Close_call(const Squared_bound<Exact>& bound, const Scene_profile& profile)
   {
+    if(!profile.has_grid())
+      return;
     if(profile.tier() == Arithmetic_tier::INT64)
       in_64_bits_.emplace(bound, profile.units(), profile.grid_exponent());
     else if(profile.tier() == Arithmetic_tier::INT128)
@@ -69,12 +72,12 @@ private:
   Twofold_filter twofold_filter_;
 };
 
-// Returns the one for points with coordinates of type Number, whose dimension or scene is given.
-template <class Number, class Exact, class Dimension_or_profile>
-Close_call make_close_call(const Squared_bound<Exact>& bound, const Dimension_or_profile& points)
+// Returns the one for points of any coordinates of type Number.
+template <class Number, class Exact>
+Close_call make_close_call(const Squared_bound<Exact>& bound, int dimension)
 {
   if constexpr(is_held_by_double_v<Number>)
-    return Close_call(bound, points);
+    return Close_call(bound, dimension);
   else
     return Close_call();
 }

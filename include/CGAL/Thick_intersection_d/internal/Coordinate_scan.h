@@ -15,6 +15,7 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -32,10 +33,15 @@ struct Coordinate_scan
   // Whether the points differ along an axis; if not, all their coordinates are the same double.
   bool is_extended_along(std::size_t axis) const { return box[axis].first < box[axis].second; }
 
+  // Whether all coordinates are doubles, whatever their type.
+  bool are_doubles() const { return error == 0; }
+
   // The exponent of the coarsest grid that holds all coordinates but those that are the same for
-  // all points.
-  int grid_exponent() const
+  // all points, or nothing if they are not doubles.
+  std::optional<int> grid_exponent() const
   {
+    if(!are_doubles())
+      return std::nullopt;
     Grid_scan grid;
     for(std::size_t i = 0; i < box.size(); ++i)
       if(is_extended_along(i))
@@ -44,7 +50,7 @@ struct Coordinate_scan
   }
 
   std::vector<std::pair<double, double>> box; // rounded outwards
-  std::vector<Grid_scan> grids;               // of the coordinates that are doubles, per axis
+  std::vector<Grid_scan> grids;               // of the lower bounds, per axis
   double error = 0;                           // the greatest distance of two bounds
   std::size_t first_bad = (std::numeric_limits<std::size_t>::max)(); // position
 
@@ -74,9 +80,8 @@ void scan_block(const Elements& points, std::size_t first, std::size_t last, int
       is_good = are_bounds_of_finite(x);
       scan.box[i].first = (std::min)(scan.box[i].first, x.first);
       scan.box[i].second = (std::max)(scan.box[i].second, x.second);
-      if constexpr(is_held_by_double_v<Number>)
-        scan.grids[i].add(x.first);
-      else
+      scan.grids[i].add(x.first);
+      if constexpr(!is_held_by_double_v<Number>)
         scan.error = (std::max)(scan.error, x.second - x.first);
       store(position, i, x.first);
     }

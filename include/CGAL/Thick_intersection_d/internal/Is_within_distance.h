@@ -67,12 +67,11 @@ public:
     }
     if(inf > filter_.outside)
       return false;
-    if constexpr(is_held_by_double_v<Number>) {
-      const auto x = [&](int i) { return static_cast<double>(coordinate(p, i)); };
-      const auto y = [&](int i) { return static_cast<double>(coordinate(q, i)); };
-      if(const std::optional<bool> is_within = close_call_.decide(x, y, dimension_, counts))
-        return *is_within;
-    }
+    // It decides something only if the coordinates are doubles, which their bounds are then.
+    const auto x = [&](int i) { return coordinate_bounds(p, i).first; };
+    const auto y = [&](int i) { return coordinate_bounds(q, i).first; };
+    if(const std::optional<bool> is_within = close_call_.decide(x, y, dimension_, counts))
+      return *is_within;
     counts.add(Arithmetic_tier::FILTERED_EXACT);
     return bound_.holds_for(exact_squared_distance(p, q, dimension_));
   }

@@ -53,7 +53,7 @@ Checked_scene check_scene(const Elements& points, const Squared_bound<Exact>& bo
   check_size(points.size());
   const Coordinate_scan scan = scan_coordinates<ConcurrencyTag>(points, "point");
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  return {make_profile<Coordinate_t<typename Elements::value_type>>(points.size(), scan, bound),
+  return {make_profile(points.size(), scan, bound),
           scan.error == 0 ? 0 : std::nextafter(scan.error, infinity)}; // it was rounded
 }
 
