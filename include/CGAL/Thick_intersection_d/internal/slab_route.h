@@ -11,11 +11,10 @@
 #include <CGAL/Scene_profile.h>
 #include <CGAL/Thick_intersection_d/internal/Is_within_distance.h>
 #include <CGAL/Thick_intersection_d/internal/Point_doubles.h>
-#include <CGAL/Thick_intersection_d/internal/Slab_stream.h>
 #include <CGAL/Thick_intersection_d/internal/Slab_sweep.h>
+#include <CGAL/Thick_intersection_d/internal/Slab_window.h>
 
 #include <cmath>
-#include <deque>
 #include <limits>
 
 namespace CGAL {
@@ -50,65 +49,6 @@ Distance_filter widen(const Distance_filter& filter, const Squared_bound<Exact>&
   wide.outside = (std::max)(filter.outside, greatest * greatest);
   return wide;
 }
-
-// Consecutive slabs, or parts of slabs, of which only those near the one being swept are held.
-template <int Dimension>
-class Slab_window
-{
-public:
-  Slab_window(const Slabs<Dimension>& slabs, double reach, Place first,
-              const Part_sizes& sizes = Part_sizes())
-    : stream_(slabs, reach, first, sizes), reach_(reach), end_(slabs.count())
-  {}
-
-  // Returns the strips at `index` in the window, or nullptr if there are no more.
-  const Strips<Dimension>* operator[](std::size_t index)
-  {
-    while(index >= parts_.size()) {
-      parts_.push_back(std::move(spare_));
-      if(!stream_.next(parts_.back().strips)) {
-        parts_.pop_back();
-        return nullptr;
-      }
-      parts_.back().slab = stream_.slab();
-    }
-    return &parts_[index].strips;
-  }
-
-  // Returns the strips at `index` if some of them are within reach above `high`, otherwise nullptr.
-  // Strips follow each other, so those before them may tell that they need not be made.
-  const Strips<Dimension>* within_reach(std::size_t index, double high)
-  {
-    if(index > 0 && parts_[index - 1].strips.range(axis).high - high > reach_)
-      return nullptr;
-    const Strips<Dimension>* const strips = (*this)[index];
-    return strips && strips->range(axis).low - high <= reach_ ? strips : nullptr;
-  }
-
-  // The number of the slab that the first strips belong to, or that of slabs if there are none.
-  Place slab() { return (*this)[0] ? parts_.front().slab : end_; }
-
-  void pop()
-  {
-    spare_ = std::move(parts_.front());
-    parts_.pop_front();
-  }
-
-private:
-  struct Part
-  {
-    Strips<Dimension> strips;
-    Place slab = 0;
-  };
-
-  static constexpr int axis = Dimension - 1; // that slabs are cut along
-
-  Slab_stream<Dimension> stream_;
-  const double reach_;
-  const Place end_;
-  std::deque<Part> parts_;
-  Part spare_; // whose memory is used again
-};
 
 // Returns the axes of a search: those along which the points differ, at most `Dimension`, and as
 // many others as are missing to that number, in ascending order.
