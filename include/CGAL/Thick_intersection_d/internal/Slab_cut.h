@@ -139,6 +139,16 @@ public:
   const Point* end(Place slab) const { return begin(slab + 1); }
   Place size() const { return begins_.back(); }
 
+  // Returns the slabs [first, last) of one of `count` blocks, which have about as many points each.
+  std::pair<Place, Place> block(std::size_t index, std::size_t count) const
+  {
+    const auto first_behind = [&](std::size_t points) {
+      const auto slab = std::lower_bound(begins_.begin(), begins_.end(), points);
+      return static_cast<Place>(slab - begins_.begin());
+    };
+    return {first_behind(index * size() / count), first_behind((index + 1) * size() / count)};
+  }
+
   // No point whose coordinate is at least x is in a slab before this one.
   Place slab_of(double x) const { return cut_(x); }
 

@@ -94,7 +94,7 @@ public:
     if(is_within_bound_as_a_whole())
       return report_all(points_.size(), 0, report, progress);
     const Slabs<Dimension> slabs = make_slabs(0, points_.size());
-    sweep_slabs(slabs.count(), report, [&](auto& sweep, Place first, Place last) {
+    sweep_slabs(slabs, report, [&](auto& sweep, Place first, Place last) {
       Slab_window<Dimension> window(slabs, reach_, first, sizes_);
       Slabs_nearby near;
       for(; window.slab() < last && !report.is_stopped(); window.pop()) {
@@ -116,7 +116,7 @@ public:
       return report_all(first_set_size, first_set_size, report, progress);
     const Slabs<Dimension> slabs = make_slabs(0, first_set_size);
     const Slabs<Dimension> other_slabs = make_slabs(first_set_size, points_.size());
-    sweep_slabs(slabs.count(), report, [&](auto& sweep, Place first, Place last) {
+    sweep_slabs(slabs, report, [&](auto& sweep, Place first, Place last) {
       Slab_window<Dimension> window(slabs, reach_, first, sizes_);
       if(window.slab() >= last)
         return;
@@ -216,14 +216,18 @@ private:
 
   // Calls task(sweep, first, last) for blocks of slabs.
   template <class Report, class Task>
-  void sweep_slabs(Place count, Report& report, const Task& task) const
+  void sweep_slabs(const Slabs<Dimension>& slabs, Report& report, const Task& task) const
   {
-    for_each_numbered_block<ConcurrencyTag>(
-      block_count<ConcurrencyTag>(), count, [&](std::size_t, std::size_t first, std::size_t last) {
+    const std::size_t count = block_count<ConcurrencyTag>();
+    for_each_block<ConcurrencyTag>(count, [&](std::size_t block, std::size_t end) {
+      for(; block != end; ++block) {
         Sweep<Report> sweep = make_sweep(report);
-        task(sweep, static_cast<Place>(first), static_cast<Place>(last));
+        const auto [first, last] = slabs.block(block, count);
+        if(first != last)
+          task(sweep, first, last);
         share(sweep.counts());
-      });
+      }
+    });
   }
 
   // Sweeps a slab with those nearby: where very many points crowd, in shares, which may be swept at
