@@ -214,6 +214,33 @@ namespace {
 
 namespace internal = CGAL::Thick_intersection_d::internal;
 
+// Blocks follow each other from the first slab to the last one with a point, and no block has more
+// points than its share and one slab.
+void check_blocks(const Points& points, double reach)
+{
+  const auto made = make_points<Plane>(points);
+  const internal::Held_doubles<std::vector<Plane::Point>> doubles(made);
+  internal::Range range;
+  for(const Coordinates& c : points)
+    range.add(c[1]);
+  const internal::Slabs<2> slabs(CGAL::Sequential_tag(), doubles, 0, points.size(), range, reach);
+  std::ptrdiff_t largest = 0;
+  for(internal::Place s = 0; s < slabs.count(); ++s)
+    largest = (std::max)(largest, slabs.end(s) - slabs.begin(s));
+  for(const std::size_t count : {1, 2, 3, 8, 100}) {
+    internal::Place end = 0;
+    for(std::size_t b = 0; b < count; ++b) {
+      const auto [first, last] = slabs.block(b, count);
+      BOOST_CHECK_EQUAL(first, end);
+      BOOST_CHECK_LE(first, last);
+      const auto share = static_cast<std::ptrdiff_t>(points.size() / count) + 1;
+      BOOST_CHECK_LE(slabs.begin(last) - slabs.begin(first), share + largest);
+      end = last;
+    }
+    BOOST_CHECK(slabs.begin(end) == slabs.begin(slabs.count()));
+  }
+}
+
 // How many pairs of places a sweep looks at: a filter that decides nothing leaves all to `decide`.
 template <int Dimension>
 std::size_t count_candidates(const Points& points, double reach)
@@ -283,6 +310,14 @@ void check_candidates_of_scenes(double limit)
 }
 
 } // namespace
+
+BOOST_AUTO_TEST_CASE(blocks_of_slabs_share_the_points)
+{
+  check_blocks(uniform_points(2, 20000, 0, 1, 1), 0.001);
+  check_blocks(clustered_points(2, 20000, 3, 1. / 256, 3), 0.001);
+  check_blocks(flights(2, 20000), 1);
+  check_blocks(Points(5000, Coordinates(2, 1)), 1);
+}
 
 BOOST_AUTO_TEST_CASE(candidates_are_few_2) { check_candidates_of_scenes<2>(4); }
 BOOST_AUTO_TEST_CASE(candidates_are_few_3) { check_candidates_of_scenes<3>(8); }

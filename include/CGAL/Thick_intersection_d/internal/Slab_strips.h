@@ -44,7 +44,8 @@ struct Run
   const Place* positions;
   Place size;
 
-  // Some of `count` shares of the run: sweeps that start with it meet the points behind, too.
+  // Returns one of `count` shares of the run, whose points a sweep starts with: it meets the points
+  // behind them as well.
   Run share(Place index, Place count) const
   {
     const std::uint64_t groups = (size + lanes - 1) / lanes;

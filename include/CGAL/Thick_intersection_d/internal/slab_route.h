@@ -195,13 +195,13 @@ private:
         counts.add(Arithmetic_tier::DOUBLE, j - start);
         advance(progress, 1, report);
       }
-      share(counts);
+      publish(counts);
     });
     advance(progress, points_.size() - end, report);
     return !report.is_stopped();
   }
 
-  void share(const Decision_counts& counts) const
+  void publish(const Decision_counts& counts) const
   {
     if(is_within_.shared_counts() != nullptr)
       is_within_.shared_counts()->add(counts);
@@ -225,7 +225,7 @@ private:
         const auto [first, last] = slabs.block(block, count);
         if(first != last)
           task(sweep, first, last);
-        share(sweep.counts());
+        publish(sweep.counts());
       }
     });
   }
@@ -249,7 +249,7 @@ private:
         sweep_of_share.between(slab, nearby);
         advance(progress, slab.size() * (s + 1) / count - slab.size() * s / count, report);
       }
-      share(sweep_of_share.counts());
+      publish(sweep_of_share.counts());
     });
   }
 
