@@ -91,7 +91,10 @@ template <class Point, int Dimension>
 void run_near_neighbors(int bits)
 {
   const auto points = degree_points<Point, Dimension>(n, bits, 1);
-  CGAL::fixed_radius_near_neighbors(points, CGAL::within_distance(radius(bits)), ignore_pair);
+  CGAL::Scene_profile profile; // otherwise integers decide what the filter leaves
+  profile.force_tier(CGAL::Arithmetic_tier::FILTERED_EXACT);
+  CGAL::fixed_radius_near_neighbors(points, CGAL::within_distance(radius(bits)), ignore_pair,
+                                    profile);
 }
 
 template <class Objects, class Traits>
