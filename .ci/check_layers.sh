@@ -10,7 +10,7 @@ export LC_ALL=C.UTF-8
 cd "$(dirname "${BASH_SOURCE[0]}")/../include"
 
 internal=CGAL/Thick_intersection_d
-parallel=$internal/internal/parallel.h
+parallel=$internal/internal/machine/parallel.h
 # The public headers that name the things which the internal ones work on.
 vocabulary='Arithmetic_tier|Distance_bound|Neighbor_lists|Scene_profile'
 # Parts of CGAL under the GPL that are near at hand here. The test `licences` follows every include.

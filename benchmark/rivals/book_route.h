@@ -8,9 +8,9 @@
 
 #include <CGAL/Thick_point_traits_d.h>
 
-#include <CGAL/Thick_intersection_d/internal/Elements.h>
-#include <CGAL/Thick_intersection_d/internal/Progress.h>
-#include <CGAL/Thick_intersection_d/internal/book_route.h>
+#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
+#include <CGAL/Thick_intersection_d/internal/recursion/Recursive_route.h>
 
 #include <vector>
 

@@ -12,11 +12,11 @@
 #include <CGAL/Distance_bound.h>
 #include <CGAL/Named_function_parameters.h>
 
-#include <CGAL/Thick_intersection_d/internal/Coordinate_scan.h>
-#include <CGAL/Thick_intersection_d/internal/Decision_counts.h>
-#include <CGAL/Thick_intersection_d/internal/Elements.h>
-#include <CGAL/Thick_intersection_d/internal/Grid_distance.h>
-#include <CGAL/Thick_intersection_d/internal/Squared_bound.h>
+#include <CGAL/Thick_intersection_d/internal/input/scan_coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
+#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Integer_distance.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 
 #include <optional>
 #include <ostream>

@@ -7,7 +7,7 @@
 
 // Closed balls with a radius each.
 
-#include <CGAL/Thick_intersection_d/internal/Do_balls_intersect.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Do_balls_intersect.h>
 
 #include <utility>
 

@@ -10,8 +10,8 @@
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Bbox_3.h>
 
-#include <CGAL/Thick_intersection_d/internal/Exact_do_intersect.h>
-#include <CGAL/Thick_intersection_d/internal/check_vertices.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
+#include <CGAL/Thick_intersection_d/internal/input/check_vertices.h>
 
 #include <array>
 

@@ -11,7 +11,7 @@
 #include <CGAL/Distance_bound.h>
 #include <CGAL/Scene_profile.h>
 
-#include <CGAL/Thick_intersection_d/internal/Is_within_distance.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Is_within_distance.h>
 
 namespace CGAL {
 

@@ -8,8 +8,8 @@
 // The closest pair of points, and the question whether any two are within a distance.
 
 #include <CGAL/Distance_bound.h>
-#include <CGAL/Thick_intersection_d/internal/Elements.h>
-#include <CGAL/Thick_intersection_d/internal/closest_pair_search.h>
+#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/Closest_pair_search.h>
 
 #include <optional>
 #include <utility>

@@ -12,10 +12,10 @@
 #include <CGAL/Scene_profile.h>
 #include <CGAL/Thick_point_traits_d.h>
 
-#include <CGAL/Thick_intersection_d/internal/Elements.h>
-#include <CGAL/Thick_intersection_d/internal/Neighbor_collector.h>
-#include <CGAL/Thick_intersection_d/internal/report_intersections.h>
-#include <CGAL/Thick_intersection_d/internal/slab_route.h>
+#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Neighbor_collector.h>
+#include <CGAL/Thick_intersection_d/internal/doors/object_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slab_route.h>
 
 #include <limits>
 #include <optional>

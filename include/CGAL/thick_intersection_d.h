@@ -11,10 +11,10 @@
 #include <CGAL/Thick_object_traits_d.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
 
-#include <CGAL/Thick_intersection_d/internal/Ball_centers.h>
-#include <CGAL/Thick_intersection_d/internal/Elements.h>
-#include <CGAL/Thick_intersection_d/internal/check_denormals.h>
-#include <CGAL/Thick_intersection_d/internal/report_intersections.h>
+#include <CGAL/Thick_intersection_d/internal/input/Ball_centers.h>
+#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/check_denormals.h>
+#include <CGAL/Thick_intersection_d/internal/doors/object_pairs_search.h>
 
 namespace CGAL {
 

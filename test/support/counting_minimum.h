@@ -6,7 +6,7 @@
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_COUNTING_MINIMUM_H
 #define THICK_INTERSECTION_TEST_SUPPORT_COUNTING_MINIMUM_H
 
-#include <CGAL/Thick_intersection_d/internal/Pair_minimum.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/Pair_minimum.h>
 
 #include <cstddef>
 #include <map>

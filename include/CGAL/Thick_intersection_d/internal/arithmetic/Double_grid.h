@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_ARITHMETIC_DOUBLE_GRID_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_ARITHMETIC_DOUBLE_GRID_H
+
+// The coarsest grid 2^e Z that holds a sequence of doubles, and doubles in steps of a grid.
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+inline std::uint64_t bits_of(double x)
+{
+  std::uint64_t bits;
+  std::memcpy(&bits, &x, sizeof(bits));
+  return bits;
+}
+
+// A finite double taken apart: |x| = mantissa * 2^exponent.
+struct Double_parts
+{
+  explicit Double_parts(double x)
+  {
+    const std::uint64_t bits = bits_of(x);
+    const std::uint64_t fraction = bits & ((std::uint64_t(1) << 52) - 1);
+    const int biased = static_cast<int>((bits >> 52) & 0x7ff);
+    mantissa = fraction | static_cast<std::uint64_t>(biased != 0) << 52;
+    exponent = (std::max)(biased, 1) - 1075;
+  }
+
+  std::uint64_t mantissa;
+  int exponent;
+};
+
+// Returns x / 2^e modulo 2^64, where x is a multiple of 2^e. Of other numbers it drops what is
+// below 2^e, so that equal ones have equal results.
+inline std::uint64_t steps_modulo_2_64(double x, int e)
+{
+  const Double_parts parts(x);
+  const int shift = parts.exponent - e;
+  const std::uint64_t steps = shift >= 64 || shift <= -64 ? 0
+                              : shift >= 0                ? parts.mantissa << shift
+                                                          : parts.mantissa >> -shift;
+  return x < 0 ? 0 - steps : steps;
+}
+
+class Grid_scan
+{
+public:
+  // Refines the grid until it holds the finite number x. Without branches but for zero, since the
+  // number of zeros at the end of a mantissa is anybody's guess.
+  void add(double x)
+  {
+    const Double_parts parts(x);
+    if(parts.mantissa == 0)
+      return;
+    const std::uint64_t lowest_bit = parts.mantissa & (~parts.mantissa + 1);
+    exponent_ = (std::min)(exponent_, parts.exponent + logarithm(lowest_bit));
+  }
+
+  // Refines the grid until it holds all that the other one holds.
+  void add(const Grid_scan& other) { exponent_ = (std::min)(exponent_, other.exponent_); }
+
+  // Returns e, or 0 if no number but zero was added.
+  int exponent() const { return exponent_ == none ? 0 : exponent_; }
+
+private:
+  // The exponent of a power of two, which a double holds.
+  static int logarithm(std::uint64_t power)
+  {
+    return static_cast<int>(bits_of(static_cast<double>(static_cast<std::int64_t>(power))) >> 52)
+           - 1023;
+  }
+
+  static constexpr int none = 2000; // above every exponent of a double
+  int exponent_ = none;
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_ARITHMETIC_DOUBLE_GRID_H

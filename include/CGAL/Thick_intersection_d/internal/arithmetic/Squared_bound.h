@@ -1,0 +1,160 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_ARITHMETIC_SQUARED_BOUND_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_ARITHMETIC_SQUARED_BOUND_H
+
+// A distance bound, checked, and in the forms that searches need: its square as an exact number and
+// between two doubles, and the reach along an axis.
+
+#include <CGAL/Distance_bound.h>
+
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// Sets `numerator / denominator`, two numbers of an exact type, to the rational r2.
+template <class Exact>
+void decompose(const Exact_rational& r2, Exact& numerator, Exact& denominator)
+{
+  if constexpr(std::is_same_v<Exact, Exact_rational> || Is_lazy<Exact>::value) {
+    numerator = Exact(r2);
+    denominator = Exact(1);
+  }
+  else {
+    using Fraction = Fraction_traits<Exact_rational>;
+    typename Fraction::Numerator_type n;
+    typename Fraction::Denominator_type d;
+    typename Fraction::Decompose()(r2, n, d);
+    numerator = convert_integer<Exact>(n);
+    denominator = convert_integer<Exact>(d);
+  }
+}
+
+// The bound |pq|^2 <= r^2, or < if open, where |pq|^2 is of the type Exact.
+template <class Exact>
+class Squared_bound
+{
+public:
+  // Throws std::invalid_argument if the bound is negative or NaN.
+  template <class NT>
+  explicit Squared_bound(const Distance_bound<NT>& bound)
+    : open_(bound.is_open()), unbounded_(!is_finite_number(bound.value()))
+  {
+    if(!(bound.value() >= NT(0)))
+      throw std::invalid_argument("The distance bound is negative or NaN.");
+    if(unbounded_)
+      return;
+
+    if constexpr(std::is_same_v<NT, Exact>)
+      numerator_ = square_of(bound.value(), bound.is_squared());
+    else
+      decompose(square_of(to_exact_rational(bound.value()), bound.is_squared()),
+                numerator_, denominator_);
+
+    const std::pair<double, double> value = bounds(bound.value());
+    set_doubles(value, bound.is_squared());
+  }
+
+  bool is_open() const { return open_; }
+
+  // Whether every pair of points is within the bound.
+  bool is_unbounded() const { return unbounded_; }
+
+  // Doubles that enclose r^2.
+  const std::pair<double, double>& squared() const { return squared_; }
+
+  // An upper bound on |x_i(p) - x_i(q)| over the pairs within the bound.
+  double reach() const { return reach_; }
+
+  // Whether a squared distance is within the bound. Degree 2 in the coordinates and r.
+  bool holds_for(const Exact& squared_distance) const
+  {
+    if(unbounded_)
+      return true;
+    const Exact scaled = squared_distance * denominator_;
+    return open_ ? scaled < numerator_ : scaled <= numerator_;
+  }
+
+  // Returns r^2 - x, rounded a few times; for a double x near r^2, and types whose conversion to
+  // double is precise: not for lazy ones.
+  double excess(double x) const
+  {
+    return CGAL::to_double(numerator_ - Exact(x) * denominator_) / CGAL::to_double(denominator_);
+  }
+
+  // Returns the largest double that is within the bound as a squared distance.
+  double largest_double() const
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double threshold = (std::min)(squared_.first, (std::numeric_limits<double>::max)());
+    while(!holds_for(Exact(threshold)))
+      threshold = std::nextafter(threshold, -infinity);
+    for(double next = std::nextafter(threshold, infinity);
+        next != infinity && holds_for(Exact(next)); next = std::nextafter(next, infinity))
+      threshold = next;
+    return threshold;
+  }
+
+  // Returns the least integer s, below 2^bits, for which s 4^e is not within the bound as a squared
+  // distance: by long division of r^2 by 4^e.
+  template <class Integer>
+  Integer first_beyond(int e, int bits) const
+  {
+    const Exact unit(std::ldexp(1., e));
+    const Exact divisor(unit * unit * denominator_);
+    Exact rest(numerator_);
+    Integer quotient = 0;
+    for(int bit = bits - 1; bit >= 0; --bit) {
+      const Exact part(divisor * Exact(std::ldexp(1., bit)));
+      if(part <= rest) {
+        rest -= part;
+        quotient += Integer(1) << bit;
+      }
+    }
+    return open_ && rest == Exact(0) ? quotient : Integer(quotient + 1);
+  }
+
+private:
+  template <class Number>
+  static Number square_of(const Number& value, bool is_squared)
+  {
+    return is_squared ? value : Number(value * value);
+  }
+
+  // Computes with one rounding, to either side, so the neighbouring doubles enclose the results.
+  void set_doubles(const std::pair<double, double>& value, bool is_squared)
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const double low = (std::max)(value.first, 0.);
+    if(is_squared) {
+      squared_ = {low, value.second};
+      reach_ = std::nextafter(std::sqrt(value.second), infinity);
+    }
+    else {
+      squared_ = {(std::max)(std::nextafter(low * low, -infinity), 0.),
+                  std::nextafter(value.second * value.second, infinity)};
+      reach_ = value.second;
+    }
+  }
+
+  Exact numerator_ = Exact(0);
+  Exact denominator_ = Exact(1);
+  std::pair<double, double> squared_ = {std::numeric_limits<double>::infinity(),
+                                        std::numeric_limits<double>::infinity()};
+  double reach_ = std::numeric_limits<double>::infinity();
+  bool open_;
+  bool unbounded_;
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_ARITHMETIC_SQUARED_BOUND_H

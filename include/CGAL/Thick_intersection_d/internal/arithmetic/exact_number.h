@@ -1,0 +1,231 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_ARITHMETIC_EXACT_NUMBER_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_ARITHMETIC_EXACT_NUMBER_H
+
+// Numbers without error: from whatever number type the user has to one in which squared distances
+// are computed and compared exactly, and to doubles that enclose it.
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Fraction_traits.h>
+#include <CGAL/Lazy_exact_nt.h>
+#include <CGAL/Mpzf.h>
+#include <CGAL/Quotient.h>
+#include <CGAL/number_utils.h>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <type_traits>
+#include <utility>
+
+#ifdef __FAST_MATH__
+#error "Thick_intersection_d is exact and relies on IEEE 754: compile without -ffast-math."
+#endif
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// Numbers whose values are doubles, without rounding.
+template <class NT>
+constexpr bool is_held_by_double_v
+  = std::is_same_v<NT, double> || std::is_same_v<NT, float>
+    || (std::is_integral_v<NT> && sizeof(NT) < sizeof(double));
+
+template <class NT>
+struct Is_lazy : std::false_type {};
+template <class ET>
+struct Is_lazy<Lazy_exact_nt<ET>> : std::true_type {};
+
+template <class NT>
+struct Is_quotient : std::false_type {};
+template <class Integer>
+struct Is_quotient<Quotient<Integer>> : std::true_type {};
+
+// Floating numbers of any precision: built in, or found by argument-dependent lookup.
+namespace floating {
+using std::frexp;
+using std::ldexp;
+
+template <class NT, class = void>
+struct Is_floating : std::is_floating_point<NT> {};
+template <class NT>
+struct Is_floating<NT, std::void_t<decltype(frexp(std::declval<const NT&>(),
+                                                  std::declval<int*>()))>>
+  : std::bool_constant<!std::is_integral_v<NT>> {};
+
+// Splits x into a mantissa in [1/2, 1) and an exponent.
+template <class NT>
+NT mantissa(const NT& x, int& exponent)
+{
+  return frexp(x, &exponent);
+}
+} // namespace floating
+
+// Returns the rational value of a finite floating number of any precision: peels off the leading
+// 53 bits of the mantissa until none is left, which rounds nowhere.
+template <class NT>
+Exact_rational rational_of_floating(const NT& x)
+{
+  int exponent = 0;
+  NT rest = floating::mantissa(x, exponent);
+  Exact_rational value(0);
+  while(rest != NT(0)) {
+    const double head = static_cast<double>(rest);
+    value += Exact_rational(head);
+    rest -= NT(head);
+  }
+  Exact_rational scale(1);
+  Exact_rational power(exponent < 0 ? 0.5 : 2.); // invariant: scale * power^e = 2^exponent
+  for(unsigned int e = std::abs(exponent); e != 0; e >>= 1) {
+    if(e & 1)
+      scale *= power;
+    power *= power;
+  }
+  return value * scale;
+}
+
+// Returns the rational value of a built-in integer of any width.
+template <class Integer>
+Exact_rational rational_of_integer(Integer x)
+{
+  if constexpr(is_held_by_double_v<Integer>)
+    return Exact_rational(static_cast<double>(x));
+  else {
+    const Integer low = x & 0xffffffff;
+    return Exact_rational(static_cast<double>((x - low) / 4294967296)) * Exact_rational(4294967296.)
+           + Exact_rational(static_cast<double>(low));
+  }
+}
+
+// Returns the exact value of x, whose value is a rational number.
+template <class NT>
+Exact_rational to_exact_rational(const NT& x)
+{
+  if constexpr(std::is_same_v<NT, Exact_rational>)
+    return x;
+  else if constexpr(std::is_integral_v<NT>)
+    return rational_of_integer(x);
+  else if constexpr(is_held_by_double_v<NT>)
+    return Exact_rational(static_cast<double>(x));
+  else if constexpr(floating::Is_floating<NT>::value)
+    return rational_of_floating(x);
+  else if constexpr(Is_lazy<NT>::value)
+    return to_exact_rational(CGAL::exact(x));
+  else if constexpr(Is_quotient<NT>::value)
+    return to_exact_rational(x.numerator()) / to_exact_rational(x.denominator());
+  else if constexpr(std::is_constructible_v<Exact_rational, const NT&>)
+    return Exact_rational(x);
+  else {
+    // All big integers and rationals have their decimal text in common.
+    std::stringstream text;
+    text << x;
+    Exact_rational value;
+    text >> value;
+    return value;
+  }
+}
+
+// The type in which squared distances of points with coordinates of type FT are computed without
+// error: FT itself if it is exact, and for floats and doubles a type without the cost of fractions.
+// Not a quotient of integers without common divisors taken out, which would grow with each sum.
+template <class FT>
+struct Exact_number
+{
+  using type = std::conditional_t<Algebraic_structure_traits<FT>::Is_exact::value
+                                    && !std::is_arithmetic_v<FT> && !Is_quotient<FT>::value,
+                                  FT, Exact_rational>;
+};
+#ifdef CGAL_HAS_MPZF
+template <>
+struct Exact_number<double>
+{
+  using type = Mpzf;
+};
+template <>
+struct Exact_number<float>
+{
+  using type = Mpzf;
+};
+#endif
+
+template <class FT>
+using Exact_number_t = typename Exact_number<FT>::type;
+
+// Returns x, a coordinate or a radius, in its exact type.
+template <class NT>
+decltype(auto) to_exact_number(const NT& x)
+{
+  using Exact = Exact_number_t<NT>;
+  if constexpr(std::is_same_v<Exact, NT>)
+    return (x);
+  else if constexpr(std::is_same_v<Exact, Exact_rational>)
+    return to_exact_rational(x);
+  else
+    return Exact(static_cast<double>(x));
+}
+
+// Returns the big integer x in another exact type. Integer types of different libraries have only
+// their decimal text in common.
+template <class Number, class Integer>
+Number convert_integer(const Integer& x)
+{
+  if(x == 0) // for which the conversion of big integers to Mpzf is not made
+    return Number(0);
+  if constexpr(std::is_constructible_v<Number, const Integer&>)
+    return Number(x);
+  else {
+    std::stringstream text;
+    text << x;
+#ifdef CGAL_HAS_MPZF
+    if constexpr(std::is_same_v<Number, Mpzf>)
+      return Mpzf(Gmpz(text.str()));
+    else
+#endif
+    {
+      Number value;
+      text >> value;
+      return value;
+    }
+  }
+}
+
+// Returns doubles that enclose x: inf <= x <= sup.
+template <class NT>
+std::pair<double, double> bounds(const NT& x)
+{
+  if constexpr(is_held_by_double_v<NT>) {
+    const double value = static_cast<double>(x);
+    return {value, value};
+  }
+  else {
+    const std::pair<double, double> interval = CGAL::to_interval(x);
+    if constexpr(Is_quotient<NT>::value) // which is widened to infinity by parts beyond the doubles
+      if(std::isinf(interval.second) || std::isinf(interval.first))
+        return CGAL::to_interval(to_exact_rational(x));
+    return interval;
+  }
+}
+
+// Whether a number with these bounds is neither NaN nor infinite. A number too large for a double
+// has the largest double below it, an infinite one has not.
+inline bool are_bounds_of_finite(const std::pair<double, double>& b)
+{
+  return b.first <= (std::numeric_limits<double>::max)()
+         && b.second >= std::numeric_limits<double>::lowest();
+}
+
+template <class NT>
+bool is_finite_number(const NT& x)
+{
+  return are_bounds_of_finite(bounds(x));
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_ARITHMETIC_EXACT_NUMBER_H

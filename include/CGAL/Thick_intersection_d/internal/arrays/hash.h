@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_ARRAYS_HASH_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_ARRAYS_HASH_H
+
+// A hash of a sequence of integers, such as the numbers of a cell along the axes.
+
+#include <cstdint>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// Returns the hash of the sequence so far with one more integer. The factor is 2^64 over the golden
+// ratio; a product has its best bits above, so those are folded in first.
+inline std::uint64_t add_to_hash(std::uint64_t hash, std::uint64_t number)
+{
+  return (hash ^ (hash >> 32) ^ number) * 0x9e3779b97f4a7c15;
+}
+
+// Returns the hash of the whole sequence, all bits of which may be used.
+inline std::uint64_t finish_hash(std::uint64_t hash) { return hash ^ (hash >> 32); }
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_ARRAYS_HASH_H

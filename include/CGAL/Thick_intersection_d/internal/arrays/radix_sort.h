@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_ARRAYS_RADIX_SORT_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_ARRAYS_RADIX_SORT_H
+
+// Radix sort of integers, and of doubles by way of integers in the same order: linear time [L].
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+struct Keyed_value
+{
+  std::uint64_t key;
+  std::uint32_t value;
+};
+
+// Returns an integer for a number that is not NaN, in the order of the numbers. -0 and 0 have the
+// same one.
+inline std::uint64_t radix_key(double x)
+{
+  if(x == 0)
+    x = 0; // -0 as well
+  std::uint64_t bits;
+  std::memcpy(&bits, &x, sizeof(bits));
+  const std::uint64_t sign = std::uint64_t(1) << 63;
+  return (bits & sign) != 0 ? ~bits : bits | sign;
+}
+
+// Sorts by the keys; values of equal keys keep their order. A pass per digit in which keys differ.
+inline void radix_sort(std::vector<Keyed_value>& items)
+{
+  constexpr int digit_bits = 11;
+  constexpr std::size_t digit_count = std::size_t(1) << digit_bits;
+  if(items.size() < digit_count / 8) { // less than the counters of a pass
+    std::stable_sort(items.begin(), items.end(),
+                     [](const Keyed_value& a, const Keyed_value& b) { return a.key < b.key; });
+    return;
+  }
+
+  std::uint64_t differing = 0;
+  for(const Keyed_value& item : items)
+    differing |= item.key ^ items.front().key;
+
+  std::vector<Keyed_value> sorted(items.size());
+  std::vector<std::size_t> next(digit_count);
+  for(int shift = 0; shift < 64; shift += digit_bits) {
+    const auto digit = [&](std::uint64_t key) { return (key >> shift) & (digit_count - 1); };
+    if(digit(differing) == 0)
+      continue;
+    std::fill(next.begin(), next.end(), 0);
+    for(const Keyed_value& item : items)
+      ++next[digit(item.key)];
+    std::size_t begin = 0;
+    for(std::size_t& count : next) {
+      const std::size_t end = begin + count;
+      count = begin;
+      begin = end;
+    }
+    for(const Keyed_value& item : items)
+      sorted[next[digit(item.key)]++] = item;
+    items.swap(sorted);
+  }
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_ARRAYS_RADIX_SORT_H

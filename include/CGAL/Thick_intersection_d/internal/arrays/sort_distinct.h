@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_ARRAYS_SORT_DISTINCT_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_ARRAYS_SORT_DISTINCT_H
+
+// Sorts short sequences of distinct numbers.
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// Sorts distinct numbers. Of not many, the rank of each is counted, `lanes` at a time, in loops
+// without branches that compilers turn into vector instructions.
+inline void sort_distinct(std::uint32_t* first, std::uint32_t* last)
+{
+  constexpr std::ptrdiff_t lanes = 8;
+  constexpr std::ptrdiff_t greatest_size = 256; // above, the order of squares tells
+  const std::ptrdiff_t size = last - first;
+  if(size > greatest_size) {
+    std::sort(first, last);
+    return;
+  }
+  // Instructions compare numbers with signs: these are in the same order.
+  std::int32_t numbers[greatest_size];
+  for(std::ptrdiff_t i = 0; i < size; ++i)
+    numbers[i] = static_cast<std::int32_t>(first[i] ^ 0x80000000u);
+  std::fill(numbers + size, numbers + (size + lanes - 1) / lanes * lanes, 0);
+  for(std::ptrdiff_t i = 0; i < size; i += lanes) {
+    std::int32_t rank[lanes] = {};
+    for(std::ptrdiff_t j = 0; j < size; ++j)
+      for(std::ptrdiff_t lane = 0; lane < lanes; ++lane)
+        rank[lane] += numbers[j] < numbers[i + lane];
+    const std::ptrdiff_t count = (std::min)(lanes, size - i);
+    for(std::ptrdiff_t lane = 0; lane < count; ++lane)
+      first[rank[lane]] = static_cast<std::uint32_t>(numbers[i + lane]) ^ 0x80000000u;
+  }
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_ARRAYS_SORT_DISTINCT_H

@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_ARRAYS_UNINITIALIZED_MEMORY_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_ARRAYS_UNINITIALIZED_MEMORY_H
+
+// Memory for what is written before it is read.
+
+#include <CGAL/Thick_intersection_d/internal/machine/huge_pages.h>
+
+#include <memory>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// Returns memory that is not cleared.
+template <class T>
+std::unique_ptr<T[]> make_uninitialized(std::size_t size)
+{
+  std::unique_ptr<T[]> memory(new T[size]);
+  ask_for_huge_pages(memory.get(), size * sizeof(T));
+  return memory;
+}
+
+// Memory that is used again and again, for as much as is asked for.
+template <class T>
+class Buffer
+{
+public:
+  // Returns memory for `size` elements; what was there before may be lost.
+  T* require(std::size_t size)
+  {
+    if(!data_ || size > size_) { // moved from, or too small
+      data_.reset(); // first, so that both are never held at once
+      size_ = size + size / 64; // sizes of slabs differ a little
+      data_ = make_uninitialized<T>(size_);
+    }
+    return data_.get();
+  }
+
+  T* data() const { return data_.get(); }
+
+private:
+  std::unique_ptr<T[]> data_;
+  std::size_t size_ = 0;
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_ARRAYS_UNINITIALIZED_MEMORY_H

@@ -1,0 +1,213 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CELL_TABLE_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CELL_TABLE_H
+
+// The buckets of [L]: members of a set by the cells of a grid that they are in, and the buckets of
+// adjacent cells, by hashing or by the sorted order.
+//
+// A cell is a number along each axis. Where the numbers come from is not asked here; they may be
+// rounded coordinates, or strips that were found by comparisons.
+
+#include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/radix_sort.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+using Cell_number = std::uint32_t;
+
+// How the bucket of an adjacent cell is found.
+enum class Bucket_access {
+  HASHING,
+  SORTED_ORDER
+};
+
+// The half of the differences between adjacent cells that are lexicographically positive: with the
+// other half, each two buckets would meet twice.
+class Forward_offsets
+{
+public:
+  explicit Forward_offsets(int axis_count)
+  {
+    std::vector<int> offset(axis_count, -1);
+    while(true) {
+      if(std::vector<int>(axis_count, 0) < offset)
+        offsets_.push_back(offset);
+      int axis = axis_count - 1; // the next one in lexicographic order
+      for(; axis >= 0 && offset[axis] == 1; --axis)
+        offset[axis] = -1;
+      if(axis < 0)
+        return;
+      ++offset[axis];
+    }
+  }
+
+  std::size_t size() const { return offsets_.size(); }
+  const std::vector<int>& operator[](std::size_t i) const { return offsets_[i]; }
+
+private:
+  std::vector<std::vector<int>> offsets_;
+};
+
+class Cell_table
+{
+public:
+  // The members [0, size), with number_of(member, axis) from 1 to 2^32 - 2. Members of a bucket
+  // keep their order. Linear time.
+  template <class Number_of>
+  Cell_table(std::size_t size, int axis_count, const Number_of& number_of)
+    : axis_count_(axis_count), items_(size)
+  {
+    for(std::size_t i = 0; i < size; ++i)
+      items_[i] = {0, static_cast<std::uint32_t>(i)};
+    begins_ = {0, size};
+
+    // Invariant: the items are sorted by their numbers along the axes before, whose rank is in the
+    // upper half of the key.
+    for(int axis = 0; axis < axis_count; ++axis) {
+      for(Keyed_value& item : items_)
+        item.key |= number_of(item.value, axis);
+      radix_sort(items_);
+      rank_keys();
+    }
+    for(std::size_t bucket = 0; bucket < bucket_count(); ++bucket)
+      for(int axis = 0; axis < axis_count; ++axis)
+        numbers_.push_back(number_of(items_[begins_[bucket]].value, axis));
+  }
+
+  std::size_t bucket_count() const { return begins_.size() - 1; }
+  std::size_t begin(std::size_t bucket) const { return begins_[bucket]; }
+  std::size_t end(std::size_t bucket) const { return begins_[bucket + 1]; }
+
+  // The member at a place between the begin and the end of a bucket.
+  std::uint32_t member(std::size_t place) const { return items_[place].value; }
+
+  // The number of a bucket's cell along an axis.
+  Cell_number number(std::size_t bucket, int axis) const
+  {
+    return numbers_[bucket * axis_count_ + axis];
+  }
+
+  // Compares the cell of a bucket with that of another one shifted by an offset: negative, zero or
+  // positive as it comes before, is the same, or comes after.
+  int compare(std::size_t bucket, std::size_t other, const std::vector<int>& offset) const
+  {
+    for(int axis = 0; axis < axis_count_; ++axis) {
+      const Cell_number x = number(bucket, axis);
+      const Cell_number y = number(other, axis) + offset[axis];
+      if(x != y)
+        return x < y ? -1 : 1;
+    }
+    return 0;
+  }
+
+private:
+  // Finds the buckets of the items, which are sorted, and has the keys hold their ranks.
+  void rank_keys()
+  {
+    begins_.clear();
+    std::uint64_t previous = 0;
+    for(std::size_t place = 0; place < items_.size(); ++place) {
+      const std::uint64_t key = items_[place].key;
+      if(place == 0 || key != previous)
+        begins_.push_back(place);
+      previous = key;
+      items_[place].key = std::uint64_t(begins_.size() - 1) << 32;
+    }
+    begins_.push_back(items_.size());
+  }
+
+  int axis_count_;
+  std::vector<Keyed_value> items_;
+  std::vector<std::size_t> begins_;
+  std::vector<Cell_number> numbers_;
+};
+
+// Finds buckets by the sorted order. For one and the same offset, the buckets that are asked for
+// come in order as well, so a finger per offset moves forward only: linear time for all of them.
+class Sorted_bucket_finder
+{
+public:
+  Sorted_bucket_finder(const Cell_table& table, const Forward_offsets& offsets)
+    : table_(table), offsets_(offsets), fingers_(offsets.size(), 0)
+  {}
+
+  // Returns the bucket at offset `i` from `bucket`, or bucket_count() if it is empty. The buckets
+  // are to be asked for in increasing order.
+  std::size_t operator()(std::size_t bucket, std::size_t i)
+  {
+    std::size_t& finger = fingers_[i];
+    while(finger != table_.bucket_count() && table_.compare(finger, bucket, offsets_[i]) < 0)
+      ++finger;
+    return finger != table_.bucket_count() && table_.compare(finger, bucket, offsets_[i]) == 0
+             ? finger
+             : table_.bucket_count();
+  }
+
+private:
+  const Cell_table& table_;
+  const Forward_offsets& offsets_;
+  std::vector<std::size_t> fingers_;
+};
+
+// The dictionary of [L]: open hashing with linear probing, at most half full.
+class Bucket_dictionary
+{
+public:
+  Bucket_dictionary(const Cell_table& table, const Forward_offsets& offsets, int axis_count)
+    : table_(table), offsets_(offsets), axis_count_(axis_count)
+  {
+    std::size_t size = 4;
+    while(size < 2 * table.bucket_count())
+      size *= 2;
+    slots_.assign(size, free_slot);
+    for(std::size_t bucket = 0; bucket < table.bucket_count(); ++bucket) {
+      std::size_t slot = first_slot([&](int axis) { return table_.number(bucket, axis); });
+      while(slots_[slot] != free_slot)
+        slot = (slot + 1) & (slots_.size() - 1);
+      slots_[slot] = static_cast<std::uint32_t>(bucket);
+    }
+  }
+
+  // Returns the bucket at offset `i` from `bucket`, or bucket_count() if it is empty.
+  std::size_t operator()(std::size_t bucket, std::size_t i) const
+  {
+    const std::vector<int>& offset = offsets_[i];
+    std::size_t slot = first_slot(
+      [&](int axis) { return table_.number(bucket, axis) + offset[axis]; });
+    while(slots_[slot] != free_slot && table_.compare(slots_[slot], bucket, offset) != 0)
+      slot = (slot + 1) & (slots_.size() - 1);
+    return slots_[slot] == free_slot ? table_.bucket_count() : slots_[slot];
+  }
+
+private:
+  template <class Number_along>
+  std::size_t first_slot(const Number_along& number_along) const
+  {
+    std::uint64_t hash = 0;
+    for(int axis = 0; axis < axis_count_; ++axis)
+      hash = add_to_hash(hash, number_along(axis));
+    return finish_hash(hash) & (slots_.size() - 1);
+  }
+
+  static constexpr std::uint32_t free_slot = ~std::uint32_t(0);
+
+  const Cell_table& table_;
+  const Forward_offsets& offsets_;
+  int axis_count_;
+  std::vector<std::uint32_t> slots_;
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CELL_TABLE_H

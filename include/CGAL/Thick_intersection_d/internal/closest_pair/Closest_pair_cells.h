@@ -1,0 +1,114 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CLOSEST_PAIR_CELLS_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CLOSEST_PAIR_CELLS_H
+
+// The randomised incremental grid: points are inserted in random order into a grid whose cells are
+// about as large as the distance of the closest pair so far, and compared with those in cells
+// around. When the distance shrinks the grid is made anew. The k-th point is in the closest pair of
+// the first k with probability 2/k, and a new grid takes O(k): expected linear time, whatever the
+// points are. [Golin, Raman, Schwarz, Smid: Simple randomized algorithms for closest pair problems,
+// 1995]
+
+#include <CGAL/Thick_intersection_d/internal/closest_pair/Hashed_cells.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/Pair_minimum.h>
+
+#include <cstdint>
+#include <random>
+#include <vector>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// `Dimension` is that of the points, or 0 if it is known at run time only.
+template <int Dimension, class Elements>
+class Closest_pair_grid
+{
+  using Minimum = Pair_minimum<Elements>;
+
+public:
+  // Of the points at `positions`, whose coordinates have doubles around them that are at most
+  // `error` apart.
+  Closest_pair_grid(const Elements& points, std::vector<std::uint32_t> positions, int dimension,
+                    double error, std::uint64_t seed)
+    : points_(points), positions_(std::move(positions)), dimension_(dimension), error_(error)
+  {
+    std::mt19937_64 random(seed);
+    for(std::size_t i = positions_.size(); i > 1; --i)
+      std::swap(positions_[i - 1], positions_[random() % i]);
+    std::size_t slot_count = 16;
+    while(slot_count < 2 * positions_.size())
+      slot_count *= 2;
+    heads_.resize(slot_count);
+    next_.resize(positions_.size());
+  }
+
+  // Offers the closest pairs to `minimum`. Returns false if it cannot go on: if points are equal,
+  // or if cells of doubles are too coarse for the distance. The progress is that of all points.
+  template <class Progress>
+  bool search(Minimum& minimum, Progress& progress)
+  {
+    if(positions_.size() >= 2)
+      minimum.offer(positions_[0], positions_[1]);
+    if(!refine(minimum, 0))
+      return false;
+    // Invariant: the closest pairs of the first k points have been offered, and the points are in
+    // the grid.
+    for(std::size_t k = 0; k < positions_.size(); ++k) {
+      const auto& p = points_[positions_[k]];
+      cells_.for_each_cell_around(p, [&](std::uint64_t hash) {
+        for(std::uint32_t other = heads_[slot(hash)]; other != 0; other = next_[other - 1])
+          minimum.offer(positions_[k], positions_[other - 1]);
+      });
+      if(minimum.reach() < reach_ && !refine(minimum, k))
+        return false;
+      insert(k);
+      if(!progress.advance(1))
+        return true;
+    }
+    return true;
+  }
+
+private:
+  // Makes a grid that fits the distance, with the first `count` points in it.
+  bool refine(const Minimum& minimum, std::size_t count)
+  {
+    if(!minimum.has_tight_reach() || !Grid_cells<Dimension>::fits(minimum.reach(), error_))
+      return false;
+    reach_ = minimum.reach();
+    const double padded_reach
+      = std::nextafter(reach_ + error_, std::numeric_limits<double>::infinity());
+    cells_ = Grid_cells<Dimension>(dimension_, padded_reach, 2 * reach_);
+    std::fill(heads_.begin(), heads_.end(), 0);
+    for(std::size_t k = 0; k < count; ++k)
+      insert(k);
+    return true;
+  }
+
+  void insert(std::size_t k)
+  {
+    std::uint32_t& head = heads_[slot(cells_.cell_of(points_[positions_[k]]))];
+    next_[k] = head;
+    head = static_cast<std::uint32_t>(k) + 1;
+  }
+
+  std::size_t slot(std::uint64_t hash) const { return hash & (heads_.size() - 1); }
+
+  const Elements& points_;
+  std::vector<std::uint32_t> positions_; // in the order of insertion
+  int dimension_;
+  double error_;
+  double reach_ = 0;
+  Grid_cells<Dimension> cells_;
+  std::vector<std::uint32_t> heads_; // 1 + the last point in cells of this hash, or 0
+  std::vector<std::uint32_t> next_;  // 1 + the one before
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CLOSEST_PAIR_CELLS_H

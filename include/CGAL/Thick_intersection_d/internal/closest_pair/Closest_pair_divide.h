@@ -1,0 +1,352 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CLOSEST_PAIR_DIVIDE_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CLOSEST_PAIR_DIVIDE_H
+
+// The divide and conquer of [L], in any dimension: O(n log n) comparisons of degree 2 in the worst
+// case, and nothing but comparisons, so for coordinates of any type.
+//
+// The points are sorted along each axis at the beginning. A range of them along axis 0 is divided
+// at its middle; the orders along the other axes are divided with it, and are merged again behind
+// the recursion. Then the strip is scanned: the points within d of the dividing line, d being the
+// distance of the closest pair so far, in order along the last axis.
+//
+// Let N be the greatest number of points with distances of d or more that a closed cube of side d
+// is known to hold, in dimension D (packing.h).
+//
+// Theorem. In the plane, a point of the strip is compared with at most 2 N - 1 = 7 points behind it
+// [L]: they lie in two squares of side d, left and right of the line, with the point itself. This
+// holds for closed squares, so pairs at distance d are looked at too, and ties are found.
+//
+// In higher dimension the strip is a slab, and scanning it along one axis would not do. It is cut
+// along each axis between the first and the last: a strip ends behind the last point that is within
+// d of its first one, found by comparisons. Then points within d of each other are in the same cell
+// or in adjacent ones. Along axis 0 a cell lies within d of the line, on either side. A point is
+// compared, in its own cell, with at most 2 N - 1 points behind it, and in each of the (3^(D-2) -
+// 1) / 2 cells ahead with at most 4 N points, which lie within d of it along the last axis.
+// Together 2 N 3^(D-2) - 1, which is 47 in space. Cells are found in linear time by Cell_table, so
+// that T(n) = 2 T(n/2) + O(n) in any fixed dimension.
+//
+// Both rely on distinct points, so that d > 0: equal points are neighbours in the lexicographic
+// order, and are found before the first division.
+
+#include <CGAL/Thick_intersection_d/internal/closest_pair/Cell_table.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/packing.h>
+#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// Returns with how many points of a strip each of them is compared at most.
+inline std::size_t greatest_candidate_count(int dimension)
+{
+  const double cells = std::pow(3., (std::max)(dimension - 2, 0));
+  return static_cast<std::size_t>(
+    (std::min)(2 * static_cast<double>(greatest_packing(dimension)) * cells - 1, 1e9));
+}
+
+// `Minimum` has the functions less(), is_beyond(), offer(), offer_pair_of(), has_pair() of
+// Pair_minimum, and can be copied.
+template <class ConcurrencyTag, class Minimum>
+class Closest_pair_divide
+{
+  using Rank = std::size_t; // of a point in the lexicographic order
+  using Ranks = std::vector<Rank>;
+
+public:
+  // Of the points at `positions`.
+  Closest_pair_divide(std::vector<std::size_t> positions, int dimension)
+    : positions_(std::move(positions)), dimension_(dimension)
+  {}
+
+  // Offers the closest pairs to `minimum`, all of them or the lexicographically smallest.
+  template <class Progress>
+  void search(Minimum& minimum, Progress& progress)
+  {
+    sort_lexicographically(minimum);
+    if(offer_equal_points(minimum))
+      return;
+    sort_along_axes(minimum);
+    scratch_.resize(positions_.size());
+    strip_.resize(positions_.size());
+    progress.restart(positions_.size() * level_count(positions_.size()));
+    divide(0, positions_.size(), minimum, progress);
+  }
+
+private:
+  // The points along an axis. Those with ranks [first, last) are at the places [first, last) when
+  // it is their turn.
+  struct Order
+  {
+    int axis;
+    Ranks ranks;
+    Ranks places;                      // the place of each rank in the whole order
+    std::vector<Cell_number> numbers;  // of each rank, within the strip that is looked at
+  };
+
+  void sort_lexicographically(const Minimum& minimum)
+  {
+    std::sort(positions_.begin(), positions_.end(), [&](std::size_t i, std::size_t j) {
+      for(int axis = 0; axis < dimension_; ++axis) {
+        if(minimum.less(i, j, axis))
+          return true;
+        if(minimum.less(j, i, axis))
+          return false;
+      }
+      return i < j;
+    });
+  }
+
+  bool are_equal(std::size_t i, std::size_t j, const Minimum& minimum) const
+  {
+    for(int axis = 0; axis < dimension_; ++axis)
+      if(minimum.less(i, j, axis) || minimum.less(j, i, axis))
+        return false;
+    return true;
+  }
+
+  // Of points that are equal, the two of smallest position are the first in the order.
+  bool offer_equal_points(Minimum& minimum) const
+  {
+    bool are_any = false;
+    bool is_with_previous = false; // point k is equal to the one before
+    for(std::size_t k = 0; k + 1 < positions_.size(); ++k) {
+      const bool is_with_next = are_equal(positions_[k], positions_[k + 1], minimum);
+      if(is_with_next && !is_with_previous)
+        minimum.offer(positions_[k], positions_[k + 1]);
+      is_with_previous = is_with_next;
+      are_any = are_any || is_with_next;
+    }
+    return are_any;
+  }
+
+  // On the line, axis 0 is the last axis as well.
+  void sort_along_axes(const Minimum& minimum)
+  {
+    for(int axis = dimension_ == 1 ? 0 : 1; axis < dimension_; ++axis) {
+      orders_.emplace_back();
+      Order& order = orders_.back();
+      order.axis = axis;
+      order.ranks.resize(positions_.size());
+      for(Rank rank = 0; rank < positions_.size(); ++rank)
+        order.ranks[rank] = rank;
+      std::sort(order.ranks.begin(), order.ranks.end(), [&](Rank a, Rank b) {
+        if(minimum.less(positions_[a], positions_[b], axis))
+          return true;
+        return !minimum.less(positions_[b], positions_[a], axis) && a < b;
+      });
+      order.places.resize(positions_.size());
+      for(std::size_t place = 0; place < positions_.size(); ++place)
+        order.places[order.ranks[place]] = place;
+      if(axis + 1 < dimension_)
+        order.numbers.resize(positions_.size());
+    }
+  }
+
+  // Returns in how many ranges of the recursion a point is at most.
+  static std::size_t level_count(std::size_t size)
+  {
+    std::size_t levels = 1;
+    for(; size > greatest_leaf; size -= size / 2)
+      ++levels;
+    return levels;
+  }
+
+  // Offers the closest pairs among the ranks [first, last). Leaves the orders as they were.
+  template <class Progress>
+  void divide(Rank first, Rank last, Minimum& minimum, Progress& progress)
+  {
+    if(progress.is_cancelled())
+      return;
+    if(last - first <= greatest_leaf)
+      offer_all(first, last, minimum);
+    else
+      divide_at_middle(first, last, minimum, progress);
+    progress.advance(last - first);
+  }
+
+  void offer_all(Rank first, Rank last, Minimum& minimum) const
+  {
+    for(Rank a = first; a != last; ++a)
+      for(Rank b = a + 1; b != last; ++b)
+        minimum.offer(positions_[a], positions_[b]);
+  }
+
+  template <class Progress>
+  void divide_at_middle(Rank first, Rank last, Minimum& minimum, Progress& progress)
+  {
+    const Rank middle = first + (last - first) / 2;
+    for(Order& order : orders_)
+      divide_order(order.ranks, first, middle, last);
+    conquer(first, middle, last, minimum, progress);
+    for(Order& order : orders_)
+      merge_order(order, first, middle, last);
+    scan_strip(first, middle, last, minimum);
+  }
+
+  template <class Progress>
+  void conquer(Rank first, Rank middle, Rank last, Minimum& minimum, Progress& progress)
+  {
+    if(is_parallel_v<ConcurrencyTag> && last - first > greatest_task) {
+      Minimum other(minimum);
+      invoke_all<ConcurrencyTag>([&] { divide(first, middle, minimum, progress); return true; },
+                                 [&] { divide(middle, last, other, progress); return true; },
+                                 [] { return true; });
+      minimum.offer_pair_of(other);
+    }
+    else {
+      divide(first, middle, minimum, progress);
+      divide(middle, last, minimum, progress);
+    }
+  }
+
+  // Moves the ranks below `middle` to the front, and keeps the order on both sides.
+  void divide_order(Ranks& ranks, Rank first, Rank middle, Rank last)
+  {
+    std::size_t left = first;
+    std::size_t right = first;
+    for(std::size_t place = first; place != last; ++place) {
+      const Rank rank = ranks[place];
+      if(rank < middle)
+        ranks[left++] = rank;
+      else
+        scratch_[right++] = rank;
+    }
+    std::copy(scratch_.begin() + first, scratch_.begin() + right, ranks.begin() + left);
+  }
+
+  // Undoes divide_order().
+  void merge_order(Order& order, Rank first, Rank middle, Rank last)
+  {
+    Ranks& ranks = order.ranks;
+    std::copy(ranks.begin() + first, ranks.begin() + middle, scratch_.begin() + first);
+    std::merge(scratch_.begin() + first, scratch_.begin() + middle, ranks.begin() + middle,
+               ranks.begin() + last, ranks.begin() + first,
+               [&](Rank a, Rank b) { return order.places[a] < order.places[b]; });
+  }
+
+  // Offers the pairs of points on different sides of the line, which passes through `middle`.
+  void scan_strip(Rank first, Rank middle, Rank last, Minimum& minimum)
+  {
+    const auto is_in_strip = [&](Rank rank) {
+      return !minimum.is_beyond(positions_[rank], positions_[middle], 0);
+    };
+    const Ranks& ranks = orders_.back().ranks;
+    const std::size_t end
+      = std::copy_if(ranks.begin() + first, ranks.begin() + last, strip_.begin() + first,
+                     is_in_strip) - strip_.begin();
+
+    // A short strip keeps the bound on candidates without cells.
+    if(dimension_ <= 2 || end - first <= greatest_candidate_count(dimension_)) {
+      scan(first, end, minimum);
+      return;
+    }
+    for(std::size_t i = 0; i + 1 < orders_.size(); ++i)
+      number_strips(orders_[i], first, last, is_in_strip, minimum);
+    scan_cells(first, end, minimum);
+  }
+
+  // Numbers the strips along an axis between the first and the last, for points that are in the
+  // strip along axis 0.
+  template <class Is_in_strip>
+  void number_strips(Order& order, Rank first, Rank last, const Is_in_strip& is_in_strip,
+                     const Minimum& minimum)
+  {
+    Cell_number number = 0;
+    Rank first_of_strip = 0;
+    for(std::size_t place = first; place != last; ++place) {
+      const Rank rank = order.ranks[place];
+      if(!is_in_strip(rank))
+        continue;
+      if(number == 0
+         || minimum.is_beyond(positions_[rank], positions_[first_of_strip], order.axis)) {
+        ++number;
+        first_of_strip = rank;
+      }
+      order.numbers[rank] = number;
+    }
+  }
+
+  void scan_cells(std::size_t first, std::size_t end, Minimum& minimum)
+  {
+    const int axis_count = dimension_ - 2;
+    const Cell_table table(end - first, axis_count, [&](std::size_t member, int i) {
+      return orders_[i].numbers[strip_[first + member]];
+    });
+    Ranks strip(end - first); // by cells
+    for(std::size_t place = 0; place < strip.size(); ++place)
+      strip[place] = strip_[first + table.member(place)];
+    std::copy(strip.begin(), strip.end(), strip_.begin() + first);
+
+    const Forward_offsets offsets(axis_count);
+    Sorted_bucket_finder find(table, offsets);
+    for(std::size_t bucket = 0; bucket < table.bucket_count(); ++bucket) {
+      scan(first + table.begin(bucket), first + table.end(bucket), minimum);
+      for(std::size_t i = 0; i < offsets.size(); ++i) {
+        const std::size_t other = find(bucket, i);
+        if(other != table.bucket_count())
+          scan(first + table.begin(bucket), first + table.end(bucket), first + table.begin(other),
+               first + table.end(other), minimum);
+      }
+    }
+  }
+
+  // Scans a part of the strip, which is in order along the last axis [L].
+  void scan(std::size_t begin, std::size_t end, Minimum& minimum) const
+  {
+    for(std::size_t a = begin; a < end; ++a) {
+      const std::size_t q = positions_[strip_[a]];
+      for(std::size_t b = a + 1; b < end; ++b) {
+        const std::size_t p = positions_[strip_[b]];
+        if(minimum.is_beyond(p, q, dimension_ - 1))
+          break;
+        minimum.offer(q, p);
+      }
+    }
+  }
+
+  // Scans two parts of the strip against each other.
+  void scan(std::size_t begin, std::size_t end, std::size_t other_begin, std::size_t other_end,
+            Minimum& minimum) const
+  {
+    const int axis = dimension_ - 1;
+    for(std::size_t a = begin; a < end; ++a) {
+      const std::size_t q = positions_[strip_[a]];
+      // Invariant: what is before `other_begin` is below all points from a on, and beyond.
+      for(; other_begin < other_end; ++other_begin) {
+        const std::size_t p = positions_[strip_[other_begin]];
+        if(!(minimum.less(p, q, axis) && minimum.is_beyond(p, q, axis)))
+          break;
+      }
+      for(std::size_t b = other_begin; b < other_end; ++b) {
+        const std::size_t p = positions_[strip_[b]];
+        if(minimum.is_beyond(p, q, axis))
+          break;
+        minimum.offer(q, p);
+      }
+    }
+  }
+
+  static constexpr std::size_t greatest_leaf = 3;
+  static constexpr std::size_t greatest_task = 2000; // not divided among threads
+
+  std::vector<std::size_t> positions_; // by rank
+  int dimension_;
+  std::vector<Order> orders_; // along the axes but the first
+  Ranks scratch_;             // threads use the places of their ranks
+  Ranks strip_;               // likewise
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CLOSEST_PAIR_DIVIDE_H

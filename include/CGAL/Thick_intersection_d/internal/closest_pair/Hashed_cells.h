@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_HASHED_CELLS_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_HASHED_CELLS_H
+
+// Cells of a grid for points with coordinates in doubles, or between doubles, as far from the
+// origin as they like. A cell is known by its hash.
+//
+// The index of a coordinate x is f(x) = x / side, cut to an integer. It is rounded, and cells far
+// out are larger than others. All that is relied on is that f is monotone, since rounding is:
+// if x <= y + w in real numbers then x <= fl(y + w), x being a double, and f(x) <= f(fl(y + w)).
+// So points within w of y have indices between f(fl(y - w)) and f(fl(y + w)).
+
+#include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
+#include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// `Dimension` is that of the points, or 0 if it is known at run time only.
+template <int Dimension>
+class Grid_cells
+{
+public:
+  // Whether cells of about the size of `reach` are of use: the inverse of a side is a double, and a
+  // coordinate between doubles that are `error` apart is in few of them.
+  static bool fits(double reach, double error)
+  {
+    return reach >= std::ldexp(1., -900) && reach <= std::ldexp(1., 900) && error <= reach / 2;
+  }
+
+  Grid_cells() = default;
+  Grid_cells(int dimension, double width, double side)
+    : dimension_(dimension), width_(width), scale_(1 / side)
+  {}
+
+  // Returns the hash of the cell of the lower bounds of the coordinates of p.
+  template <class Point>
+  std::uint64_t cell_of(const Point& p) const
+  {
+    std::uint64_t hash = 0;
+    for(int axis = 0; axis < dimension(); ++axis)
+      hash = add_to_hash(hash, index(coordinate_bounds(p, axis).first));
+    return finish_hash(hash);
+  }
+
+  // Calls f(hash) for each cell that points within the width of p along each axis may be in.
+  template <class Point, class Function>
+  void for_each_cell_around(const Point& p, const Function& f) const
+  {
+    if constexpr(Dimension == 0)
+      visit(p, 0, 0, f);
+    else
+      visit<0>(ranges_around(p), 0, f);
+  }
+
+  // Returns the hash of the first one of these cells, and whether there are others.
+  template <class Point>
+  std::pair<std::uint64_t, bool> first_cell_around(const Point& p) const
+  {
+    const auto ranges = ranges_around(p);
+    std::uint64_t hash = 0;
+    std::int64_t difference = 0;
+    for(int axis = 0; axis < Dimension; ++axis) {
+      hash = add_to_hash(hash, ranges[axis].first);
+      difference |= ranges[axis].first ^ ranges[axis].last;
+    }
+    return {finish_hash(hash), difference != 0};
+  }
+
+private:
+  struct Index_range
+  {
+    std::int64_t first;
+    std::int64_t last;
+  };
+
+  int dimension() const { return Dimension == 0 ? dimension_ : Dimension; }
+
+  // Monotone: so are the product, the limits, and the conversion, which cuts towards zero.
+  std::int64_t index(double x) const
+  {
+    constexpr double limit = 4611686018427387904.; // 2^62
+    return static_cast<std::int64_t>((std::max)(-limit, (std::min)(x * scale_, limit)));
+  }
+
+  template <class Point>
+  Index_range index_range(const Point& p, int axis) const
+  {
+    const std::pair<double, double> x = coordinate_bounds(p, axis);
+    return {index(x.first - width_), index(x.second + width_)};
+  }
+
+  template <class Point>
+  std::array<Index_range, Dimension> ranges_around(const Point& p) const
+  {
+    std::array<Index_range, Dimension> ranges;
+    for(int axis = 0; axis < Dimension; ++axis)
+      ranges[axis] = index_range(p, axis);
+    return ranges;
+  }
+
+  template <class Point, class Function>
+  void visit(const Point& p, int axis, std::uint64_t hash, const Function& f) const
+  {
+    if(axis == dimension_) {
+      f(finish_hash(hash));
+      return;
+    }
+    const Index_range range = index_range(p, axis);
+    for(std::int64_t i = range.first; i <= range.last; ++i)
+      visit(p, axis + 1, add_to_hash(hash, i), f);
+  }
+
+  template <int Axis, class Function>
+  static void visit(const std::array<Index_range, Dimension>& ranges, std::uint64_t hash,
+                    const Function& f)
+  {
+    if constexpr(Axis == Dimension)
+      f(finish_hash(hash));
+    else
+      for(std::int64_t i = ranges[Axis].first; i <= ranges[Axis].last; ++i)
+        visit<Axis + 1>(ranges, add_to_hash(hash, i), f);
+  }
+
+  int dimension_ = Dimension;
+  double width_ = 0;
+  double scale_ = 0;
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_HASHED_CELLS_H

@@ -1,0 +1,41 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_PACKING_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_PACKING_H
+
+// How many points fit in a cell if no two of them are close: what bounds the work of [L].
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// Returns N = (floor(sqrt(D)) + 1)^D, or a large number if N is larger: 4 in the plane, 8 in space.
+//
+// Lemma. Of more than N points in a closed cube of side r in dimension D, two are closer than r.
+// Proof: divide the edges of the cube into m = floor(sqrt(D)) + 1 equal parts. Two of the points
+// are in the same one of the m^D closed cubes that result, at a distance of at most r sqrt(D) / m <
+// r.
+//
+// So N serves for closed bounds, where pairs at distance r are close, and for open ones, and also
+// for cubes that are larger than r by less than the factor m / sqrt(D). In the plane the best
+// constants differ: 3 points fit if the bound is closed, and 4, the corners of the square, if it is
+// open. For of any 4 points in the plane, some three have an angle of 90 degrees or more. If all
+// distances are more than r then that of the outer two is more than sqrt(2) r, the diagonal of the
+// square.
+inline std::size_t greatest_packing(int dimension)
+{
+  const double parts = std::floor(std::sqrt(static_cast<double>(dimension))) + 1;
+  return static_cast<std::size_t>((std::min)(std::pow(parts, dimension), 1e9));
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_PACKING_H

@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_BALL_CENTERS_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_BALL_CENTERS_H
+
+// Balls of one radius intersect if their centres are within twice that radius: then the search
+// needs the centres alone.
+
+#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
+
+#include <optional>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// The centres of balls, which are pairs of a point and a radius.
+template <class Balls>
+class Ball_centers
+{
+  using Ball = decltype(std::declval<const Balls&>()[0]);
+
+public:
+  using value_type = typename Balls::value_type::first_type;
+
+  explicit Ball_centers(const Balls& balls) : balls_(balls) {}
+
+  std::size_t size() const { return balls_.size(); }
+  Element_iterator<Ball_centers> begin() const { return {*this, 0}; }
+  Element_iterator<Ball_centers> end() const { return {*this, size()}; }
+
+  // A reference to the point of a ball, unless the ball was made for the occasion.
+  std::conditional_t<std::is_reference_v<Ball>, const value_type&, value_type>
+  operator[](std::size_t position) const
+  {
+    return balls_[position].first;
+  }
+
+private:
+  const Balls& balls_;
+};
+
+// Returns the radius that all balls have, if there is one.
+template <class Balls>
+auto common_radius(const Balls& balls)
+{
+  std::optional<typename Balls::value_type::second_type> radius;
+  for(const auto& ball : balls)
+    if(!radius)
+      radius = ball.second;
+    else if(!(ball.second == *radius)) {
+      radius.reset();
+      break;
+    }
+  return radius;
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_BALL_CENTERS_H

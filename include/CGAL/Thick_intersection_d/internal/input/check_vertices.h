@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_CHECK_VERTICES_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_CHECK_VERTICES_H
+
+// Which kernel objects have vertices, how many, and that these are finite. A bounding box does not
+// tell: the minimum of NaN and 1 may be 1.
+
+#include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+
+#include <CGAL/Circle_2.h>
+#include <CGAL/Iso_cuboid_3.h>
+#include <CGAL/Iso_rectangle_2.h>
+#include <CGAL/Segment_2.h>
+#include <CGAL/Segment_3.h>
+#include <CGAL/Sphere_3.h>
+#include <CGAL/Tetrahedron_3.h>
+#include <CGAL/Triangle_2.h>
+#include <CGAL/Triangle_3.h>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+template <class Object>
+struct Is_hypersphere : std::false_type {};
+template <class K>
+struct Is_hypersphere<Circle_2<K>> : std::true_type {};
+template <class K>
+struct Is_hypersphere<Sphere_3<K>> : std::true_type {};
+
+// The number of vertices of a kernel object; 0 for other types.
+template <class Object>
+struct Vertex_count : std::integral_constant<int, 0> {};
+template <class K>
+struct Vertex_count<Segment_2<K>> : std::integral_constant<int, 2> {};
+template <class K>
+struct Vertex_count<Segment_3<K>> : std::integral_constant<int, 2> {};
+template <class K>
+struct Vertex_count<Triangle_2<K>> : std::integral_constant<int, 3> {};
+template <class K>
+struct Vertex_count<Triangle_3<K>> : std::integral_constant<int, 3> {};
+template <class K>
+struct Vertex_count<Iso_rectangle_2<K>> : std::integral_constant<int, 4> {};
+template <class K>
+struct Vertex_count<Iso_cuboid_3<K>> : std::integral_constant<int, 8> {};
+template <class K>
+struct Vertex_count<Tetrahedron_3<K>> : std::integral_constant<int, 4> {};
+
+template <class Object>
+void check_vertices(const Object& object, std::size_t position)
+{
+  for(int v = 0; v < Vertex_count<Object>::value; ++v)
+    check_point(object.vertex(v), object.vertex(v).dimension(), "vertex of object", position);
+
+  const auto box = object.bbox();
+  for(int i = 0; i < box.dimension(); ++i)
+    if(!(std::isfinite((box.min)(i)) && std::isfinite((box.max)(i))))
+      throw std::invalid_argument("The bounding box of object " + std::to_string(position)
+                                  + " is not finite.");
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_CHECK_VERTICES_H

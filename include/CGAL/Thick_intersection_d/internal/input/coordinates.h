@@ -1,0 +1,129 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_COORDINATES_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_COORDINATES_H
+
+// The one way in which the package reads points, for `Point_2`, `Point_3` and `Point_d` of every
+// kernel: Cartesian coordinates, double bounds of their differences, exact squared distances.
+
+#include <CGAL/Dimension.h>
+
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+template <class Point>
+decltype(auto) coordinate(const Point& p, int i)
+{
+  return p.cartesian(i);
+}
+
+// The number type of the coordinates of Point.
+template <class Point>
+using Coordinate_t = std::decay_t<decltype(coordinate(std::declval<const Point&>(), 0))>;
+
+template <class Point>
+using Approximate_coordinate_t = decltype(std::declval<const Point&>().approx().cartesian(0));
+
+// Points of lazy kernels, which hold intervals of their coordinates.
+template <class Point, class = void>
+struct Has_approximation : std::false_type {};
+template <class Point>
+struct Has_approximation<Point, std::void_t<Approximate_coordinate_t<Point>>> : std::true_type {};
+
+// Returns doubles that enclose coordinate i of p. Those of a lazy point are in its approximation;
+// its coordinate would first have to be made, a lazy number with memory of its own.
+template <class Point>
+std::pair<double, double> coordinate_bounds(const Point& p, int i)
+{
+  if constexpr(Has_approximation<Point>::value) {
+    const auto x = p.approx().cartesian(i);
+    return {x.inf(), x.sup()};
+  }
+  else
+    return bounds(coordinate(p, i));
+}
+
+// Doubles between which the distance of two numbers lies. Each is one rounded subtraction away from
+// the bounds of the numbers, hence has a relative error of at most one unit in the last place.
+struct Gap
+{
+  double inf;
+  double sup;
+};
+
+inline Gap gap(const std::pair<double, double>& a, const std::pair<double, double>& b)
+{
+  return {(std::max)({a.first - b.second, b.first - a.second, 0.}),
+          (std::max)(a.second - b.first, b.second - a.first)};
+}
+
+template <class NT>
+Gap gap(const NT& x, const NT& y)
+{
+  if constexpr(is_held_by_double_v<NT>) {
+    const double difference = std::fabs(static_cast<double>(x) - static_cast<double>(y));
+    return {difference, difference};
+  }
+  else
+    return gap(bounds(x), bounds(y));
+}
+
+// Doubles between which the distance of two points along axis i lies.
+template <class Point>
+Gap gap_along(const Point& p, const Point& q, int i)
+{
+  if constexpr(is_held_by_double_v<Coordinate_t<Point>>)
+    return gap(coordinate(p, i), coordinate(q, i));
+  else
+    return gap(coordinate_bounds(p, i), coordinate_bounds(q, i));
+}
+
+// Whether |x - y| <= reach, or too often true. One rounded subtraction never makes it false for
+// numbers within reach: rounding is monotone, and fixes the reach.
+template <class NT>
+bool is_within_reach(const NT& x, const NT& y, double reach)
+{
+  return gap(x, y).inf <= reach;
+}
+
+// Returns |pq|^2 without error. Degree 2.
+template <class Point>
+auto exact_squared_distance(const Point& p, const Point& q, int dimension)
+{
+  using Exact = Exact_number_t<Coordinate_t<Point>>;
+  Exact sum(0);
+  for(int i = 0; i < dimension; ++i) {
+    const Exact difference = to_exact_number(coordinate(p, i)) - to_exact_number(coordinate(q, i));
+    sum += difference * difference;
+  }
+  return sum;
+}
+
+// Throws if a coordinate of `p` is NaN or infinite, or if its dimension is not `dimension`.
+template <class Point>
+void check_point(const Point& p, int dimension, const std::string& name, std::size_t position)
+{
+  if(p.dimension() != dimension)
+    throw std::invalid_argument(name + " " + std::to_string(position) + " has dimension "
+                                + std::to_string(p.dimension()) + " instead of "
+                                + std::to_string(dimension) + ".");
+  for(int i = 0; i < dimension; ++i)
+    if(!is_finite_number(coordinate(p, i)))
+      throw std::invalid_argument("Coordinate " + std::to_string(i) + " of " + name + " "
+                                  + std::to_string(position) + " is NaN or infinite.");
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_COORDINATES_H

@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_DECISION_COUNTS_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_DECISION_COUNTS_H
+
+// How many pairs each arithmetic has decided.
+//
+// Pairs that doubles put beyond the bound are not counted: sweeps pass over these by lanes, and
+// nobody knows how many there are.
+
+#include <CGAL/Arithmetic_tier.h>
+
+#include <array>
+#include <cstdint>
+#include <mutex>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// The counts of one thread.
+class Decision_counts
+{
+public:
+  void add(Arithmetic_tier tier, std::uint64_t count = 1) { of(tier) += count; }
+
+  void add(const Decision_counts& other)
+  {
+    for(std::size_t tier = 0; tier < counts_.size(); ++tier)
+      counts_[tier] += other.counts_[tier];
+  }
+
+  std::uint64_t operator[](Arithmetic_tier tier) const
+  {
+    return counts_[static_cast<std::size_t>(tier)];
+  }
+
+private:
+  std::uint64_t& of(Arithmetic_tier tier) { return counts_[static_cast<std::size_t>(tier)]; }
+
+  std::array<std::uint64_t, 4> counts_ = {};
+};
+
+// The sum of the counts of all threads.
+class Shared_decision_counts
+{
+public:
+  void add(const Decision_counts& counts)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    counts_.add(counts);
+  }
+
+  // Not while others add.
+  const Decision_counts& total() const { return counts_; }
+
+private:
+  std::mutex mutex_;
+  Decision_counts counts_;
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_DECISION_COUNTS_H

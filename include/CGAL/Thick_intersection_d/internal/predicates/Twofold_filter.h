@@ -1,0 +1,85 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_TWOFOLD_FILTER_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_TWOFOLD_FILTER_H
+
+// A second filter for coordinates that are doubles: computes with twice their precision, as sums of
+// two doubles. It decides what looks like a tie but is none, as points of a lattice of step 0.1.
+
+#include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
+
+#include <cmath>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// The unevaluated sum of two doubles, the second of which is small against the first.
+struct Twofold
+{
+  double value;
+  double rest;
+};
+
+// Returns a + b. In rounding to nearest the rest is exactly what rounding lost. In the directed
+// modes it is off by a few 2^-104 of the sum: if a + b rounds at all then it is at least half as
+// long as the longer one of a and b, and each operation on the rest is off by 2^-52 of the rest.
+inline Twofold twofold_sum(double a, double b)
+{
+  const double sum = a + b;
+  const double b_in_sum = sum - a;
+  return {sum, (a - (sum - b_in_sum)) + (b - b_in_sum)};
+}
+
+class Twofold_filter
+{
+public:
+  Twofold_filter() = default; // decides nothing
+
+  template <class Exact>
+  Twofold_filter(const Squared_bound<Exact>& bound, int dimension)
+  {
+    static const double least = std::ldexp(1., -800); // no part of a product underflows
+    static const double greatest = std::ldexp(1., 1000);
+    if(bound.squared().first > least && bound.squared().second < greatest) {
+      squared_bound_ = {bound.squared().first, bound.excess(bound.squared().first)};
+      slack_ = std::ldexp(bound.squared().second, -96) * (dimension + 8);
+    }
+  }
+
+  // Whether there is a bound that this filter can decide.
+  bool is_usable() const { return slack_ > 0; }
+
+  // Returns a number that is negative if |pq| is certainly less than r, positive if it is certainly
+  // greater, and else 0. `difference(i)` is coordinate i of p - q.
+  //
+  // Per coordinate there are less than 16 operations on the rests, each of them off by a few 2^-104
+  // of the squared distance in any rounding mode; the slack has 2^-96 for each coordinate.
+  template <class Difference>
+  int compare(const Difference& difference, int dimension) const
+  {
+    Twofold sum = {0, 0};
+    for(int i = 0; i < dimension; ++i) {
+      const Twofold d = difference(i);
+      const double square = d.value * d.value;
+      const double rest_of_square = std::fma(d.value, d.value, -square) + 2 * d.value * d.rest;
+      const Twofold next = twofold_sum(sum.value, square);
+      sum = {next.value, sum.rest + next.rest + rest_of_square};
+    }
+    const double excess
+      = (sum.value - squared_bound_.value) + (sum.rest - squared_bound_.rest);
+    return excess > slack_ ? 1 : excess < -slack_ ? -1 : 0;
+  }
+
+private:
+  Twofold squared_bound_ = {0, 0};
+  double slack_ = 0;
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_TWOFOLD_FILTER_H

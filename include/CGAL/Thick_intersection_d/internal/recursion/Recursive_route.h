@@ -1,0 +1,269 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_RECURSION_RECURSIVE_ROUTE_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_RECURSION_RECURSIVE_ROUTE_H
+
+// Divide and conquer for thick objects, on the three predicates of ThickIntersectionTraits_d only.
+//
+//   [V03]  A. Vigneron. Reporting intersections among thick objects. IPL 85 (2003) 87-92.
+//
+// Cost: O(n log n + C(n + k)) time, O(n) space, for n objects, k intersecting pairs, and at most C
+//       disjoint objects within a cube of two reaches. [V03, Theorem 1]
+// Symbols: close means within a reach, the 2D of the paper; an axis is its index i, the last first.
+//
+// The paper cuts at numbers, med(E) or min(E) + 2D; here all cuts are at objects, so that nothing
+// but Less_coordinate_d and Is_close_along_axis_d is asked, and nothing is rounded. Where we differ
+// from the paper, and why: doc/design.md.
+
+#include <CGAL/Thick_intersection_d/internal/recursion/Members.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
+#include <CGAL/Thick_intersection_d/internal/recursion/sweep.h>
+#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+
+#include <algorithm>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+enum class Pivot {
+  MEDIAN, // [V03], section 2.3
+  RANDOM  // [V03], section 3: the version of the experiments
+};
+
+enum class Base_case { SWEEP, WALK, DIMENSION_ZERO };
+
+// The variants of the book route; all of them report the same pairs.
+struct Book_options
+{
+  Pivot pivot = Pivot::MEDIAN;
+  Base_case base_case = Base_case::SWEEP;
+  unsigned int random_seed = 0;
+};
+
+template <class ConcurrencyTag, class Scene, class Reporter, class Progress>
+class Book_route
+{
+public:
+  Book_route(const Scene& scene, const Book_options& options, Reporter& report,
+             Progress& progress)
+    : scene_(scene), options_(options), report_(report), progress_(progress),
+      last_axis_((std::min)(scene.dimension(), max_cut_axes) - 1)
+  {}
+
+  // Returns false iff the search was stopped.
+  bool operator()()
+  {
+    Members members = scene_.members();
+    return members.empty() || search(members.begin(), members.end(), last_axis_);
+  }
+
+private:
+  // The object at which a range is cut along an axis, and which of the two sides are recursed into.
+  // A side that is not lies within a reach of the cut.
+  struct Cut
+  {
+    Member at;
+    bool recurse_below;
+    bool recurse_above;
+  };
+
+  struct Less
+  {
+    const Scene& scene;
+    int axis;
+    bool operator()(const Member& a, const Member& b) const { return scene.less(a, b, axis); }
+  };
+
+  // Reports the intersecting pairs of [first, last) that share no part. All members are within two
+  // reaches of each other along the axes above `axis`.
+  bool search(Member_iterator first, Member_iterator last, int axis)
+  {
+    if(last - first < 2)
+      return advance(last - first, axis);
+    if(axis < first_cut_axis())
+      return finish(first, last) && advance(last - first, axis);
+
+    Cut cut;
+    if(!find_cut(first, last, axis, cut))
+      return search(first, last, axis - 1) && advance(last - first, axis);
+    return divide(first, last, axis, cut);
+  }
+
+  // Finds where to cut [first, last) along `axis`. The four cases of the paper are the answers to:
+  // is the lowest object close to a median or random one, is the highest?
+  //
+  //   both       Case 1: two reaches hold the range, it needs no cut, and false is returned
+  //   neither    Case 2: cut at that object, recurse on both sides
+  //   lowest     Case 3: cut at the last object close to the lowest, recurse above
+  //   highest    Case 4: cut at the first object close to the highest, recurse below
+  //
+  // A side that is not recursed into is in the strip as a whole. Cases 3 and 4 do not cut at the
+  // median itself, lest an object above it be close to the next cut too, and to the one after that:
+  // it is in two strips at most. [V03, section 2.3.2]
+  bool find_cut(Member_iterator first, Member_iterator last, int axis, Cut& cut)
+  {
+    const auto extremes = std::minmax_element(first, last, Less{scene_, axis});
+    const Member lowest = *extremes.first;
+    const Member highest = *extremes.second;
+    if(scene_.is_close(lowest, highest, axis))
+      return false; // Case 1, for any cut
+
+    const Member pivot = choose_pivot(first, last, axis);
+    cut = {pivot, !scene_.is_close(lowest, pivot, axis), !scene_.is_close(pivot, highest, axis)};
+    if(cut.recurse_below == cut.recurse_above)
+      return cut.recurse_below; // Case 1 or 2
+    if(cut.recurse_above)
+      cut.at = last_close_to(lowest, cut.at, first, last, axis);
+    else
+      cut.at = first_close_to(highest, cut.at, first, last, axis);
+    return !scene_.is_close(cut.at, cut.recurse_above ? highest : lowest, axis); // else Case 1
+  }
+
+  // The last of the objects close to `lowest`, of which `close` is one.
+  Member last_close_to(const Member& lowest, Member close, Member_iterator first,
+                       Member_iterator last, int axis) const
+  {
+    for(Member_iterator m = first; m != last; ++m)
+      if(scene_.less(close, *m, axis) && scene_.is_close(lowest, *m, axis))
+        close = *m;
+    return close;
+  }
+
+  // The first of the objects close to `highest`, of which `close` is one.
+  Member first_close_to(const Member& highest, Member close, Member_iterator first,
+                        Member_iterator last, int axis) const
+  {
+    for(Member_iterator m = first; m != last; ++m)
+      if(scene_.less(*m, close, axis) && scene_.is_close(*m, highest, axis))
+        close = *m;
+    return close;
+  }
+
+  Member choose_pivot(Member_iterator first, Member_iterator last, int axis)
+  {
+    const std::size_t size = static_cast<std::size_t>(last - first);
+    if(options_.pivot == Pivot::RANDOM)
+      return first[static_cast<std::ptrdiff_t>(hash(first->position, size) % size)];
+    const Member_iterator median = first + (last - first) / 2;
+    std::nth_element(first, median, last, Less{scene_, axis});
+    return *median;
+  }
+
+  // A random number that depends on where in the recursion it is drawn, and not on when: the same
+  // for any number of threads. [Steele, Lea, Flood: Fast splittable pseudorandom number generators]
+  std::uint64_t hash(std::size_t position, std::size_t size) const
+  {
+    std::uint64_t x = options_.random_seed + 0x9e3779b97f4a7c15 * (position + 1) + size;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
+    return x ^ (x >> 31);
+  }
+
+  // Cuts [first, last) into the objects below, at and above the cut, searches the strip of those
+  // close to the cut in one dimension less, and recurses.
+  //
+  // Each intersecting pair is met once: there is one cut where it ceases to be in one recursed
+  // child. There it is close to the cut, or on a side that is in the strip as a whole; and at the
+  // cuts before, it shares the bit of that child.
+  bool divide(Member_iterator first, Member_iterator last, int axis, const Cut& cut)
+  {
+    const Member_iterator below_end = std::partition(
+      first, last, [&](const Member& m) { return scene_.less(m, cut.at, axis); });
+    const Member_iterator above_begin = std::partition(
+      below_end, last, [&](const Member& m) { return !scene_.less(cut.at, m, axis); });
+
+    Members strip; // copied before the recursion reorders the range
+    add_side(first, below_end, axis, cut, cut.recurse_below, lower_child_bit(axis), strip);
+    add_side(below_end, above_begin, axis, cut, false, 0, strip);
+    add_side(above_begin, last, axis, cut, cut.recurse_above, upper_child_bit(axis), strip);
+    const std::ptrdiff_t left_behind = (cut.recurse_below ? 0 : below_end - first)
+                                       + (above_begin - below_end)
+                                       + (cut.recurse_above ? 0 : last - above_begin);
+
+    const auto search_strip = [&] {
+      Members members = std::move(strip); // released when it is done, not after the recursion
+      return (!have_pairs(members) || search(members.begin(), members.end(), axis - 1))
+             && advance(left_behind, axis);
+    };
+    const auto search_below
+      = [&] { return !cut.recurse_below || search(first, below_end, axis); };
+    const auto search_above
+      = [&] { return !cut.recurse_above || search(above_begin, last, axis); };
+
+    if(is_parallel_v<ConcurrencyTag> && last - first > parallel_cutoff)
+      return invoke_all<ConcurrencyTag>(search_strip, search_below, search_above);
+    return invoke_all<Sequential_tag>(search_strip, search_below, search_above);
+  }
+
+  // Appends those of one side of the cut that may intersect objects of the other side: the close
+  // ones if the side is recursed into, marked as members of that child, or else all of them.
+  void add_side(Member_iterator first, Member_iterator last, int axis, const Cut& cut,
+                bool is_recursed, std::uint64_t child_bit, Members& strip)
+  {
+    for(Member_iterator m = first; m != last; ++m)
+      if(!is_recursed)
+        strip.push_back(*m);
+      else if(scene_.is_close(*m, cut.at, axis))
+        strip.push_back({m->position, m->parts | child_bit});
+  }
+
+  // Whether some two members share no part as far as their common bits tell.
+  static bool have_pairs(const Members& strip)
+  {
+    std::uint64_t common = ~std::uint64_t(0);
+    for(const Member& m : strip)
+      common &= m.parts;
+    return common == 0;
+  }
+
+  int first_cut_axis() const { return options_.base_case == Base_case::DIMENSION_ZERO ? 0 : 1; }
+
+  bool finish(Member_iterator first, Member_iterator last)
+  {
+    switch(options_.base_case) {
+    case Base_case::SWEEP:
+      return sweep(scene_, first, last, report_);
+    case Base_case::WALK:
+      return walk(scene_, first, last, report_);
+    case Base_case::DIMENSION_ZERO:
+      return all_pairs(scene_, first, last, report_);
+    }
+    return true;
+  }
+
+  // Objects are done when the first axis that is cut is done with them.
+  bool advance(std::ptrdiff_t finished, int axis)
+  {
+    if(axis == last_axis_ && !progress_.advance(static_cast<std::size_t>(finished)))
+      report_.stop();
+    return !report_.is_stopped();
+  }
+
+  // Smaller ranges are not worth a task.
+  static constexpr std::ptrdiff_t parallel_cutoff = 4096;
+
+  const Scene& scene_;
+  const Book_options options_;
+  Reporter& report_;
+  Progress& progress_;
+  const int last_axis_;
+};
+
+// Reports the intersecting pairs of one set or of two; returns false iff the search was stopped.
+template <class ConcurrencyTag, class Scene, class Callback, class Progress>
+bool search_by_the_book(const Scene& scene, const Book_options& options, Callback& callback,
+                        Progress& progress)
+{
+  using Reporter = Pair_reporter<Callback>;
+  Reporter report(callback);
+  return Book_route<ConcurrencyTag, Scene, Reporter, Progress>(scene, options, report, progress)();
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_RECURSION_RECURSIVE_ROUTE_H

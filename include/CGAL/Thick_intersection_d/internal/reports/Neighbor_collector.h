@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_NEIGHBOR_COLLECTOR_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_NEIGHBOR_COLLECTOR_H
+
+// Makes lists of neighbours from pairs that come in any order, by several threads at once.
+//
+// The lists of all points together are larger than a cache, and pairs belong to any of them. So
+// pairs are thrown into bins first, each for as many consecutive points as have their lists in a
+// cache; then the lists of one bin after another are filled and sorted.
+
+#include <CGAL/Neighbor_lists.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Neighbor_bins.h>
+#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/sort_distinct.h>
+
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+template <class ConcurrencyTag>
+class Neighbor_collector
+{
+  using Position = Neighbor_lists::Position;
+  using Positions = std::vector<Position>;
+
+public:
+  explicit Neighbor_collector(std::size_t size) : size_(size), bins_(Neighbor_bins(size)) {}
+
+  // Makes the points at two positions neighbours of each other.
+  void operator()(std::size_t i, std::size_t j)
+  {
+    Neighbor_bins& bins = bins_.local();
+    bins.add(static_cast<Position>(i), static_cast<Position>(j));
+    bins.add(static_cast<Position>(j), static_cast<Position>(i));
+  }
+
+  Neighbor_lists lists()
+  {
+    std::vector<std::size_t> begins(size_ + 1, 0);
+    Positions positions;
+    const std::vector<std::size_t> begins_of_bins = begins_of_all_bins();
+    positions.reserve(begins_of_bins.back());
+    ask_for_huge_pages(positions.data(), begins_of_bins.back() * sizeof(Position));
+    if constexpr(is_parallel_v<ConcurrencyTag>)
+      positions.resize(begins_of_bins.back()); // otherwise appended: written once, not twice
+
+    for_each_block<ConcurrencyTag>(bin_count(), [&](std::size_t bin, std::size_t last) {
+      Buffer<Position> lists;
+      for(; bin != last; ++bin) {
+        const std::size_t begin = begins_of_bins[bin];
+        const std::size_t end = begins_of_bins[bin + 1];
+        Position* const first = lists.require(end - begin);
+        make_lists(bin, begin, begins, first);
+        if constexpr(is_parallel_v<ConcurrencyTag>)
+          std::copy(first, first + (end - begin), positions.data() + begin);
+        else
+          positions.insert(positions.end(), first, first + (end - begin));
+      }
+    });
+    return Neighbor_lists(std::move(begins), std::move(positions));
+  }
+
+private:
+  static constexpr std::size_t bin_size = Neighbor_bins::bin_size;
+
+  std::size_t bin_count() const { return (size_ + bin_size - 1) / bin_size; }
+
+  // Returns how many neighbours the points of all bins before each have.
+  std::vector<std::size_t> begins_of_all_bins()
+  {
+    std::vector<std::size_t> begins(bin_count() + 1, 0);
+    bins_.for_each([&](const Neighbor_bins& bins) {
+      for(std::size_t bin = 0; bin < bin_count(); ++bin)
+        begins[bin + 1] += bins.size(bin);
+    });
+    for(std::size_t bin = 0; bin < bin_count(); ++bin)
+      begins[bin + 1] += begins[bin];
+    return begins;
+  }
+
+  template <class Task>
+  void for_each_neighbor(std::size_t bin, const Task& task)
+  {
+    bins_.for_each([&](const Neighbor_bins& bins) { bins.for_each(bin, task); });
+  }
+
+  // Writes the lists of a bin, the first of which begins at `begin`, to `lists`, and where they
+  // begin to `begins`.
+  void make_lists(std::size_t bin, std::size_t begin, std::vector<std::size_t>& begins,
+                  Position* lists)
+  {
+    std::vector<std::size_t> ends(bin_size, 0); // of the lists, when all neighbours are in
+    for_each_neighbor(bin, [&](std::size_t of, Position) { ++ends[of]; });
+    std::size_t sum = 0;
+    for(std::size_t& end : ends)
+      sum += std::exchange(end, sum);
+    for_each_neighbor(bin, [&](std::size_t of, Position position) {
+      lists[ends[of]++] = position;
+    });
+
+    const std::size_t first = bin * bin_size;
+    const std::size_t count = (std::min)(bin_size, size_ - first);
+    for(std::size_t i = 0; i < count; ++i) {
+      sort_distinct(lists + (i == 0 ? 0 : ends[i - 1]), lists + ends[i]);
+      begins[first + i + 1] = begin + ends[i];
+    }
+  }
+
+  const std::size_t size_;
+  Per_thread<ConcurrencyTag, Neighbor_bins> bins_;
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_NEIGHBOR_COLLECTOR_H

@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_PROGRESS_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_PROGRESS_H
+
+// Tells the user's functor bool(double) how much of the scene is done; it may cancel.
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <cstddef>
+#include <mutex>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// For searches that nobody watches.
+struct No_progress
+{
+  void restart(std::size_t) {}
+  bool advance(std::size_t) { return true; }
+  bool is_cancelled() const { return false; }
+  void finish() {}
+};
+
+// Calls the functor about a thousand times, one call at a time, with growing values up to 1.
+template <class Functor>
+class Progress
+{
+public:
+  Progress(const Functor& functor, std::size_t total) : functor_(functor), total_(total) {}
+
+  // Begins another part of the search: `total` objects share what is left of the progress.
+  void restart(std::size_t total)
+  {
+    start_ = share_done();
+    total_ = total;
+    done_ = 0;
+  }
+
+  // Counts `finished` more objects as done; returns false iff the functor says to cancel.
+  bool advance(std::size_t finished)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    done_ += finished;
+    const double value = share_done();
+    if(value >= last_ + step || (value == 1 && last_ < 1))
+      tell(value);
+    return !cancelled_;
+  }
+
+  bool is_cancelled()
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return cancelled_;
+  }
+
+  // Tells that all is done, unless that was told before.
+  void finish()
+  {
+    if(last_ < 1)
+      tell(1);
+  }
+
+private:
+  static constexpr double step = 0.001;
+
+  double share_done() const
+  {
+    if(done_ >= total_)
+      return 1;
+    return start_ + (1 - start_) * (static_cast<double>(done_) / static_cast<double>(total_));
+  }
+
+  // Who has cancelled is not called again.
+  void tell(double value)
+  {
+    last_ = value;
+    cancelled_ = cancelled_ || !functor_(value);
+  }
+
+  Functor functor_;
+  std::size_t total_;    // of this part of the search
+  std::size_t done_ = 0;
+  double start_ = 0;     // the share that was done before
+  double last_ = -step;  // what the functor was told
+  bool cancelled_ = false;
+  std::mutex mutex_;
+};
+
+// Returns the progress that the named parameter `callback` asks for.
+template <class NamedParameters>
+auto make_progress(const NamedParameters& np, std::size_t total)
+{
+  if constexpr(parameters::is_default_parameter<NamedParameters,
+                                                internal_np::callback_t>::value)
+    return No_progress();
+  else {
+    const auto& functor = parameters::get_parameter(np, internal_np::callback);
+    return Progress<std::decay_t<decltype(functor)>>(functor, total);
+  }
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_PROGRESS_H

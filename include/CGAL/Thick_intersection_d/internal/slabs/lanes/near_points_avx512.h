@@ -1,0 +1,152 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_NEAR_POINTS_AVX512_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_NEAR_POINTS_AVX512_H
+
+// The functions of Candidates.h for processors with AVX-512, which compress the near ones of eight
+// lanes into consecutive memory at once. Many pairs in space are reported twice as fast by them
+// (doc/design.md). The only file with instructions of a processor.
+
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/near_points_plain.h>
+
+#if defined(__GNUC__) && defined(__x86_64__)
+
+#include <immintrin.h>
+
+#define CGAL_THICK_INTERSECTION_D_HAS_AVX512_CODE
+#define CGAL_THICK_INTERSECTION_D_AVX512 __attribute__((target("avx512f")))
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+static_assert(lanes == 8 && sizeof(Candidate) == 8, "A vector holds eight doubles or pairs.");
+
+// Whether the processor that this runs on has the instructions.
+inline bool has_avx512()
+{
+  static const bool has = __builtin_cpu_supports("avx512f");
+  return has;
+}
+
+// The near pairs of eight lanes: {i + lane, j + lane} or {i + lane, j}, for growing j.
+class Near_lanes
+{
+public:
+  CGAL_THICK_INTERSECTION_D_AVX512
+  Near_lanes(const Distance_filter& filter, Candidates& candidates)
+    : inside_(_mm512_set1_pd(filter.inside)), outside_(_mm512_set1_pd(filter.outside)),
+      candidates_(candidates), count_(candidates.count)
+  {}
+
+  template <bool moves_j>
+  CGAL_THICK_INTERSECTION_D_AVX512 void start(Place i, Place j)
+  {
+    const __m512i lane = _mm512_set_epi64(7, 6, 5, 4, 3, 2, 1, 0);
+    const __m512i step = moves_j ? _mm512_or_si512(lane, _mm512_slli_epi64(lane, 32)) : lane;
+    const std::uint64_t first = static_cast<std::uint64_t>(j) << 32 | i;
+    pairs_ = _mm512_add_epi64(_mm512_set1_epi64(static_cast<long long>(first)), step);
+  }
+
+  // Appends the pairs whose squared distance is not certainly beyond the bound, and goes on to the
+  // next j. Returns false if flush() says to stop.
+  template <class Flush>
+  CGAL_THICK_INTERSECTION_D_AVX512 bool append(__m512d squared_distances, const Flush& flush)
+  {
+    const __mmask8 near = _mm512_cmp_pd_mask(squared_distances, outside_, _CMP_LE_OQ);
+    undecided_ |= near & _mm512_cmp_pd_mask(squared_distances, inside_, _CMP_GT_OQ);
+    _mm512_storeu_si512(&candidates_.pairs[count_], _mm512_maskz_compress_epi64(near, pairs_));
+    count_ += static_cast<Place>(__builtin_popcount(near));
+    pairs_ = _mm512_add_epi64(pairs_, _mm512_set1_epi64(1LL << 32));
+    if(count_ < Candidates::capacity)
+      return true;
+    finish();
+    const bool goes_on = flush();
+    count_ = candidates_.count;
+    undecided_ = 0;
+    return goes_on;
+  }
+
+  void finish()
+  {
+    candidates_.count = count_;
+    candidates_.is_any_undecided |= undecided_ != 0;
+  }
+
+private:
+  const __m512d inside_;
+  const __m512d outside_;
+  __m512i pairs_;
+  Candidates& candidates_;
+  Place count_;
+  unsigned int undecided_ = 0;
+};
+
+template <int Dimension, class Flush>
+CGAL_THICK_INTERSECTION_D_AVX512 void
+collect_within_avx512(const Run<Dimension>& run, double reach, const Distance_filter& filter,
+                      Candidates& candidates, const Flush& flush)
+{
+  const __m512d reach_8 = _mm512_set1_pd(reach);
+  Near_lanes lanes_of_run(filter, candidates);
+  for(Place i = 0; i < run.size; i += lanes) {
+    __m512d p[Dimension];
+    for(int axis = 0; axis < Dimension; ++axis)
+      p[axis] = _mm512_loadu_pd(run.x[axis] + i);
+    lanes_of_run.start<true>(i, i + 1);
+    for(Place j = i + 1;; ++j) {
+      __m512d gap = _mm512_sub_pd(_mm512_loadu_pd(run.x[0] + j), p[0]);
+      if(_mm512_cmp_pd_mask(gap, reach_8, _CMP_LE_OQ) == 0)
+        break;
+      __m512d s = _mm512_mul_pd(gap, gap);
+      for(int axis = 1; axis < Dimension; ++axis) {
+        gap = _mm512_sub_pd(_mm512_loadu_pd(run.x[axis] + j), p[axis]);
+        s = _mm512_add_pd(s, _mm512_mul_pd(gap, gap));
+      }
+      if(!lanes_of_run.append(s, flush))
+        return;
+    }
+  }
+  lanes_of_run.finish();
+}
+
+template <int Dimension, class Flush>
+CGAL_THICK_INTERSECTION_D_AVX512 void
+collect_between_avx512(const Run<Dimension>& a, const Run<Dimension>& b, double reach,
+                       const Distance_filter& filter, Candidates& candidates, const Flush& flush)
+{
+  Place first = 0;
+  Near_lanes lanes_of_a(filter, candidates);
+  for(Place i = 0; i < a.size; i += lanes) {
+    const double low = a.x[0][i] - reach;
+    while(b.x[0][first] < low)
+      ++first;
+    const double high = a.x[0][(std::min)(i + lanes, a.size) - 1] + reach;
+    __m512d p[Dimension];
+    for(int axis = 0; axis < Dimension; ++axis)
+      p[axis] = _mm512_loadu_pd(a.x[axis] + i);
+    lanes_of_a.start<false>(i, first);
+    for(Place j = first; b.x[0][j] <= high; ++j) {
+      __m512d s = _mm512_setzero_pd();
+      for(int axis = 0; axis < Dimension; ++axis) {
+        const __m512d gap = _mm512_sub_pd(p[axis], _mm512_set1_pd(b.x[axis][j]));
+        s = _mm512_add_pd(s, _mm512_mul_pd(gap, gap));
+      }
+      if(!lanes_of_a.append(s, flush))
+        return;
+    }
+  }
+  lanes_of_a.finish();
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#undef CGAL_THICK_INTERSECTION_D_AVX512
+
+#endif // a compiler and a processor that have them
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_NEAR_POINTS_AVX512_H
