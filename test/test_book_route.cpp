@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The book route in all its variants against brute force, on integer sites and on points whose
+// The recursive route in all its variants against brute force, on integer sites and on points whose
 // coordinates and reach round.
 
-#define BOOST_TEST_MODULE book_route
-#include "support/book_variants.h"
+#define BOOST_TEST_MODULE recursive_route
+#include "support/recursion_variants.h"
 #include "support/brute_force.h"
 #include "support/lattice_traits.h"
 
@@ -51,9 +51,9 @@ void check_sites(const std::vector<Site>& sites, long distance, long reach, unsi
   const Pairs expected = pairs_of_sites(sites, distance);
   Calls calls;
   const Lattice_traits traits(dimension, distance, reach, calls);
-  for(const Book_options& options : book_variants(seed)) {
-    const Pairs_difference difference = compare(expected, book_pairs(sites, traits, options));
-    BOOST_CHECK_MESSAGE(difference.empty(), name(options) << ", seed " << seed << ": "
+  for(const Recursion_variant& variant : recursion_variants(seed)) {
+    const Pairs_difference difference = compare(expected, pairs_by_variant(sites, traits, variant));
+    BOOST_CHECK_MESSAGE(difference.empty(), name(variant) << ", seed " << seed << ": "
                                                           << difference);
   }
 }
@@ -86,10 +86,10 @@ BOOST_AUTO_TEST_CASE(two_sets_of_sites_at_random)
         expected.emplace_back(p.first, p.second - first);
     Calls calls;
     const Lattice_traits traits(dimension, distance, distance, calls);
-    for(const Book_options& options : book_variants(seed)) {
+    for(const Recursion_variant& variant : recursion_variants(seed)) {
       const Pairs_difference difference
-        = compare(expected, book_pairs(sites, traits, options, first));
-      BOOST_CHECK_MESSAGE(difference.empty(), name(options) << ", seed " << seed << ": "
+        = compare(expected, pairs_by_variant(sites, traits, variant, first));
+      BOOST_CHECK_MESSAGE(difference.empty(), name(variant) << ", seed " << seed << ": "
                                                             << difference);
     }
   }
@@ -116,10 +116,10 @@ BOOST_AUTO_TEST_CASE(coordinates_and_reaches_that_round)
     const double r = unit * static_cast<double>(below(random, 12));
     const Truth truth = brute_force(coordinates, Radius::of_length(r));
     const CGAL::Thick_point_traits_d<Point> traits(CGAL::within_distance(r));
-    for(const Book_options& options : book_variants(seed)) {
+    for(const Recursion_variant& variant : recursion_variants(seed)) {
       const Pairs_difference difference
-        = compare(truth.pairs, book_pairs(points, traits, options));
-      BOOST_CHECK_MESSAGE(difference.empty(), name(options) << ", seed " << seed << ": "
+        = compare(truth.pairs, pairs_by_variant(points, traits, variant));
+      BOOST_CHECK_MESSAGE(difference.empty(), name(variant) << ", seed " << seed << ": "
                                                             << difference);
     }
   }
@@ -155,12 +155,12 @@ BOOST_AUTO_TEST_CASE(closeness_that_is_true_too_often)
     for(const Pair& p : expected)
       if(p.first < first && p.second >= first)
         between_sets.emplace_back(p.first, p.second - first);
-    for(const Book_options& options : book_variants(seed)) {
-      const auto one_set = compare(expected, book_pairs(sites, traits, options));
-      BOOST_CHECK_MESSAGE(one_set.empty(), name(options) << ", seed " << seed << ": " << one_set);
-      const auto two_sets = compare(between_sets, book_pairs(sites, traits, options, first));
+    for(const Recursion_variant& variant : recursion_variants(seed)) {
+      const auto one_set = compare(expected, pairs_by_variant(sites, traits, variant));
+      BOOST_CHECK_MESSAGE(one_set.empty(), name(variant) << ", seed " << seed << ": " << one_set);
+      const auto two_sets = compare(between_sets, pairs_by_variant(sites, traits, variant, first));
       BOOST_CHECK_MESSAGE(two_sets.empty(),
-                          name(options) << ", seed " << seed << ", two sets: " << two_sets);
+                          name(variant) << ", seed " << seed << ", two sets: " << two_sets);
     }
   }
 }
@@ -172,9 +172,10 @@ BOOST_AUTO_TEST_CASE(order_of_reports_is_a_function_of_the_input)
   const std::vector<Site> sites = random_sites(random, 2, 400);
   Calls calls;
   const Lattice_traits traits(2, 3, 3, calls);
-  for(const Book_options& options : book_variants(17))
-    BOOST_CHECK_MESSAGE(book_pairs(sites, traits, options) == book_pairs(sites, traits, options),
-                        name(options));
+  for(const Recursion_variant& variant : recursion_variants(17))
+    BOOST_CHECK_MESSAGE(pairs_by_variant(sites, traits, variant) ==
+                            pairs_by_variant(sites, traits, variant),
+                        name(variant));
 }
 
 namespace {
@@ -187,7 +188,7 @@ extern "C" void* walk_over_equal_sites(void* pairs)
   Calls calls;
   const Lattice_traits traits(2, 0, 0, calls);
   *static_cast<std::size_t*>(pairs)
-    = book_pairs(sites, traits, {Pivot::MEDIAN, Base_case::WALK, 0}).size();
+    = pairs_by_variant(sites, traits, {Pivot::MEDIAN, Base_case::WALK, 0}).size();
   return nullptr;
 }
 

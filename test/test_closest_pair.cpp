@@ -189,7 +189,7 @@ BOOST_AUTO_TEST_CASE(joins_visit_all_close_pairs)
   std::size_t joined = 0;
   for(const Point_scene& scene : closest_pair_scenes(2)) {
     const double reach = upper_bound(scene.radius);
-    if(!internal::Grid_cells<2>::fits(reach, 0))
+    if(!internal::Hashed_cells<2>::fits(reach, 0))
       continue;
     ++joined;
     const auto points = make_points<Maker<2>>(scene.points);
@@ -198,7 +198,7 @@ BOOST_AUTO_TEST_CASE(joins_visit_all_close_pairs)
       Pairs visited;
       const internal::Cell_join<CGAL::Sequential_tag, 2, Elements> join(elements, reach,
                                                                         factor * reach);
-      internal::No_progress progress;
+      internal::Unwatched_progress progress;
       join(internal::All_positions(points.size()), [&] { return Visitor{visited}; }, progress);
       std::sort(visited.begin(), visited.end());
       const Pairs& pairs = truth_of(scene).pairs;
@@ -221,13 +221,13 @@ BOOST_AUTO_TEST_CASE(as_many_points_as_a_cell_holds)
   const auto corners_3 = make_points<Maker<3>>(lattice_points(3, 2, 3, 1));
   BOOST_CHECK(CGAL::has_close_pair(corners_3, CGAL::within_distance(3)));
   BOOST_CHECK(!CGAL::has_close_pair(corners_3, CGAL::within_distance(3).open()));
-  BOOST_CHECK_EQUAL(internal::greatest_packing(1), 2u);
-  BOOST_CHECK_EQUAL(internal::greatest_packing(2), 4u);
-  BOOST_CHECK_EQUAL(internal::greatest_packing(3), 8u);
-  BOOST_CHECK_EQUAL(internal::greatest_packing(4), 81u); // 17 are possible
+  BOOST_CHECK_EQUAL(internal::max_points_per_cell(1), 2u);
+  BOOST_CHECK_EQUAL(internal::max_points_per_cell(2), 4u);
+  BOOST_CHECK_EQUAL(internal::max_points_per_cell(3), 8u);
+  BOOST_CHECK_EQUAL(internal::max_points_per_cell(4), 81u); // 17 are possible
 }
 
-// The grid of cells r: rounded numbers of cells near the end of a cell.
+// Cells of side r: rounded numbers of cells near the end of a cell.
 BOOST_AUTO_TEST_CASE(cells_lose_no_pair_at_the_bound)
 {
   for(int i = -50; i < 50; ++i) {
@@ -235,7 +235,7 @@ BOOST_AUTO_TEST_CASE(cells_lose_no_pair_at_the_bound)
     const std::vector<Point> points = {{0, 0}, {x, 0}, {x + 1, 0}};
     for(const auto access : {internal::Bucket_access::HASHING,
                              internal::Bucket_access::SORTED_ORDER})
-      BOOST_CHECK(close_by_grid(points, CGAL::within_distance(1), access) == Pair(1, 2));
+      BOOST_CHECK(close_by_buckets(points, CGAL::within_distance(1), access) == Pair(1, 2));
   }
 }
 
@@ -299,9 +299,9 @@ std::vector<Point> points_before_a_heavy_cell()
   return points;
 }
 
-// Of the randomised grid, per point.
+// Of the randomised cells, per point.
 template <int Dimension>
-double looks_of_grid(const Points& scene)
+double looks_of_cells(const Points& scene)
 {
   using Counted = Counted_points<typename Maker<Dimension>::Point>;
   const auto points = make_points<Maker<Dimension>>(scene);
@@ -309,33 +309,34 @@ double looks_of_grid(const Points& scene)
   std::iota(positions.begin(), positions.end(), 0);
   std::size_t looks = 0;
   const Counted counted = {points, looks};
-  const CGAL::Scene_profile profile = profile_of(points);
-  internal::Pair_minimum<Counted> minimum(counted, profile);
-  internal::Closest_pair_grid<Dimension, Counted> grid(counted, positions, Dimension, 0, 1);
-  internal::No_progress progress;
-  BOOST_CHECK(grid.search(minimum, progress));
-  BOOST_TEST_MESSAGE(Dimension << "D grid: " << looks / points.size() << " looks per point");
+  const internal::Scene scene_of_points =
+      scene_of(Elements_of<typename Maker<Dimension>::Point>(points));
+  internal::Pair_minimum<Counted> minimum(counted, scene_of_points);
+  internal::Closest_pair_cells<Dimension, Counted> cells(counted, positions, scene_of_points, 1);
+  internal::Unwatched_progress progress;
+  BOOST_CHECK(cells.search(minimum, progress));
+  BOOST_TEST_MESSAGE(Dimension << "D cells: " << looks / points.size() << " looks per point");
   return static_cast<double>(looks) / static_cast<double>(points.size());
 }
 
 template <int Dimension>
-void check_work(const std::string& name, const Points& scene, double greatest_comparisons)
+void check_work(const std::string& name, const Points& scene, double max_comparisons)
 {
   const auto points = make_points<Maker<Dimension>>(scene);
   const Elements_of<typename Maker<Dimension>::Point> elements(points);
   Work_of_division work;
-  Counting_minimum<std::decay_t<decltype(elements)>> minimum(elements, profile_of(points), work);
-  internal::No_progress progress;
+  Counting_minimum<std::decay_t<decltype(elements)>> minimum(elements, scene_of(elements), work);
+  internal::Unwatched_progress progress;
   internal::divide_and_conquer<CGAL::Sequential_tag>(points.size(), Dimension, minimum, progress);
   const double n = static_cast<double>(points.size());
   const double comparisons = static_cast<double>(work.comparisons) / (n * std::log2(n));
   BOOST_TEST_MESSAGE(name << ' ' << Dimension << "D: " << comparisons
-                          << " comparisons per n log n, " << work.greatest_candidates
+                          << " comparisons per n log n, " << work.max_candidates
                           << " candidates of a point at most");
-  BOOST_CHECK_MESSAGE(comparisons <= greatest_comparisons, name << ": " << comparisons);
-  BOOST_CHECK_MESSAGE(work.greatest_candidates <= internal::greatest_candidate_count(Dimension),
-                      name << ": " << work.greatest_candidates << " candidates");
-  BOOST_CHECK_GT(work.greatest_candidates, 0u);
+  BOOST_CHECK_MESSAGE(comparisons <= max_comparisons, name << ": " << comparisons);
+  BOOST_CHECK_MESSAGE(work.max_candidates <= internal::max_candidate_count(Dimension),
+                      name << ": " << work.max_candidates << " candidates");
+  BOOST_CHECK_GT(work.max_candidates, 0u);
 }
 
 // All points close to the dividing line at each division: distances along axis 0 vanish against
@@ -355,21 +356,22 @@ BOOST_AUTO_TEST_CASE(heavy_cell_ends_the_search)
   const std::vector<Point> points = points_before_a_heavy_cell();
   std::size_t looks = 0;
   const Counted_points<Point> counted = {points, looks};
-  const internal::Squared_bound<Exact_of<Point>> bound(CGAL::within_distance(1).open());
-  const CGAL::Scene_profile profile = profile_of(points);
-  const internal::Close_pair_grid<CGAL::Sequential_tag, Counted_points<Point>> grid(
-    counted, bound, profile, 0);
-  internal::No_progress progress;
-  BOOST_CHECK(grid.find(internal::All_positions(points.size()), progress));
+  const internal::Scene scene = scene_of(Elements_of<Point>(points));
+  const internal::Is_within_distance<Point> is_within(
+    internal::Squared_bound<Exact_of<Point>>(CGAL::within_distance(1).open()), 2);
+  const internal::Close_pair_buckets<CGAL::Sequential_tag, Counted_points<Point>> buckets(
+    counted, scene, is_within);
+  internal::Unwatched_progress progress;
+  BOOST_CHECK(buckets.find(internal::All_positions(points.size()), progress));
   BOOST_CHECK_LE(looks, 2 * points.size() + 20);
 }
 
-BOOST_AUTO_TEST_CASE(randomised_grid_looks_at_points_a_few_times)
+BOOST_AUTO_TEST_CASE(randomised_cells_look_at_points_a_few_times)
 {
-  BOOST_CHECK_LT(looks_of_grid<2>(uniform_points(2, 20000, 0, 1, 22)), 30);
-  BOOST_CHECK_LT(looks_of_grid<2>(lattice_points(2, 150, 1)), 30);
-  BOOST_CHECK_LT(looks_of_grid<3>(uniform_points(3, 20000, 0, 1, 23)), 30);
-  BOOST_CHECK_LT(looks_of_grid<3>(lattice_points(3, 28, 1)), 100);
+  BOOST_CHECK_LT(looks_of_cells<2>(uniform_points(2, 20000, 0, 1, 22)), 30);
+  BOOST_CHECK_LT(looks_of_cells<2>(lattice_points(2, 150, 1)), 30);
+  BOOST_CHECK_LT(looks_of_cells<3>(uniform_points(3, 20000, 0, 1, 23)), 30);
+  BOOST_CHECK_LT(looks_of_cells<3>(lattice_points(3, 28, 1)), 100);
 }
 
 // Squared distances overflow for the first pair only.
@@ -379,11 +381,10 @@ BOOST_AUTO_TEST_CASE(first_point_may_be_far_out)
   points[0] = Point(1e200, 0);
   std::size_t looks = 0;
   const Counted_points<Point> counted = {points, looks};
-  const auto scene = internal::check_scene<CGAL::Sequential_tag>(
-    counted, internal::Squared_bound<Exact_of<Point>>(CGAL::within_distance(0)));
-  internal::No_progress progress;
+  const internal::Scene scene = scene_of(counted);
+  internal::Unwatched_progress progress;
   const Pair pair = internal::Closest_pair_search<CGAL::Sequential_tag, Counted_points<Point>,
-                                                  internal::No_progress>(counted, scene, 1,
+                                                  internal::Unwatched_progress>(counted, scene, 1,
                                                                          progress).find();
   BOOST_CHECK(pair == closest_by_division(points));
   BOOST_CHECK_LE(looks, 20 * points.size());
@@ -391,7 +392,7 @@ BOOST_AUTO_TEST_CASE(first_point_may_be_far_out)
 
 BOOST_AUTO_TEST_CASE(division_makes_n_log_n_comparisons_in_the_plane)
 {
-  BOOST_CHECK_EQUAL(internal::greatest_candidate_count(2), 7u);
+  BOOST_CHECK_EQUAL(internal::max_candidate_count(2), 7u);
   const Points lattice = lattice_points(2, 150, 1);
   check_work<2>("uniform", uniform_points(2, 20000, 0, 1, 9), 8);
   check_work<2>("lattice", lattice, 12);
@@ -404,7 +405,7 @@ BOOST_AUTO_TEST_CASE(division_makes_n_log_n_comparisons_in_the_plane)
 
 BOOST_AUTO_TEST_CASE(division_makes_n_log_n_comparisons_in_space)
 {
-  BOOST_CHECK_EQUAL(internal::greatest_candidate_count(3), 47u);
+  BOOST_CHECK_EQUAL(internal::max_candidate_count(3), 47u);
   const Points lattice = lattice_points(3, 28, 1);
   check_work<3>("uniform", uniform_points(3, 20000, 0, 1, 13), 12);
   check_work<3>("lattice", lattice, 30);
@@ -521,7 +522,7 @@ BOOST_AUTO_TEST_CASE(parts_of_a_search_share_what_is_left_of_the_progress)
 {
   std::vector<double> told;
   const Watch watch = {told, 2};
-  internal::Progress<Watch> progress(watch, 4);
+  internal::Watched_progress<Watch> progress(watch, 4);
   for(const std::size_t total : {4, 2}) {
     progress.restart(total);
     progress.advance(1);
@@ -537,14 +538,14 @@ BOOST_AUTO_TEST_CASE(cancelled_search_looks_at_few_points_more)
   std::size_t looks = 0;
   const Counted_points<Point> counted = {points, looks};
   const internal::Squared_bound<Exact_of<Point>> zero(CGAL::within_distance(0));
-  const auto scene = internal::check_scene<CGAL::Sequential_tag>(counted, zero);
+  const internal::Scene scene = scene_of(counted);
   for(const double share : {0., 0.1, 0.3, 0.6, 0.9}) {
     std::size_t before = 0;
     const auto cancel = [&](double done) {
       before = looks;
       return done < share;
     };
-    using Progress = internal::Progress<decltype(cancel)>;
+    using Progress = internal::Watched_progress<decltype(cancel)>;
     using Counted = Counted_points<Point>;
     Progress progress(cancel, points.size());
     internal::Closest_pair_search<CGAL::Sequential_tag, Counted, Progress>(counted, scene, 1,
@@ -558,10 +559,10 @@ BOOST_AUTO_TEST_CASE(cancelled_search_looks_at_few_points_more)
 }
 
 // Searches that nobody watches have nothing to keep or to count.
-static_assert(std::is_empty_v<internal::No_progress>);
+static_assert(std::is_empty_v<internal::Unwatched_progress>);
 static_assert(std::is_same_v<decltype(internal::make_progress(CGAL::parameters::default_values(),
                                                               1)),
-                             internal::No_progress>);
+                             internal::Unwatched_progress>);
 
 // ---- real data ----------------------------------------------------------------------------------
 

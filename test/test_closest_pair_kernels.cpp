@@ -27,16 +27,16 @@ using Dynamic_points = Points_d<CGAL::Epick_d<CGAL::Dynamic_dimension_tag>>;
 
 // Where addresses are watched, numbers with memory of their own take ten times as long.
 #ifdef __SANITIZE_ADDRESS__
-constexpr std::size_t greatest_size = 150;
+constexpr std::size_t max_size = 150;
 #else
-constexpr std::size_t greatest_size = 100000;
+constexpr std::size_t max_size = 100000;
 #endif
 
 template <class Maker>
 void check_scenes(int dimension)
 {
   for(Point_scene scene : closest_pair_scenes(dimension)) {
-    scene.points.resize((std::min)(scene.points.size(), greatest_size));
+    scene.points.resize((std::min)(scene.points.size(), max_size));
     check_closest_scene<Maker>(scene);
   }
 }

@@ -17,16 +17,16 @@ namespace {
 // Coordinates are quotients of big integers, so that all of the time is spent in allocations; where
 // addresses are watched these take ten times as long.
 #ifdef __SANITIZE_ADDRESS__
-constexpr std::size_t greatest_size = 150;
+constexpr std::size_t max_size = 150;
 #else
-constexpr std::size_t greatest_size = 100000;
+constexpr std::size_t max_size = 100000;
 #endif
 
 template <int Dimension>
 void check_scenes()
 {
   for(Point_scene scene : all_scenes(Dimension)) {
-    scene.points.resize((std::min)(scene.points.size(), greatest_size));
+    scene.points.resize((std::min)(scene.points.size(), max_size));
     check_scene<Homogeneous_points<Integer_kernel, Dimension>>(scene);
   }
 }

@@ -58,7 +58,7 @@ Pairs parallel_pairs(const std::vector<Point>& points, double r)
 }
 
 template <class Point>
-Pairs parallel_pairs_by_the_book(const std::vector<Point>& points, double r)
+Pairs parallel_pairs_by_recursion(const std::vector<Point>& points, double r)
 {
   return collected([&](const auto& callback) {
     CGAL::thick_self_intersection_d<CGAL::Parallel_tag>(
@@ -79,9 +79,9 @@ void check_same_pairs(int dimension)
     for(int repetition = 0; repetition < 3; ++repetition) {
       const Pairs_difference difference = compare(expected, parallel_pairs(points, r));
       BOOST_CHECK_MESSAGE(difference.empty(), difference);
-      const Pairs_difference by_the_book
-        = compare(expected, parallel_pairs_by_the_book(points, r));
-      BOOST_CHECK_MESSAGE(by_the_book.empty(), "by the book: " << by_the_book);
+      const Pairs_difference by_recursion
+        = compare(expected, parallel_pairs_by_recursion(points, r));
+      BOOST_CHECK_MESSAGE(by_recursion.empty(), "by recursion: " << by_recursion);
     }
   }
 }

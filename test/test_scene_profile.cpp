@@ -289,7 +289,7 @@ BOOST_AUTO_TEST_CASE(axes_without_extent_are_not_stored)
 }
 
 // Balls of one size take the bytes of their centres, those of other sizes 16 bytes for each place
-// that the book route keeps them in: no radius.
+// that the recursive route keeps them in: no radius.
 BOOST_AUTO_TEST_CASE(radii_are_not_stored)
 {
   const std::size_t n = 20000;
@@ -424,7 +424,7 @@ BOOST_AUTO_TEST_CASE(decisions_are_counted_for_two_sets)
   BOOST_CHECK_EQUAL(profile.size(), 200u);
 }
 
-// By the book route.
+// By the recursive route.
 BOOST_AUTO_TEST_CASE(tiers_in_dimension_4)
 {
   const Points scene = lattice_points(4, 4, 87654321);

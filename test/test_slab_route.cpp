@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The slab route against the book route, on many small structured scenes and on large skewed ones;
-// and what it does to pairs that lie at the limits of slabs.
+// The slab route against the recursive route, on many small structured scenes and on large skewed
+// ones; and what it does to pairs that lie at the limits of slabs.
 
 #define BOOST_TEST_MODULE slab_route
 #include "support/kernels.h"
@@ -46,16 +46,16 @@ Points structured_scene(Generator& random, int dimension, double unit)
   return points;
 }
 
-// Parts of few points: many slabs, many strips, cut again and again.
-Part_sizes small_sizes(Generator& random)
+// Many slabs and strips of few points, cut again and again.
+Slab_tuning small_tuning(Generator& random)
 {
-  Part_sizes sizes;
-  sizes.crowd = below(random, 64) + 1;
-  sizes.slab = static_cast<internal::Place>(1 + random() % 8);
-  sizes.strip = static_cast<internal::Place>(1 + random() % 3);
-  sizes.sorted_part = static_cast<internal::Place>(1 + random() % 4);
-  sizes.large_slab = static_cast<internal::Place>(4 << random() % 4);
-  return sizes;
+  Slab_tuning tuning;
+  tuning.candidates_per_block = below(random, 64) + 1;
+  tuning.points_per_slab = static_cast<internal::Place>(1 + random() % 8);
+  tuning.points_per_strip = static_cast<internal::Place>(1 + random() % 3);
+  tuning.points_per_sorted_strip = static_cast<internal::Place>(1 + random() % 4);
+  tuning.max_slab_size = static_cast<internal::Place>(4 << random() % 4);
+  return tuning;
 }
 
 // Coordinates of all sizes: buckets of buckets are crowded.
@@ -79,9 +79,9 @@ void check_structured_scenes(unsigned int scenes)
     const auto points = make_points<Cartesian_points<Kernel, Dimension>>(
       structured_scene(random, Dimension, unit));
     const auto bound = CGAL::within_distance(unit * below(random, 12));
-    const Part_sizes sizes = small_sizes(random);
-    const Pairs expected = sorted(near_pairs_by_the_book(points, bound, Dimension));
-    const Pairs found = sorted(slab_pairs<Dimension>(points, bound, sizes));
+    const Slab_tuning tuning = small_tuning(random);
+    const Pairs expected = sorted(near_pairs_by_recursion(points, bound, Dimension));
+    const Pairs found = sorted(slab_pairs<Dimension>(points, bound, tuning));
     BOOST_REQUIRE_MESSAGE(found == expected,
                           "seed " << seed << ": " << compare(expected, found));
     if(seed % 4 != 0)
@@ -92,7 +92,7 @@ void check_structured_scenes(unsigned int scenes)
       if(p.first < first_set_size && p.second >= first_set_size)
         between.push_back(p);
     BOOST_REQUIRE_MESSAGE(
-      sorted(slab_pairs<Dimension>(points, bound, sizes, first_set_size)) == between,
+      sorted(slab_pairs<Dimension>(points, bound, tuning, first_set_size)) == between,
       "two sets, seed " << seed);
   }
 }
@@ -102,7 +102,7 @@ void check_large_scene(const std::string& name, const Points& points, double r)
 {
   const auto made = make_points<Maker>(points);
   const int dimension = static_cast<int>(points.front().size());
-  const Pairs expected = near_pairs_by_the_book(made, CGAL::within_distance(r), dimension);
+  const Pairs expected = near_pairs_by_recursion(made, CGAL::within_distance(r), dimension);
   const Pairs_difference difference
     = compare(expected, near_pairs(made, CGAL::within_distance(r)));
   BOOST_CHECK_MESSAGE(difference.empty(), name << ": " << difference);
@@ -140,7 +140,7 @@ Points geometric(int dimension)
 
 BOOST_AUTO_TEST_CASE(buckets_sort)
 {
-  internal::Bucket_sorter<2> sorter;
+  internal::Bucket_sorter<internal::Slab_point<2>> sorter;
   Generator random(6);
   for(const int scales : {1, 10, 1000})
     for(const std::size_t n : {0, 1, 16, 17, 100, 5000}) {
@@ -214,16 +214,63 @@ namespace {
 
 namespace internal = CGAL::Thick_intersection_d::internal;
 
+// Points as Slabs asks for them, and a test that decides nothing: lanes leave every pair to
+// is_pair().
+template <int Dimension>
+struct Undecided_points
+{
+  using Point = internal::Slab_point<Dimension>;
+  using Run = internal::Run<Dimension>;
+
+  explicit Undecided_points(const Points& points, double reach)
+    : points(points), question{reach, internal::Distance_filter()}
+  {}
+
+  internal::Interval interval(int axis) const
+  {
+    internal::Interval interval;
+    for(const Coordinates& c : points)
+      interval.add(c[axis]);
+    return interval;
+  }
+  double coordinate(std::size_t position, int axis) const { return points[position][axis]; }
+  Point point(std::size_t position) const
+  {
+    Point point;
+    std::copy_n(points[position].begin(), Dimension, point.x.begin());
+    point.position = static_cast<internal::Place>(position);
+    return point;
+  }
+
+  template <class Flush>
+  void collect_within(const Run& run, internal::Candidates& candidates, const Flush& flush) const
+  {
+    internal::Near_points_lanes::collect_within(run, question, candidates, flush);
+  }
+  template <class Flush>
+  void collect_between(const Run& a, const Run& b, internal::Candidates& candidates,
+                       const Flush& flush) const
+  {
+    internal::Near_points_lanes::collect_between(a, b, question, candidates, flush);
+  }
+  bool is_pair(const Run&, const Run&, internal::Candidate, internal::Decision_counts&) const
+  {
+    ++count;
+    return false;
+  }
+
+  const Points& points;
+  internal::Near_question question;
+  mutable std::size_t count = 0;
+};
+
 // Blocks follow each other from the first slab to the last one with a point, and no block has more
-// points than its share and one slab.
+// points than its part of all and one slab.
 void check_blocks(const Points& points, double reach)
 {
-  const auto made = make_points<Plane>(points);
-  const internal::Held_doubles<std::vector<Plane::Point>> doubles(made);
-  internal::Range range;
-  for(const Coordinates& c : points)
-    range.add(c[1]);
-  const internal::Slabs<2> slabs(CGAL::Sequential_tag(), doubles, 0, points.size(), range, reach);
+  const Undecided_points<2> source(points, reach);
+  const internal::Slabs<internal::Slab_point<2>> slabs(CGAL::Sequential_tag(), source, 0,
+                                                       points.size(), reach);
   std::ptrdiff_t largest = 0;
   for(internal::Place s = 0; s < slabs.count(); ++s)
     largest = (std::max)(largest, slabs.end(s) - slabs.begin(s));
@@ -233,44 +280,35 @@ void check_blocks(const Points& points, double reach)
       const auto [first, last] = slabs.block(b, count);
       BOOST_CHECK_EQUAL(first, end);
       BOOST_CHECK_LE(first, last);
-      const auto share = static_cast<std::ptrdiff_t>(points.size() / count) + 1;
-      BOOST_CHECK_LE(slabs.begin(last) - slabs.begin(first), share + largest);
+      const auto fair = static_cast<std::ptrdiff_t>(points.size() / count) + 1;
+      BOOST_CHECK_LE(slabs.begin(last) - slabs.begin(first), fair + largest);
       end = last;
     }
     BOOST_CHECK(slabs.begin(end) == slabs.begin(slabs.count()));
   }
 }
 
-// How many pairs of places a sweep looks at: a filter that decides nothing leaves all to `decide`.
+// How many pairs of places a sweep looks at.
 template <int Dimension>
 std::size_t count_candidates(const Points& points, double reach)
 {
-  using Kernel_points = std::vector<typename Cartesian_points<Kernel, Dimension>::Point>;
-  constexpr int axis = Dimension - 1;
-  const Kernel_points made = make_points<Cartesian_points<Kernel, Dimension>>(points);
-  const internal::Held_doubles<Kernel_points> doubles(made);
-  internal::Range range;
-  for(const Coordinates& c : points)
-    range.add(c[axis]);
-  const internal::Slabs<Dimension> slabs(CGAL::Sequential_tag(), doubles, 0, points.size(), range,
-                                         reach);
-  std::size_t count = 0;
-  const auto decide = [&](internal::Place, internal::Place, internal::Decision_counts&) {
-    ++count;
-    return false;
-  };
+  using Test = Undecided_points<Dimension>;
+  using Point = internal::Slab_point<Dimension>;
+  const Test test(points, reach);
+  const internal::Slab_tuning tuning;
+  const internal::Slabs<Point> slabs(CGAL::Sequential_tag(), test, 0, points.size(), reach);
   const auto ignore = [](std::size_t, std::size_t) {};
   internal::Pair_reporter<decltype(ignore)> report(ignore);
-  internal::Slab_sweep<Dimension, decltype(decide), decltype(report)> sweep(
-    reach, internal::Distance_filter(), internal::Close_call(), decide, report);
-  internal::Slab_window<Dimension> window(slabs, reach, 0);
-  for(; window[0]; window.pop()) {
-    sweep.within(*window[0]);
-    for(std::size_t f = 1; window[f]; ++f)
-      if(window[f]->range(axis).low - window[0]->range(axis).high <= reach)
-        sweep.between(*window[0], *window[f]);
+  using Pair_sweep = internal::Pair_sweep<Test, decltype(report)>;
+  Pair_sweep pair_sweep(test, report);
+  internal::Slab_sweep<Point, Pair_sweep> sweep(reach, pair_sweep);
+  internal::Slab_window<Point> window(slabs, reach, 0, tuning);
+  typename internal::Slab_window<Point>::Slabs_nearby nearby;
+  for(; window.front(); window.pop()) {
+    window.find_within_reach(window.front()->interval(Dimension - 1).high, nearby);
+    sweep.between(*window.front(), nearby);
   }
-  return count;
+  return test.count;
 }
 
 template <int Dimension>

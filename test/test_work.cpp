@@ -5,7 +5,7 @@
 // counted against O(C(n + k)) and O(n log n) [V03, Theorem 1], bytes against O(n).
 
 #define BOOST_TEST_MODULE work
-#include "support/book_variants.h"
+#include "support/recursion_variants.h"
 #include "support/counting_allocator.h"
 #include "support/lattice_traits.h"
 
@@ -41,11 +41,11 @@ struct Work
 };
 
 Work measure(const std::vector<Site>& sites, long distance, long reach,
-             const Book_options& options)
+             const Recursion_variant& variant)
 {
   Calls calls;
   const Lattice_traits traits(sites.front().dimension(), distance, reach, calls);
-  const double k = static_cast<double>(book_pairs(sites, traits, options).size());
+  const double k = static_cast<double>(pairs_by_variant(sites, traits, variant).size());
   const double n = static_cast<double>(sites.size());
   return {static_cast<double>(calls.do_intersect) / (n + k),
           static_cast<double>(calls.less + calls.is_close) / (n * std::log2(n) + k)};
@@ -54,20 +54,20 @@ Work measure(const std::vector<Site>& sites, long distance, long reach,
 void check_work(const std::string& what, const std::vector<Site>& sites, long distance,
                 double predicates, double comparisons)
 {
-  for(const Book_options& options : book_variants(1)) {
-    if(options.base_case == Base_case::DIMENSION_ZERO)
+  for(const Recursion_variant& variant : recursion_variants(1)) {
+    if(variant.base_case == Base_case::DIMENSION_ZERO)
       continue;
     const bool is_default
-      = options.base_case == Base_case::SWEEP && options.pivot == Pivot::MEDIAN;
-    const Work work = measure(sites, distance, distance, options);
-    BOOST_TEST_MESSAGE(what << ", " << name(options) << ": predicates/(n+k) "
+      = variant.base_case == Base_case::SWEEP && variant.pivot == Pivot::MEDIAN;
+    const Work work = measure(sites, distance, distance, variant);
+    BOOST_TEST_MESSAGE(what << ", " << name(variant) << ": predicates/(n+k) "
                             << work.predicates_per_output << ", comparisons/(n log n + k) "
                             << work.comparisons_per_sort);
     // The walk and the random pivot may cost more, by the factors that the design note measures.
     BOOST_CHECK_MESSAGE(work.predicates_per_output <= (is_default ? 1 : 3) * predicates,
-                        what << ", " << name(options) << ": " << work.predicates_per_output);
+                        what << ", " << name(variant) << ": " << work.predicates_per_output);
     BOOST_CHECK_MESSAGE(work.comparisons_per_sort <= (is_default ? 1 : 3) * comparisons,
-                        what << ", " << name(options) << ": " << work.comparisons_per_sort);
+                        what << ", " << name(variant) << ": " << work.comparisons_per_sort);
   }
 }
 
@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(a_crowd_above_a_chain_of_cuts)
 
   Calls calls;
   const Lattice_traits traits(2, 100, 100, calls);
-  const double k = static_cast<double>(book_pairs(sites, traits, Book_options()).size());
+  const double k = static_cast<double>(pairs_by_variant(sites, traits, Recursion_variant()).size());
   const double n = static_cast<double>(sites.size());
   BOOST_TEST_MESSAGE("closeness " << static_cast<double>(calls.is_close) / k << " k");
   BOOST_CHECK_LE(static_cast<double>(calls.do_intersect), 1.1 * k);
@@ -128,8 +128,8 @@ BOOST_AUTO_TEST_CASE(a_crowd_above_a_chain_of_cuts)
 BOOST_AUTO_TEST_CASE(literal_reach_costs_what_it_costs)
 {
   const std::vector<Site> sites = uniform_sites(2, 20000, 100000, 7);
-  const double tight = measure(sites, 400, 400, Book_options()).predicates_per_output;
-  const double literal = measure(sites, 400, 800, Book_options()).predicates_per_output;
+  const double tight = measure(sites, 400, 400, Recursion_variant()).predicates_per_output;
+  const double literal = measure(sites, 400, 800, Recursion_variant()).predicates_per_output;
   BOOST_TEST_MESSAGE("reach r: " << tight << ", reach 2r: " << literal);
   BOOST_CHECK_GT(literal, 3 * tight);
   BOOST_CHECK_LT(literal, 6 * tight);
@@ -140,11 +140,12 @@ BOOST_AUTO_TEST_CASE(pairs_within_a_set_are_not_tested)
 {
   std::vector<Site> sites = uniform_sites(2, 3000, 2, 8);
   sites.emplace_back(std::vector<long>{1, 1});
-  for(const Book_options& options : {Book_options{Pivot::MEDIAN, Base_case::SWEEP, 0},
-                                     Book_options{Pivot::MEDIAN, Base_case::DIMENSION_ZERO, 0}}) {
+  for(const Recursion_variant& variant :
+      {Recursion_variant{Pivot::MEDIAN, Base_case::SWEEP, 0},
+       Recursion_variant{Pivot::MEDIAN, Base_case::DIMENSION_ZERO, 0}}) {
     Calls calls;
     const Lattice_traits traits(2, 2, 2, calls);
-    BOOST_CHECK_EQUAL(book_pairs(sites, traits, options, 3000).size(), 3000u);
+    BOOST_CHECK_EQUAL(pairs_by_variant(sites, traits, variant, 3000).size(), 3000u);
     BOOST_CHECK_EQUAL(calls.do_intersect, 3000u);
     BOOST_CHECK_LT(calls.is_close, 10000u);
   }

@@ -41,7 +41,7 @@ Found find_by_the_book(const Point_scene& scene)
   const auto points = kernel_points<Kernel, Dimension>(scene);
   return test_support::with_bound(scene.radius, [&](const auto& bound) {
     return timed(false, [&](Pairs& pairs) {
-      pairs = test_support::near_pairs_by_the_book(points, bound, Dimension);
+      pairs = test_support::near_pairs_by_recursion(points, bound, Dimension);
     });
   });
 }

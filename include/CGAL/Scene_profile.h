@@ -11,17 +11,29 @@
 #include <CGAL/Arithmetic_tier.h>
 #include <CGAL/Distance_bound.h>
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/tags.h>
 
-#include <CGAL/Thick_intersection_d/internal/input/scan_coordinates.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
-#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Integer_distance.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_tier.h>
+#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
+#include <CGAL/Thick_intersection_d/internal/input/Scene.h>
+#include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -59,9 +71,10 @@ public:
   Scene_profile(std::size_t size, const std::vector<std::pair<double, double>>& box, double reach,
                 std::optional<int> grid_exponent)
     : size_(size), box_(box), reach_(reach), grid_exponent_(grid_exponent),
-      units_(grid_exponent ? std::floor(std::ldexp(reach, -*grid_exponent))
+      units_(grid_exponent ? Thick_intersection_d::internal::steps_within(reach, *grid_exponent)
                            : std::numeric_limits<double>::infinity()),
-      needed_tier_(least_exact_tier())
+      needed_tier_(Thick_intersection_d::internal::first_exact_tier(reach, grid_exponent,
+                                                                    extended_axes()))
   {}
 
   /// @}
@@ -142,6 +155,10 @@ public:
   /// @}
 
 #ifndef DOXYGEN_RUNNING
+  Scene_profile(const Thick_intersection_d::internal::Scene& scene, double reach)
+    : Scene_profile(scene.size, pairs_of(scene.box), reach, scene.grid_exponent)
+  {}
+
   void set_counts(const Thick_intersection_d::internal::Decision_counts& counts)
   {
     counts_ = counts;
@@ -167,34 +184,17 @@ public:
   }
 
 private:
-  // A sum of one square is treated as one of two, so that the square of units() + 1 is exact too.
-  double terms() const { return (std::max)(extended_axes(), 2); }
+  using Intervals = std::vector<Thick_intersection_d::internal::Interval>;
 
-  Arithmetic_tier least_exact_tier() const
+  static std::vector<std::pair<double, double>> pairs_of(const Intervals& intervals)
   {
-    namespace internal = Thick_intersection_d::internal;
-    static const double huge = std::ldexp(1., 1022); // so that differences do not overflow
-    if(!has_grid() || reach_ > huge)
-      return Arithmetic_tier::FILTERED_EXACT;
-    if(is_exact_in_double())
-      return Arithmetic_tier::DOUBLE;
-    if(internal::fits_int64(units_, extended_axes()))
-      return Arithmetic_tier::INT64;
-    if(internal::fits_int128(units_, extended_axes()))
-      return Arithmetic_tier::INT128;
-    return Arithmetic_tier::FILTERED_EXACT;
+    std::vector<std::pair<double, double>> pairs;
+    for(const Thick_intersection_d::internal::Interval& interval : intervals)
+      pairs.emplace_back(interval.low, interval.high);
+    return pairs;
   }
 
-  // Whether squared distances up to the bound are exact in double: their terms have at most 53 bits
-  // together, do not underflow and do not overflow. A longer difference, of at least units() + 1
-  // steps, has a square beyond the bound; rounding is monotone, so the sum comes out beyond it too.
-  bool is_exact_in_double() const
-  {
-    static const double two_to_53 = std::ldexp(1., 53);
-    static const double huge = std::ldexp(1., 500);
-    return 2 * grid_exponent() >= -1074 && reach_ <= huge
-           && terms() * units_ * units_ <= two_to_53;
-  }
+  int terms() const { return Thick_intersection_d::internal::square_terms(extended_axes()); }
 
   void print_counts(std::ostream& out) const
   {
@@ -235,27 +235,6 @@ private:
   Thick_intersection_d::internal::Decision_counts counts_;
 };
 
-namespace Thick_intersection_d {
-namespace internal {
-
-template <class Exact>
-Scene_profile make_profile(std::size_t size, const Coordinate_scan& scan,
-                           const Squared_bound<Exact>& bound)
-{
-  return Scene_profile(size, scan.box, bound.reach(), scan.grid_exponent());
-}
-
-// Throws if a point has a NaN or infinite coordinate or another dimension than the first one.
-template <class Elements, class Exact>
-Scene_profile profile_elements(const Elements& points, const Squared_bound<Exact>& bound,
-                               const std::string& name)
-{
-  return make_profile(points.size(), scan_coordinates<Sequential_tag>(points, name), bound);
-}
-
-} // namespace internal
-} // namespace Thick_intersection_d
-
 /*!
 \ingroup PkgThickIntersectionDRef
 
@@ -282,7 +261,8 @@ Scene_profile profile_scene(const PointRange& points, const Distance_bound<NT>& 
   const auto elements = internal::make_elements(points, np);
   using Point = typename std::decay_t<decltype(elements)>::value_type;
   using Exact = internal::Exact_number_t<internal::Coordinate_t<Point>>;
-  return internal::profile_elements(elements, internal::Squared_bound<Exact>(bound), "point");
+  const double reach = internal::Squared_bound<Exact>(bound).reach();
+  return Scene_profile(internal::scan_points<Sequential_tag>(elements, "point"), reach);
 }
 
 } // namespace CGAL

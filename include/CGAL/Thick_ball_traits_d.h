@@ -7,8 +7,15 @@
 
 // Closed balls with a radius each.
 
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/doors/ball_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Do_balls_intersect.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace CGAL {

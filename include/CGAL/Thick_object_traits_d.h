@@ -10,10 +10,15 @@
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Bbox_3.h>
 
-#include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_vertices.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
 
 namespace CGAL {
 

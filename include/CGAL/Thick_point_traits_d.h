@@ -8,10 +8,16 @@
 // Points that intersect if they are within a distance: the balls of half that radius around them,
 // with the centre as reference point. [V03, section 1]
 
+#include <CGAL/Dimension.h>
 #include <CGAL/Distance_bound.h>
-#include <CGAL/Scene_profile.h>
 
+#include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Is_within_distance.h>
+
+#include <cstddef>
+#include <type_traits>
 
 namespace CGAL {
 
@@ -39,7 +45,6 @@ class Thick_point_traits_d
   using Number = Thick_intersection_d::internal::Coordinate_t<Point>;
   using Exact = Thick_intersection_d::internal::Exact_number_t<Number>;
   using Bound = Thick_intersection_d::internal::Squared_bound<Exact>;
-  using Counts = Thick_intersection_d::internal::Shared_decision_counts;
 
 public:
   /// \name Types
@@ -97,37 +102,19 @@ public:
   /// \throws std::invalid_argument if `bound` is negative or NaN.
   template <class NT>
   Thick_point_traits_d(const Distance_bound<NT>& bound, int dimension)
-    : Thick_point_traits_d(Bound(bound), dimension)
+    : is_within_(Bound(bound), dimension)
   {}
 
   /// @}
 
 #ifndef DOXYGEN_RUNNING
-  // The traits for points of any coordinates.
-  Thick_point_traits_d(const Bound& bound, int dimension)
-    : bound_(bound),
-      filter_(Thick_intersection_d::internal::make_distance_filter(bound, dimension)),
-      close_call_(Thick_intersection_d::internal::make_close_call<Number>(bound, dimension)),
-      dimension_(dimension)
-  {}
-
-  // The traits for the points of a scene, and no others: uses the arithmetic that the scene needs,
-  // and adds to `counts` which one decides, unless it is null.
-  Thick_point_traits_d(const Bound& bound, const Scene_profile& profile,
-                       Counts* counts = nullptr)
-    : bound_(bound),
-      filter_(profile.tier() == Arithmetic_tier::DOUBLE
-                ? Thick_intersection_d::internal::make_certified_filter(bound)
-                : Thick_intersection_d::internal::make_distance_filter(bound,
-                                                                       profile.dimension())),
-      close_call_(bound, profile),
-      dimension_(profile.dimension()), counts_(counts)
-  {}
+  // The traits of a search that has made its test already.
+  explicit Thick_point_traits_d(const Do_intersect_d& is_within) : is_within_(is_within) {}
 
   // Throws unless `p` is a point of this dimension with finite coordinates.
   void check(const Point& p, std::size_t position) const
   {
-    Thick_intersection_d::internal::check_point(p, dimension_, "object", position);
+    Thick_intersection_d::internal::check_point(p, dimension(), "object", position);
   }
 #endif
 
@@ -135,17 +122,14 @@ public:
   /// @{
 
   /// returns the dimension of the points.
-  int dimension() const { return dimension_; }
+  int dimension() const { return is_within_.dimension(); }
 
   Less_coordinate_d less_coordinate_d_object() const { return Less_coordinate_d(); }
   Is_close_along_axis_d is_close_along_axis_d_object() const
   {
-    return Is_close_along_axis_d(bound_.reach());
+    return Is_close_along_axis_d(is_within_.reach());
   }
-  Do_intersect_d do_intersect_d_object() const
-  {
-    return Do_intersect_d(bound_, filter_, close_call_, dimension_, counts_);
-  }
+  Do_intersect_d do_intersect_d_object() const { return is_within_; }
 
   /// @}
 
@@ -158,11 +142,7 @@ private:
     return Dimension::value;
   }
 
-  Bound bound_;
-  Thick_intersection_d::internal::Distance_filter filter_;
-  Thick_intersection_d::internal::Close_call close_call_;
-  int dimension_;
-  Counts* counts_ = nullptr;
+  Do_intersect_d is_within_;
 };
 
 } // namespace CGAL

@@ -8,9 +8,13 @@
 // The closest pair of points, and the question whether any two are within a distance.
 
 #include <CGAL/Distance_bound.h>
-#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
-#include <CGAL/Thick_intersection_d/internal/closest_pair/Closest_pair_search.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/tags.h>
 
+#include <CGAL/Thick_intersection_d/internal/doors/closest_pair_search.h>
+#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
+
+#include <cstddef>
 #include <optional>
 #include <utility>
 
@@ -85,21 +89,7 @@ std::pair<std::size_t, std::size_t>
 closest_pair(const PointRange& points, const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
-  const auto elements = internal::make_elements(points, np);
-  using Elements = std::decay_t<decltype(elements)>;
-  using Exact = internal::Exact_number_t<internal::Coordinate_t<typename Elements::value_type>>;
-
-  const auto scene = internal::check_scene<ConcurrencyTag>(
-    elements, internal::Squared_bound<Exact>(within_distance(0)));
-  if(elements.size() < 2)
-    throw std::invalid_argument("The closest pair of fewer than two points is asked for.");
-  const unsigned int seed
-    = parameters::choose_parameter(parameters::get_parameter(np, internal_np::random_seed), 0u);
-  auto progress = internal::make_progress(np, elements.size());
-  const auto pair = internal::Closest_pair_search<ConcurrencyTag, Elements, decltype(progress)>(
-    elements, scene, seed, progress).find();
-  progress.finish();
-  return pair;
+  return internal::find_closest_pair<ConcurrencyTag>(internal::make_elements(points, np), np);
 }
 
 /*!
@@ -170,17 +160,8 @@ find_close_pair(const PointRange& points, const Distance_bound<NT>& bound,
                 const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
-  const auto elements = internal::make_elements(points, np);
-  using Elements = std::decay_t<decltype(elements)>;
-  using Exact = internal::Exact_number_t<internal::Coordinate_t<typename Elements::value_type>>;
-
-  const internal::Squared_bound<Exact> squared_bound(bound);
-  const auto scene = internal::check_scene<ConcurrencyTag>(elements, squared_bound);
-  auto progress = internal::make_progress(np, elements.size());
-  const auto pair = internal::Close_pair_search<ConcurrencyTag, Elements, decltype(progress)>(
-    elements, squared_bound, scene, progress).find();
-  progress.finish();
-  return pair;
+  return internal::find_pair_within<ConcurrencyTag>(internal::make_elements(points, np), bound,
+                                                    np);
 }
 
 /*!

@@ -8,114 +8,17 @@
 // All pairs of points within a distance, of one range or between two.
 
 #include <CGAL/Distance_bound.h>
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/Neighbor_lists.h>
 #include <CGAL/Scene_profile.h>
-#include <CGAL/Thick_point_traits_d.h>
+#include <CGAL/tags.h>
 
+#include <CGAL/Thick_intersection_d/internal/doors/near_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/doors/neighbor_lists_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
-#include <CGAL/Thick_intersection_d/internal/reports/Neighbor_collector.h>
-#include <CGAL/Thick_intersection_d/internal/doors/object_pairs_search.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Slab_route.h>
-
-#include <limits>
-#include <optional>
-#include <stdexcept>
+#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
 namespace CGAL {
-
-namespace Thick_intersection_d {
-namespace internal {
-
-// Whether the slab route can take a scene: it needs coordinates that are doubles with a finite
-// error, and keeps positions in 32 bits, one of which is room for more.
-inline bool fits_slabs(const Scene_profile& profile)
-{
-  for(int axis = 0; axis < profile.dimension(); ++axis)
-    if(!std::isfinite(profile.range(axis).first) || !std::isfinite(profile.range(axis).second))
-      return false;
-  return profile.size() < (std::numeric_limits<Place>::max)() / 2;
-}
-
-// Searches by slabs. Returns false iff the search was stopped.
-template <class Route, class Callback, class NamedParameters>
-bool report_by_slabs(const Route& route, std::size_t size,
-                     std::optional<std::size_t> first_set_size, Callback& callback,
-                     const NamedParameters& np)
-{
-  auto progress = make_progress(np, size);
-  if(!first_set_size) {
-    Pair_reporter<Callback> report(callback);
-    return route.search(report, progress);
-  }
-  const auto callback_of_two_sets
-    = [&](std::size_t i, std::size_t j) { return callback(i, j - *first_set_size); };
-  Pair_reporter<decltype(callback_of_two_sets)> report(callback_of_two_sets);
-  return route.search(*first_set_size, report, progress);
-}
-
-// Searches points in the plane or in space by slabs, along the axes along which they differ, at
-// least two; others by the book.
-template <class ConcurrencyTag, class Elements, class Callback, class NamedParameters>
-bool search_near_pairs(const Elements& points, std::optional<std::size_t> first_set_size,
-                       Doubles<Elements>& doubles, double error, const Scene_profile& profile,
-                       const Thick_point_traits_d<typename Elements::value_type>& traits,
-                       Callback& callback, const NamedParameters& np)
-{
-  using Point = typename Elements::value_type;
-  [[maybe_unused]] const auto search_slabs = [&](auto dimension) {
-    constexpr int axes = decltype(dimension)::value;
-    doubles.keep(searched_axes<axes>(profile));
-    const auto is_within = traits.do_intersect_d_object();
-    const Slab_route<ConcurrencyTag, axes, Elements> route(points, doubles, error, profile,
-                                                           is_within);
-    return report_by_slabs(route, points.size(), first_set_size, callback, np);
-  };
-  const int dimension = profile.dimension();
-  if((dimension == 2 || dimension == 3) && fits_slabs(profile)) {
-    if constexpr(dimension_or<Point>(3) == 3)
-      if(profile.extended_axes() == 3)
-        return search_slabs(std::integral_constant<int, 3>());
-    if constexpr(dimension_or<Point>(2) == 2 || dimension_or<Point>(3) == 3)
-      return search_slabs(std::integral_constant<int, 2>());
-  }
-  return report_intersections<ConcurrencyTag>(points, first_set_size, traits, callback, np);
-}
-
-// If `description` is not null, takes the tier that is forced there, and leaves the profile of the
-// scene there.
-template <class ConcurrencyTag, class Elements, class NT, class Callback, class NamedParameters>
-bool report_near_pairs(const Elements& points, std::optional<std::size_t> first_set_size,
-                       const Distance_bound<NT>& bound, Callback& callback,
-                       const NamedParameters& np, Scene_profile* description = nullptr)
-{
-  using Point = typename Elements::value_type;
-  using Number = Coordinate_t<Point>;
-  const Squared_bound<Exact_number_t<Number>> squared_bound(bound);
-  Doubles<Elements> doubles(points);
-  const Coordinate_scan scan = scan_coordinates<ConcurrencyTag>(
-    points, "point",
-    [&](std::size_t position, int axis, double x) { doubles.set(position, axis, x); });
-  Scene_profile profile = make_profile(points.size(), scan, squared_bound);
-  if(description != nullptr && description->forced_tier())
-    profile.force_tier(*description->forced_tier());
-
-  Shared_decision_counts counts;
-  bool is_complete = true;
-  if(points.size() != 0) {
-    const Thick_point_traits_d<Point> traits(squared_bound, profile,
-                                             description != nullptr ? &counts : nullptr);
-    is_complete = search_near_pairs<ConcurrencyTag>(points, first_set_size, doubles, scan.error,
-                                                    profile, traits, callback, np);
-  }
-  if(description != nullptr) {
-    profile.set_counts(counts.total());
-    *description = profile;
-  }
-  return is_complete;
-}
-
-} // namespace internal
-} // namespace Thick_intersection_d
 
 /*!
 \ingroup PkgThickIntersectionDRef
@@ -185,7 +88,8 @@ bool fixed_radius_near_neighbors(const PointRange& points, const Distance_bound<
 {
   namespace internal = Thick_intersection_d::internal;
   const auto elements = internal::make_elements(points, np);
-  return internal::report_near_pairs<ConcurrencyTag>(elements, std::nullopt, bound, callback, np);
+  return internal::report_near_pairs<ConcurrencyTag>(elements, internal::One_set(), bound, callback,
+                                                     np);
 }
 
 /*!
@@ -214,8 +118,8 @@ bool fixed_radius_near_neighbors(const PointRange& points, const Distance_bound<
 {
   namespace internal = Thick_intersection_d::internal;
   const auto elements = internal::make_elements(points, np);
-  return internal::report_near_pairs<ConcurrencyTag>(elements, std::nullopt, bound, callback, np,
-                                                     &profile);
+  return internal::report_near_pairs<ConcurrencyTag>(elements, internal::One_set(), bound, callback,
+                                                     profile, np);
 }
 
 /*!
@@ -249,7 +153,8 @@ bool fixed_radius_near_neighbors(const PointRangeA& points_a, const PointRangeB&
   const auto elements_a = internal::make_elements(points_a, np);
   const auto elements_b = internal::make_elements(points_b, np);
   const internal::Joined_elements elements(elements_a, elements_b);
-  return internal::report_near_pairs<ConcurrencyTag>(elements, elements_a.size(), bound, callback,
+  const internal::Two_sets sets = {elements_a.size()};
+  return internal::report_near_pairs<ConcurrencyTag>(elements, sets, bound, callback,
                                                      np);
 }
 
@@ -271,8 +176,9 @@ bool fixed_radius_near_neighbors(const PointRangeA& points_a, const PointRangeB&
   const auto elements_a = internal::make_elements(points_a, np);
   const auto elements_b = internal::make_elements(points_b, np);
   const internal::Joined_elements elements(elements_a, elements_b);
-  return internal::report_near_pairs<ConcurrencyTag>(elements, elements_a.size(), bound, callback,
-                                                     np, &profile);
+  const internal::Two_sets sets = {elements_a.size()};
+  return internal::report_near_pairs<ConcurrencyTag>(elements, sets, bound, callback,
+                                                     profile, np);
 }
 
 /*!
@@ -299,11 +205,7 @@ Neighbor_lists fixed_radius_neighbor_lists(const PointRange& points,
 {
   namespace internal = Thick_intersection_d::internal;
   const auto elements = internal::make_elements(points, np);
-  if(elements.size() > (std::numeric_limits<Neighbor_lists::Position>::max)())
-    throw std::length_error("There are more points than a list of neighbors can tell apart.");
-  internal::Neighbor_collector<ConcurrencyTag> collector(elements.size());
-  internal::report_near_pairs<ConcurrencyTag>(elements, std::nullopt, bound, collector, np);
-  return collector.lists();
+  return internal::collect_neighbors<ConcurrencyTag>(elements, bound, np);
 }
 
 } // namespace CGAL

@@ -7,56 +7,15 @@
 
 // All intersecting pairs of thick objects, of one range or between two.
 
-#include <CGAL/Thick_ball_traits_d.h>
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/Thick_object_traits_d.h>
-#include <CGAL/fixed_radius_near_neighbors.h>
+#include <CGAL/tags.h>
 
-#include <CGAL/Thick_intersection_d/internal/input/Ball_centers.h>
-#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
-#include <CGAL/Thick_intersection_d/internal/arithmetic/check_denormals.h>
 #include <CGAL/Thick_intersection_d/internal/doors/object_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
+#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
 namespace CGAL {
-
-namespace Thick_intersection_d {
-namespace internal {
-
-// Returns the traits given as `geom_traits`, or else those for kernel objects.
-template <class Object, class NamedParameters, class... Elements>
-decltype(auto) object_traits(const NamedParameters& np, const Elements&... objects)
-{
-  if constexpr(!parameters::is_default_parameter<NamedParameters,
-                                                 internal_np::geom_traits_t>::value)
-    return parameters::get_parameter_reference(np, internal_np::geom_traits);
-  else
-    return Thick_object_traits_d<Object>(objects...);
-}
-
-template <class Traits>
-struct Is_ball_traits : std::false_type {};
-template <class Point>
-struct Is_ball_traits<Thick_ball_traits_d<Point>> : std::true_type {};
-
-// Reports the pairs of objects, after a check. Balls of one radius are searched as points.
-template <class ConcurrencyTag, class Elements, class Traits, class Callback,
-          class NamedParameters>
-bool report_objects(const Elements& objects, std::optional<std::size_t> first_set_size,
-                    const Traits& traits, Callback& callback, const NamedParameters& np)
-{
-  check_denormals();
-  check_objects(objects, traits);
-  if constexpr(Is_ball_traits<Traits>::value)
-    if(const auto radius = common_radius(objects)) {
-      using Exact = Exact_number_t<std::decay_t<decltype(*radius)>>;
-      const Exact diameter(Exact(2) * to_exact_number(*radius));
-      return report_near_pairs<ConcurrencyTag>(Ball_centers<Elements>(objects), first_set_size,
-                                               within_distance(diameter), callback, np);
-    }
-  return report_intersections<ConcurrencyTag>(objects, first_set_size, traits, callback, np);
-}
-
-} // namespace internal
-} // namespace Thick_intersection_d
 
 /*!
 \ingroup PkgThickIntersectionDRef
@@ -125,9 +84,7 @@ bool thick_self_intersection_d(const ObjectRange& objects, Callback&& callback,
 {
   namespace internal = Thick_intersection_d::internal;
   const auto elements = internal::make_elements(objects, np);
-  using Object = typename std::decay_t<decltype(elements)>::value_type;
-  const auto& traits = internal::object_traits<Object>(np, elements);
-  return internal::report_objects<ConcurrencyTag>(elements, std::nullopt, traits, callback, np);
+  return internal::report_object_pairs<ConcurrencyTag>(elements, internal::One_set(), callback, np);
 }
 
 /*!
@@ -162,10 +119,8 @@ bool thick_intersection_d(const ObjectRangeA& objects_a, const ObjectRangeB& obj
   const auto elements_a = internal::make_elements(objects_a, np);
   const auto elements_b = internal::make_elements(objects_b, np);
   const internal::Joined_elements elements(elements_a, elements_b);
-  using Object = typename std::decay_t<decltype(elements)>::value_type;
-  const auto& traits = internal::object_traits<Object>(np, elements);
-  return internal::report_objects<ConcurrencyTag>(elements, elements_a.size(), traits, callback,
-                                                  np);
+  const internal::Two_sets sets = {elements_a.size()};
+  return internal::report_object_pairs<ConcurrencyTag>(elements, sets, callback, np);
 }
 
 } // namespace CGAL

@@ -24,33 +24,25 @@ namespace test_support {
 namespace internal = CGAL::Thick_intersection_d::internal;
 
 template <class Point>
-using Elements_of = internal::Elements<std::vector<Point>>;
+using Elements_of = internal::Numbered_elements<std::vector<Point>>;
 
 template <class Point>
 using Exact_of = internal::Exact_number_t<internal::Coordinate_t<Point>>;
 
-template <class Point>
-internal::Checked_scene checked_scene_of(const Elements_of<Point>& elements)
+template <class Elements>
+internal::Scene scene_of(const Elements& elements)
 {
-  const internal::Squared_bound<Exact_of<Point>> bound(CGAL::within_distance(0));
-  return internal::check_scene<CGAL::Sequential_tag>(elements, bound);
-}
-
-template <class Point>
-CGAL::Scene_profile profile_of(const std::vector<Point>& points)
-{
-  return CGAL::profile_scene(points, CGAL::within_distance(0));
+  return internal::scan_points<CGAL::Sequential_tag>(elements, "point");
 }
 
 template <class ConcurrencyTag = CGAL::Sequential_tag, class Point>
 Pair closest_by_division(const std::vector<Point>& points)
 {
   const Elements_of<Point> elements(points);
-  const CGAL::Scene_profile profile = profile_of(points);
-  internal::Pair_minimum<Elements_of<Point>> minimum(elements, profile);
-  internal::No_progress progress;
-  internal::divide_and_conquer<ConcurrencyTag>(points.size(), profile.dimension(), minimum,
-                                               progress);
+  const internal::Scene scene = scene_of(elements);
+  internal::Pair_minimum<Elements_of<Point>> minimum(elements, scene);
+  internal::Unwatched_progress progress;
+  internal::divide_and_conquer<ConcurrencyTag>(points.size(), scene.dimension(), minimum, progress);
   return minimum.pair();
 }
 
@@ -61,32 +53,33 @@ constexpr int static_dimension(CGAL::Dimension_tag<Dimension>)
   return Dimension;
 }
 
-// By the randomised grid; nothing if it says that doubles are too coarse, or that points are equal.
+// By the randomised cells; nothing if doubles are too coarse, or if points are equal.
 template <int Dimension, class Point>
-std::optional<Pair> closest_by_grid(const std::vector<Point>& points, std::uint64_t seed)
+std::optional<Pair> closest_by_cells(const std::vector<Point>& points, std::uint64_t seed)
 {
   const Elements_of<Point> elements(points);
-  const internal::Checked_scene scene = checked_scene_of<Point>(elements);
+  const internal::Scene scene = scene_of(elements);
   std::vector<std::uint32_t> positions(points.size());
   std::iota(positions.begin(), positions.end(), 0);
-  internal::Pair_minimum<Elements_of<Point>> minimum(elements, scene.profile);
-  internal::Closest_pair_grid<Dimension, Elements_of<Point>> grid(
-    elements, positions, scene.profile.dimension(), scene.error, seed);
-  internal::No_progress progress;
-  return grid.search(minimum, progress) ? std::optional<Pair>(minimum.pair()) : std::nullopt;
+  internal::Pair_minimum<Elements_of<Point>> minimum(elements, scene);
+  internal::Closest_pair_cells<Dimension, Elements_of<Point>> cells(elements, positions, scene,
+                                                                    seed);
+  internal::Unwatched_progress progress;
+  return cells.search(minimum, progress) ? std::optional<Pair>(minimum.pair()) : std::nullopt;
 }
 
 template <class Point, class NT>
-std::optional<Pair> close_by_grid(const std::vector<Point>& points,
-                                  const CGAL::Distance_bound<NT>& bound,
-                                  internal::Bucket_access access)
+std::optional<Pair> close_by_buckets(const std::vector<Point>& points,
+                                     const CGAL::Distance_bound<NT>& bound,
+                                     internal::Bucket_access access)
 {
   const Elements_of<Point> elements(points);
-  const internal::Checked_scene scene = checked_scene_of<Point>(elements);
-  const internal::Squared_bound<Exact_of<Point>> squared_bound(bound);
-  internal::No_progress progress;
-  return internal::Close_pair_grid<CGAL::Sequential_tag, Elements_of<Point>>(
-    elements, squared_bound, scene.profile, scene.error, access)
+  const internal::Scene scene = scene_of(elements);
+  const internal::Is_within_distance<Point> is_within(
+    internal::Squared_bound<Exact_of<Point>>(bound), scene.dimension());
+  internal::Unwatched_progress progress;
+  return internal::Close_pair_buckets<CGAL::Sequential_tag, Elements_of<Point>>(
+    elements, scene, is_within, access)
     .find(internal::All_positions(points.size()), progress);
 }
 
@@ -116,7 +109,7 @@ void check_closest_pair(const Points& scene)
              CGAL::closest_pair(points, CGAL::parameters::random_seed(7)));
   check_pair("division", expected, closest_by_division(points));
   using Dimension = typename CGAL::Ambient_dimension<typename Maker::Point>::type;
-  if(const auto pair = closest_by_grid<static_dimension(Dimension())>(points, 1))
+  if(const auto pair = closest_by_cells<static_dimension(Dimension())>(points, 1))
     check_pair("grid", expected, *pair);
 }
 
@@ -136,9 +129,10 @@ void check_close_pair(const std::vector<typename Maker::Point>& points,
                       const CGAL::Distance_bound<NT>& bound, const Pairs& all)
 {
   check_close_pair("default", all, CGAL::find_close_pair(points, bound));
-  check_close_pair("hashing", all, close_by_grid(points, bound, internal::Bucket_access::HASHING));
+  check_close_pair("hashing", all,
+                   close_by_buckets(points, bound, internal::Bucket_access::HASHING));
   check_close_pair("order", all,
-                   close_by_grid(points, bound, internal::Bucket_access::SORTED_ORDER));
+                   close_by_buckets(points, bound, internal::Bucket_access::SORTED_ORDER));
 }
 
 // The closest pair, and whether there is a pair at its distance, and none below.
@@ -158,8 +152,8 @@ void check_closest_and_close_pair(const Points& scene)
   BOOST_CHECK(!CGAL::has_close_pair(points, bound.open()));
   for(const auto access : {internal::Bucket_access::HASHING,
                            internal::Bucket_access::SORTED_ORDER}) {
-    BOOST_CHECK(close_by_grid(points, bound, access));
-    BOOST_CHECK(!close_by_grid(points, bound.open(), access));
+    BOOST_CHECK(close_by_buckets(points, bound, access));
+    BOOST_CHECK(!close_by_buckets(points, bound.open(), access));
   }
 }
 

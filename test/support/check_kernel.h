@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 // The matrix of kernels and scenes: every scene, closed and open, one set and two, by the default
-// route and by the book, on one kernel.
+// route and by recursion, on one kernel.
 
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_CHECK_KERNEL_H
 #define THICK_INTERSECTION_TEST_SUPPORT_CHECK_KERNEL_H
@@ -48,9 +48,9 @@ void check_scene(const Point_scene& scene, const CGAL::Distance_bound<NT>& bound
     const Pairs_difference closed = compare(truth.pairs, near_pairs(points, bound));
     BOOST_CHECK_MESSAGE(closed.empty(), "closed: " << closed);
 
-    const Pairs_difference by_the_book = compare(
-      truth.pairs, near_pairs_by_the_book(points, bound, scene.dimension));
-    BOOST_CHECK_MESSAGE(by_the_book.empty(), "by the book: " << by_the_book);
+    const Pairs_difference by_recursion = compare(
+      truth.pairs, near_pairs_by_recursion(points, bound, scene.dimension));
+    BOOST_CHECK_MESSAGE(by_recursion.empty(), "by recursion: " << by_recursion);
 
     const Pairs_difference open = compare(truth.open_pairs, near_pairs(points, bound.open()));
     BOOST_CHECK_MESSAGE(open.empty(), "open: " << open);

@@ -16,7 +16,7 @@ namespace test_support {
 struct Work_of_division
 {
   std::size_t comparisons = 0;         // of coordinates and of distances
-  std::size_t greatest_candidates = 0; // of a point in a strip
+  std::size_t max_candidates = 0;      // of a point in a strip
   std::map<std::size_t, std::size_t> candidates; // by point, in the strip that is scanned
 };
 
@@ -26,9 +26,9 @@ class Counting_minimum : public CGAL::Thick_intersection_d::internal::Pair_minim
   using Base = CGAL::Thick_intersection_d::internal::Pair_minimum<Elements>;
 
 public:
-  Counting_minimum(const Elements& points, const CGAL::Scene_profile& profile,
+  Counting_minimum(const Elements& points, const CGAL::Thick_intersection_d::internal::Scene& scene,
                    Work_of_division& work)
-    : Base(points, profile), work_(work)
+    : Base(points, scene), work_(work)
   {}
 
   bool less(std::size_t i, std::size_t j, int axis) const
@@ -50,7 +50,7 @@ public:
   void offer(std::size_t i, std::size_t j)
   {
     ++work_.comparisons;
-    work_.greatest_candidates = (std::max)(work_.greatest_candidates, ++work_.candidates[i]);
+    work_.max_candidates = (std::max)(work_.max_candidates, ++work_.candidates[i]);
     Base::offer(i, j);
   }
 

@@ -106,9 +106,9 @@ Pairs near_pairs(const std::vector<Point>& points, const CGAL::Distance_bound<NT
   return pairs;
 }
 
-// The same by the book route, which is taken for traits of any kind.
+// The same by recursion route, which is taken for traits of any kind.
 template <class Point, class NT>
-Pairs near_pairs_by_the_book(const std::vector<Point>& points,
+Pairs near_pairs_by_recursion(const std::vector<Point>& points,
                              const CGAL::Distance_bound<NT>& bound, int dimension)
 {
   Pairs pairs;

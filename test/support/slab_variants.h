@@ -15,36 +15,38 @@
 namespace test_support {
 
 namespace internal = CGAL::Thick_intersection_d::internal;
-using internal::Part_sizes;
+using internal::Slab_tuning;
 
-// With two sets, the first `first_set_size` points are those of the first.
+// The pairs of points by slabs that are cut as `tuning` says.
 template <int Dimension, class Point, class NT>
 Pairs slab_pairs(const std::vector<Point>& points, const CGAL::Distance_bound<NT>& distance_bound,
-                 const Part_sizes& sizes, std::optional<std::size_t> first_set_size = std::nullopt)
+                 const Slab_tuning& tuning,
+                 std::optional<std::size_t> first_set_size = std::nullopt)
 {
-  using Elements = internal::Elements<std::vector<Point>>;
-  using Number = internal::Coordinate_t<Point>;
+  using Elements = internal::Numbered_elements<std::vector<Point>>;
+  using Near = internal::Near_points<Dimension, Elements>;
   Pairs pairs;
   if(points.empty())
     return pairs;
   const Elements elements(points);
-  const internal::Squared_bound<internal::Exact_number_t<Number>> bound(distance_bound);
   internal::Doubles<Elements> doubles(elements);
-  const internal::Coordinate_scan scan = internal::scan_coordinates<CGAL::Sequential_tag>(
+  const internal::Scene scene = internal::scan_points<CGAL::Sequential_tag>(
     elements, "point",
     [&](std::size_t position, int axis, double x) { doubles.set(position, axis, x); });
-  const CGAL::Scene_profile profile = internal::make_profile(points.size(), scan, bound);
-  const CGAL::Thick_point_traits_d<Point> traits(bound, profile);
-  const auto is_within = traits.do_intersect_d_object();
-  const internal::Slab_route<CGAL::Sequential_tag, Dimension, Elements> route(
-    elements, doubles, scan.error, profile, is_within, sizes);
+  const internal::Squared_bound<internal::Exact_number_t<internal::Coordinate_t<Point>>> bound(
+    distance_bound);
+  const internal::Is_within_distance<Point> is_within(
+    bound, scene,
+    internal::first_exact_tier(bound.reach(), scene.grid_exponent, scene.extended_axis_count()));
+  const Near near(elements, scene, doubles, is_within);
+  const internal::Slab_route<CGAL::Sequential_tag, Near> route(near, tuning);
   auto callback = [&](std::size_t i, std::size_t j) { pairs.emplace_back(i, j); };
   internal::Pair_reporter<decltype(callback)> report(callback);
-  internal::No_progress progress;
+  internal::Unwatched_progress progress;
   if(first_set_size)
-    route.search(*first_set_size, report, progress);
+    route.search(internal::Two_sets{*first_set_size}, report, progress);
   else
-    route.search(report, progress);
+    route.search(internal::One_set(), report, progress);
   return pairs;
 }
 

@@ -50,7 +50,7 @@ inline std::uint64_t steps_modulo_2_64(double x, int e)
   return x < 0 ? 0 - steps : steps;
 }
 
-class Grid_scan
+class Double_grid
 {
 public:
   // Refines the grid until it holds the finite number x. Without branches but for zero, since the
@@ -65,7 +65,7 @@ public:
   }
 
   // Refines the grid until it holds all that the other one holds.
-  void add(const Grid_scan& other) { exponent_ = (std::min)(exponent_, other.exponent_); }
+  void add(const Double_grid& other) { exponent_ = (std::min)(exponent_, other.exponent_); }
 
   // Returns e, or 0 if no number but zero was added.
   int exponent() const { return exponent_ == none ? 0 : exponent_; }

@@ -12,8 +12,12 @@
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
+#include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -54,6 +58,8 @@ public:
 
     if constexpr(std::is_same_v<NT, Exact>)
       numerator_ = square_of(bound.value(), bound.is_squared());
+    else if constexpr(is_held_by_double_v<NT>)
+      numerator_ = square_of(Exact(static_cast<double>(bound.value())), bound.is_squared());
     else
       decompose(square_of(to_exact_rational(bound.value()), bound.is_squared()),
                 numerator_, denominator_);

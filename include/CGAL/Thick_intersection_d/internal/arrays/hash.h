@@ -5,8 +5,9 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_ARRAYS_HASH_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_ARRAYS_HASH_H
 
-// A hash of a sequence of integers, such as the numbers of a cell along the axes.
+// Hashes of sequences of integers, such as the numbers of a cell along the axes.
 
+#include <cstddef>
 #include <cstdint>
 
 namespace CGAL {
@@ -14,7 +15,7 @@ namespace Thick_intersection_d {
 namespace internal {
 
 // Returns the hash of the sequence so far with one more integer. The factor is 2^64 over the golden
-// ratio; a product has its best bits above, so those are folded in first.
+// ratio. The best bits of a product are the upper ones, so those are folded in first.
 inline std::uint64_t add_to_hash(std::uint64_t hash, std::uint64_t number)
 {
   return (hash ^ (hash >> 32) ^ number) * 0x9e3779b97f4a7c15;
@@ -22,6 +23,16 @@ inline std::uint64_t add_to_hash(std::uint64_t hash, std::uint64_t number)
 
 // Returns the hash of the whole sequence, all bits of which may be used.
 inline std::uint64_t finish_hash(std::uint64_t hash) { return hash ^ (hash >> 32); }
+
+// Returns the number of slots of a hash table for `size` entries: a power of two, so that the table
+// is at most half full.
+inline std::size_t hash_table_size(std::size_t size)
+{
+  std::size_t slot_count = 16;
+  while(slot_count < 2 * size)
+    slot_count *= 2;
+  return slot_count;
+}
 
 } // namespace internal
 } // namespace Thick_intersection_d

@@ -7,7 +7,10 @@
 
 // Radix sort of integers, and of doubles by way of integers in the same order: linear time [L].
 
+#include <CGAL/Thick_intersection_d/internal/arrays/prefix_sums.h>
+
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <vector>
@@ -58,12 +61,7 @@ inline void radix_sort(std::vector<Keyed_value>& items)
     std::fill(next.begin(), next.end(), 0);
     for(const Keyed_value& item : items)
       ++next[digit(item.key)];
-    std::size_t begin = 0;
-    for(std::size_t& count : next) {
-      const std::size_t end = begin + count;
-      count = begin;
-      begin = end;
-    }
+    replace_by_prefix_sums(next.data(), next.data() + next.size());
     for(const Keyed_value& item : items)
       sorted[next[digit(item.key)]++] = item;
     items.swap(sorted);

@@ -20,14 +20,14 @@ namespace internal {
 inline void sort_distinct(std::uint32_t* first, std::uint32_t* last)
 {
   constexpr std::ptrdiff_t lanes = 8;
-  constexpr std::ptrdiff_t greatest_size = 256; // above, the order of squares tells
+  constexpr std::ptrdiff_t max_size = 256; // above, the order of squares tells
   const std::ptrdiff_t size = last - first;
-  if(size > greatest_size) {
+  if(size > max_size) {
     std::sort(first, last);
     return;
   }
   // Instructions compare numbers with signs: these are in the same order.
-  std::int32_t numbers[greatest_size];
+  std::int32_t numbers[max_size];
   for(std::ptrdiff_t i = 0; i < size; ++i)
     numbers[i] = static_cast<std::int32_t>(first[i] ^ 0x80000000u);
   std::fill(numbers + size, numbers + (size + lanes - 1) / lanes * lanes, 0);

@@ -17,96 +17,53 @@
 // finds the cells in it. No coordinate is moved, and only points in a common cell are looked at
 // again.
 
+#include <CGAL/Thick_intersection_d/internal/arrays/Chunked_lists.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Hashed_cells.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/tuning.h>
+#include <CGAL/Thick_intersection_d/internal/input/Scene.h>
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// The positions 0, 1, ..., size - 1, without a list of them.
-class All_positions
+// Returns how long the cells of a join are, for `size` points of the scene: so that few pairs are
+// in a common cell if the points are uniform, but not so much longer than the distance that a
+// cluster is in one of them, and long enough for points to be in few of them.
+inline double join_cell_side(const Scene& scene, std::size_t size, double distance)
 {
-public:
-  explicit All_positions(std::size_t size) : size_(size) {}
-  std::size_t size() const { return size_; }
-  std::uint32_t operator[](std::size_t i) const { return static_cast<std::uint32_t>(i); }
-
-private:
-  std::size_t size_;
-};
+  double volume = 1 / (cells_per_point * static_cast<double>(size)); // in cubes of the distance
+  for(const Interval& interval : scene.box)
+    volume *= (std::max)(interval.length() / distance, max_cell_side);
+  const double side = std::pow(volume, 1. / scene.dimension());
+  return distance * (std::min)((std::max)(side, min_cell_side), max_cell_side);
+}
 
 // A point in a cell, which is known by bits of its hash.
 struct Cell_entry
 {
   std::uint32_t cell;
-  std::uint32_t position;
+  Place position;
 };
 
-// Lists of entries that grow by blocks of a page.
-class Cell_entry_lists
-{
-public:
-  static constexpr std::size_t block_size = 4096 / sizeof(Cell_entry);
-  using Block = std::unique_ptr<Cell_entry[]>;
-
-  explicit Cell_entry_lists(std::size_t list_count = 0) : lists_(list_count) {}
-
-  void append(std::size_t list, const Cell_entry& entry)
-  {
-    List& l = lists_[list];
-    if(l.next == l.end) {
-      l.blocks.emplace_back(new Cell_entry[block_size]); // not cleared
-      l.next = l.blocks.back().get();
-      l.end = l.next + block_size;
-    }
-    *l.next++ = entry;
-  }
-
-  std::size_t size(std::size_t list) const
-  {
-    const List& l = lists_[list];
-    return l.blocks.size() * block_size - static_cast<std::size_t>(l.end - l.next);
-  }
-
-  // Calls f(entry) for the entries of a list in order, until it returns false. Returns whether it
-  // never did.
-  template <class Function>
-  bool for_each(std::size_t list, const Function& f) const
-  {
-    const List& l = lists_[list];
-    for(const Block& block : l.blocks) {
-      const bool is_last = &block == &l.blocks.back();
-      const Cell_entry* const end = is_last ? l.next : block.get() + block_size;
-      for(const Cell_entry* entry = block.get(); entry != end; ++entry)
-        if(!f(*entry))
-          return false;
-    }
-    return true;
-  }
-
-private:
-  struct List
-  {
-    Cell_entry* next = nullptr; // in the last block
-    Cell_entry* end = nullptr;
-    std::vector<Block> blocks;
-  };
-
-  std::vector<List> lists_;
-};
+// Chunks of a page.
+using Cell_entry_lists = Chunked_lists<Cell_entry, 4096 / sizeof(Cell_entry)>;
 
 template <class ConcurrencyTag, int Dimension, class Elements>
 class Cell_join
 {
 public:
-  // For pairs within `distance`, which fits Grid_cells.
+  // For pairs within `distance`, which fits Hashed_cells.
   Cell_join(const Elements& points, double distance, double cell_side)
     : points_(points), cells_(Dimension, distance / 2, cell_side)
   {}
@@ -118,26 +75,18 @@ public:
   void operator()(const Positions& positions, const Make_visitor& make_visitor,
                   Progress& progress) const
   {
-    int digit_bits = 0;
-    while(positions.size() >> digit_bits > points_per_list && digit_bits < greatest_digit_bits)
-      ++digit_bits;
-    const std::size_t list_count = std::size_t(1) << digit_bits;
-    const std::size_t part_count = is_parallel_v<ConcurrencyTag> ? greatest_part_count : 1;
-    std::vector<Cell_entry_lists> parts(part_count);
-    for_each_block<ConcurrencyTag>(part_count, [&](std::size_t first, std::size_t last) {
-      for(std::size_t p = first; p != last; ++p) {
-        parts[p] = Cell_entry_lists(list_count);
-        enter(positions, positions.size() * p / part_count,
-              positions.size() * (p + 1) / part_count, digit_bits, parts[p], progress);
-      }
-    });
+    int list_bits = 0;
+    while(positions.size() >> list_bits > entries_per_list && list_bits < max_list_bits)
+      ++list_bits;
+    const std::size_t list_count = std::size_t(1) << list_bits;
+    const std::vector<Cell_entry_lists> blocks = enter_all(positions, list_bits, progress);
 
     std::atomic<bool> go_on = !progress.is_cancelled();
     for_each_block<ConcurrencyTag>(list_count, [&](std::size_t first, std::size_t last) {
       auto visitor = make_visitor();
       Bucket_table table;
       for(std::size_t list = first; list != last && go_on.load(std::memory_order_relaxed); ++list)
-        if(!join(parts, list, table, visitor)
+        if(!join(blocks, list, table, visitor)
            || !progress.advance(positions.size() * (list + 1) / list_count
                                 - positions.size() * list / list_count))
           go_on.store(false, std::memory_order_relaxed);
@@ -146,25 +95,37 @@ public:
   }
 
 private:
-  static constexpr std::size_t points_per_list = 4096;
-  static constexpr int greatest_digit_bits = 11;
-  static constexpr std::size_t greatest_part_count = 16;
-  static constexpr std::size_t block_size = 512;
+  static constexpr std::size_t batch_size = 512;
 
-  // Appends the entries of the positions [first, last). Most points have one cell, so a block of
+  // Enters all points, blocks of them at the same time.
+  template <class Positions, class Progress>
+  std::vector<Cell_entry_lists> enter_all(const Positions& positions, int list_bits,
+                                          Progress& progress) const
+  {
+    const std::size_t count = is_parallel_v<ConcurrencyTag> ? max_entry_block_count : 1;
+    std::vector<Cell_entry_lists> blocks(count);
+    for_each_numbered_block<ConcurrencyTag>(
+      count, positions.size(), [&](std::size_t block, std::size_t first, std::size_t last) {
+        blocks[block] = Cell_entry_lists(std::size_t(1) << list_bits);
+        enter(positions, first, last, list_bits, blocks[block], progress);
+      });
+    return blocks;
+  }
+
+  // Appends the entries of the positions [first, last). Most points have one cell, so a batch of
   // them is looked at without branches before the others.
   template <class Positions, class Progress>
-  void enter(const Positions& positions, std::size_t first, std::size_t last, int digit_bits,
+  void enter(const Positions& positions, std::size_t first, std::size_t last, int list_bits,
              Cell_entry_lists& lists, Progress& progress) const
   {
-    const auto append = [&](std::uint64_t hash, std::uint32_t position) {
+    const auto append = [&](std::uint64_t hash, Place position) {
       const std::uint32_t cell = static_cast<std::uint32_t>(hash);
-      lists.append(cell & ((std::uint32_t(1) << digit_bits) - 1), {cell >> digit_bits, position});
+      lists.append(cell & ((std::uint32_t(1) << list_bits) - 1), {cell >> list_bits, position});
     };
-    std::array<std::uint64_t, block_size> hashes;
-    std::array<std::uint32_t, block_size> several; // those that are in several cells
-    for(; first < last; first += block_size) {
-      const std::size_t size = (std::min)(block_size, last - first);
+    std::array<std::uint64_t, batch_size> hashes;
+    std::array<std::uint32_t, batch_size> several; // those that are in several cells
+    for(; first < last; first += batch_size) {
+      const std::size_t size = (std::min)(batch_size, last - first);
       std::size_t several_count = 0;
       for(std::size_t i = 0; i < size; ++i) {
         const auto [hash, is_in_several] = cells_.first_cell_around(points_[positions[first + i]]);
@@ -174,18 +135,22 @@ private:
       }
       for(std::size_t i = 0; i < size; ++i)
         append(hashes[i], positions[first + i]);
-      for(std::size_t k = 0; k < several_count; ++k) {
-        const std::uint32_t position = positions[first + several[k]];
-        bool is_first = true;
-        cells_.for_each_cell_around(points_[position], [&](std::uint64_t hash) {
-          if(!is_first)
-            append(hash, position);
-          is_first = false;
-        });
-      }
+      for(std::size_t k = 0; k < several_count; ++k)
+        append_other_cells(positions[first + several[k]], append);
       if(!progress.advance(size))
         return;
     }
+  }
+
+  template <class Append>
+  void append_other_cells(Place position, const Append& append) const
+  {
+    bool is_first = true;
+    cells_.for_each_cell_around(points_[position], [&](std::uint64_t hash) {
+      if(!is_first)
+        append(hash, position);
+      is_first = false;
+    });
   }
 
   // The entries of a list by the hash of their cell.
@@ -202,15 +167,13 @@ private:
 
   // Visits the pairs of a list that are in a common cell; returns false iff the visitor said so.
   template <class Visitor>
-  static bool join(const std::vector<Cell_entry_lists>& parts, std::size_t list,
+  static bool join(const std::vector<Cell_entry_lists>& blocks, std::size_t list,
                    Bucket_table& table, Visitor& visitor)
   {
     std::size_t size = 0;
-    for(const Cell_entry_lists& part : parts)
-      size += part.size(list);
-    std::size_t slot_count = 16;
-    while(slot_count < 2 * size)
-      slot_count *= 2;
+    for(const Cell_entry_lists& block : blocks)
+      size += block.size(list);
+    const std::size_t slot_count = hash_table_size(size);
     table.heads.assign(slot_count, 0);
     table.links.resize(size);
     std::uint32_t* const heads = table.heads.data();
@@ -227,14 +190,14 @@ private:
       head = ++count;
       return true;
     };
-    for(const Cell_entry_lists& part : parts)
-      if(!part.for_each(list, visit_and_add))
+    for(const Cell_entry_lists& block : blocks)
+      if(!block.for_each(list, visit_and_add))
         return false;
     return true;
   }
 
   const Elements& points_;
-  const Grid_cells<Dimension> cells_;
+  const Hashed_cells<Dimension> cells_;
 };
 
 } // namespace internal

@@ -165,10 +165,7 @@ public:
   Bucket_dictionary(const Cell_table& table, const Forward_offsets& offsets, int axis_count)
     : table_(table), offsets_(offsets), axis_count_(axis_count)
   {
-    std::size_t size = 4;
-    while(size < 2 * table.bucket_count())
-      size *= 2;
-    slots_.assign(size, free_slot);
+    slots_.assign(hash_table_size(table.bucket_count()), free_slot);
     for(std::size_t bucket = 0; bucket < table.bucket_count(); ++bucket) {
       std::size_t slot = first_slot([&](int axis) { return table_.number(bucket, axis); });
       while(slots_[slot] != free_slot)

@@ -26,15 +26,21 @@
 // are exact, so this works for all r and all coordinates, with any extent; doubles are sorted by
 // radix.
 
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/radix_sort.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Cell_table.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Is_within_distance.h>
-#include <CGAL/Thick_intersection_d/internal/closest_pair/Pair_minimum.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/Strip_numbering.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/packing.h>
+#include <CGAL/Thick_intersection_d/internal/input/Scene.h>
+#include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Is_within_distance.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <mutex>
 #include <numeric>
@@ -46,22 +52,18 @@ namespace Thick_intersection_d {
 namespace internal {
 
 template <class ConcurrencyTag, class Elements>
-class Close_pair_grid
+class Close_pair_buckets
 {
   using Point = typename Elements::value_type;
   using Number = Coordinate_t<Point>;
-  using Exact = Exact_number_t<Number>;
   using Found = std::optional<Position_pair>;
 
 public:
-  // Of points in the scene of `profile`, whose coordinates have doubles around them that are at
-  // most `error` apart.
-  Close_pair_grid(const Elements& points, const Squared_bound<Exact>& bound,
-                  const Scene_profile& profile, double error,
-                  Bucket_access access = Bucket_access::HASHING)
-    : points_(points), bound_(bound), profile_(profile), dimension_(profile.dimension()),
-      error_(error), access_(access), filter_(make_distance_filter(bound, dimension_)),
-      is_within_(bound, filter_, dimension_)
+  // Of points of the scene.
+  Close_pair_buckets(const Elements& points, const Scene& scene,
+                     const Is_within_distance<Point>& is_within,
+                     Bucket_access access = Bucket_access::HASHING)
+    : points_(points), scene_(scene), is_within_(is_within), access_(access)
   {}
 
   // Returns a pair of the points at `positions` within the bound, if there is one: in sequence,
@@ -72,44 +74,44 @@ public:
   {
     if(positions.size() < 2 || progress.is_cancelled())
       return std::nullopt;
-    std::vector<std::vector<Cell_number>> numbers(dimension_);
-    for(int axis = 0; axis < dimension_; ++axis) {
+    std::vector<std::vector<Cell_number>> numbers(dimension());
+    for(int axis = 0; axis < dimension(); ++axis) {
       numbers[axis] = can_round(axis) ? number_rounded(positions, axis)
                                       : number_strips(positions, axis);
       if(!progress.advance(positions.size()))
         return std::nullopt;
     }
-    const Cell_table table(positions.size(), dimension_, [&](std::size_t member, int axis) {
+    const Cell_table table(positions.size(), dimension(), [&](std::size_t member, int axis) {
       return numbers[axis][member];
     });
     if(const Found pair = find_in_heavy_bucket(table, positions))
       return pair;
-    const Forward_offsets offsets(dimension_);
+    const Forward_offsets offsets(dimension());
     if(access_ == Bucket_access::SORTED_ORDER)
       return find_in_buckets(table, positions, offsets.size(), progress,
                              [&] { return Sorted_bucket_finder(table, offsets); });
-    const Bucket_dictionary dictionary(table, offsets, dimension_);
+    const Bucket_dictionary dictionary(table, offsets, dimension());
     return find_in_buckets(table, positions, offsets.size(), progress,
                            [&] { return std::cref(dictionary); });
   }
 
 private:
-  double side() const { return (bound_.reach() + error_) * (1 + std::ldexp(1., -16)); }
+  int dimension() const { return scene_.dimension(); }
+  double reach() const { return is_within_.reach(); }
+  double side() const { return (reach() + scene_.error) * (1 + 0x1p-16); }
 
   // Whether rounded numbers along an axis are exact enough, and not too large.
   bool can_round(int axis) const
   {
-    const std::pair<double, double>& range = profile_.range(axis);
-    return bound_.reach() >= std::ldexp(1., -900) && bound_.reach() <= std::ldexp(1., 900)
-           && error_ <= bound_.reach() * std::ldexp(1., -20)
-           && (range.second - range.first) / side() < std::ldexp(1., 30);
+    return reach() >= 0x1p-900 && reach() <= 0x1p900 && scene_.error <= reach() * 0x1p-20
+           && scene_.box[axis].length() / side() < 0x1p30;
   }
 
   // Returns the number of the cell of each point along an axis; the first cell has number 1.
   template <class Positions>
   std::vector<Cell_number> number_rounded(const Positions& positions, int axis) const
   {
-    const double low = profile_.range(axis).first;
+    const double low = scene_.box[axis].low;
     const double scale = 1 / side();
     std::vector<Cell_number> numbers(positions.size());
     for(std::size_t i = 0; i < numbers.size(); ++i)
@@ -121,63 +123,44 @@ private:
   template <class Positions>
   std::vector<Cell_number> number_strips(const Positions& positions, int axis) const
   {
-    const std::vector<std::uint32_t> order = sort_along(positions, axis);
+    const auto is_beyond = [&](Place a, Place b) {
+      return !is_within_.is_within_along(points_[positions[a]], points_[positions[b]], axis);
+    };
+    Strip_numbering<Place, decltype(is_beyond)> number_of_strip(is_beyond);
     std::vector<Cell_number> numbers(positions.size());
-    Cell_number number = 0;
-    std::size_t first = 0; // the first member of the strip
-    for(const std::uint32_t member : order) {
-      if(number == 0 || !is_within_along(positions[member], positions[first], axis)) {
-        ++number;
-        first = member;
-      }
-      numbers[member] = number;
-    }
+    for(const Place member : sort_along(positions, axis))
+      numbers[member] = number_of_strip(member);
     return numbers;
   }
 
   // Returns the members of `positions` in order along an axis.
   template <class Positions>
-  std::vector<std::uint32_t> sort_along(const Positions& positions, int axis) const
+  std::vector<Place> sort_along(const Positions& positions, int axis) const
   {
-    std::vector<std::uint32_t> order(positions.size());
+    std::vector<Place> order(positions.size());
     if constexpr(is_held_by_double_v<Number>) {
       std::vector<Keyed_value> items(positions.size());
       for(std::size_t i = 0; i < positions.size(); ++i)
         items[i] = {radix_key(static_cast<double>(coordinate(points_[positions[i]], axis))),
-                    static_cast<std::uint32_t>(i)};
+                    static_cast<Place>(i)};
       radix_sort(items);
       std::transform(items.begin(), items.end(), order.begin(),
                      [](const Keyed_value& item) { return item.value; });
     }
     else {
       std::iota(order.begin(), order.end(), 0);
-      std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+      std::stable_sort(order.begin(), order.end(), [&](Place a, Place b) {
         return coordinate(points_[positions[a]], axis) < coordinate(points_[positions[b]], axis);
       });
     }
     return order;
   }
 
-  // Whether points are within the bound along an axis, exactly.
-  bool is_within_along(std::size_t i, std::size_t j, int axis) const
-  {
-    const auto& p = points_[i];
-    const auto& q = points_[j];
-    const Gap g = gap_along(p, q, axis);
-    if(g.sup * g.sup <= filter_.inside)
-      return true;
-    if(g.inf * g.inf > filter_.outside)
-      return false;
-    const Exact difference
-      = to_exact_number(coordinate(p, axis)) - to_exact_number(coordinate(q, axis));
-    return bound_.holds_for(Exact(difference * difference));
-  }
-
   // The members of a bucket that has more than N are not all looked at: N + 1 have a close pair.
   template <class Positions>
   Found find_in_heavy_bucket(const Cell_table& table, const Positions& positions) const
   {
-    const std::size_t most = greatest_packing(dimension_);
+    const std::size_t most = max_points_per_cell(dimension());
     for(std::size_t bucket = 0; bucket < table.bucket_count(); ++bucket)
       if(table.end(bucket) - table.begin(bucket) > most)
         return find_within(table, table.begin(bucket), table.begin(bucket) + most + 1, positions);
@@ -247,13 +230,9 @@ private:
   }
 
   const Elements& points_;
-  const Squared_bound<Exact>& bound_;
-  const Scene_profile& profile_;
-  int dimension_;
-  double error_;
+  const Scene& scene_;
+  const Is_within_distance<Point>& is_within_;
   Bucket_access access_;
-  const Distance_filter filter_;
-  const Is_within_distance<Point> is_within_;
 };
 
 } // namespace internal

@@ -5,18 +5,26 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CLOSEST_PAIR_CELLS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CLOSEST_PAIR_CELLS_H
 
-// The randomised incremental grid: points are inserted in random order into a grid whose cells are
-// about as large as the distance of the closest pair so far, and compared with those in cells
-// around. When the distance shrinks the grid is made anew. The k-th point is in the closest pair of
-// the first k with probability 2/k, and a new grid takes O(k): expected linear time, whatever the
+// The randomised incremental algorithm: points are inserted in random order into cells about as
+// large as the distance of the closest pair so far, and compared with the points in the cells
+// around. When the distance shrinks, the cells are made anew. The k-th point is in the closest pair
+// of the first k with probability 2/k, and new cells take O(k): expected linear time, whatever the
 // points are. [Golin, Raman, Schwarz, Smid: Simple randomized algorithms for closest pair problems,
 // 1995]
 
+#include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Hashed_cells.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Pair_minimum.h>
+#include <CGAL/Thick_intersection_d/internal/input/Scene.h>
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -25,25 +33,20 @@ namespace internal {
 
 // `Dimension` is that of the points, or 0 if it is known at run time only.
 template <int Dimension, class Elements>
-class Closest_pair_grid
+class Closest_pair_cells
 {
   using Minimum = Pair_minimum<Elements>;
 
 public:
-  // Of the points at `positions`, whose coordinates have doubles around them that are at most
-  // `error` apart.
-  Closest_pair_grid(const Elements& points, std::vector<std::uint32_t> positions, int dimension,
-                    double error, std::uint64_t seed)
-    : points_(points), positions_(std::move(positions)), dimension_(dimension), error_(error)
+  // Of the points of the scene at `positions`.
+  Closest_pair_cells(const Elements& points, std::vector<Place> positions, const Scene& scene,
+                     std::uint64_t seed)
+    : points_(points), positions_(std::move(positions)), dimension_(scene.dimension()),
+      error_(scene.error), heads_(hash_table_size(positions_.size())), next_(positions_.size())
   {
     std::mt19937_64 random(seed);
     for(std::size_t i = positions_.size(); i > 1; --i)
       std::swap(positions_[i - 1], positions_[random() % i]);
-    std::size_t slot_count = 16;
-    while(slot_count < 2 * positions_.size())
-      slot_count *= 2;
-    heads_.resize(slot_count);
-    next_.resize(positions_.size());
   }
 
   // Offers the closest pairs to `minimum`. Returns false if it cannot go on: if points are equal,
@@ -55,12 +58,12 @@ public:
       minimum.offer(positions_[0], positions_[1]);
     if(!refine(minimum, 0))
       return false;
-    // Invariant: the closest pairs of the first k points have been offered, and the points are in
-    // the grid.
+    // Invariant: the closest pairs of the first k points have been offered, and these points are in
+    // the cells.
     for(std::size_t k = 0; k < positions_.size(); ++k) {
       const auto& p = points_[positions_[k]];
       cells_.for_each_cell_around(p, [&](std::uint64_t hash) {
-        for(std::uint32_t other = heads_[slot(hash)]; other != 0; other = next_[other - 1])
+        for(Place other = heads_[slot(hash)]; other != 0; other = next_[other - 1])
           minimum.offer(positions_[k], positions_[other - 1]);
       });
       if(minimum.reach() < reach_ && !refine(minimum, k))
@@ -73,15 +76,15 @@ public:
   }
 
 private:
-  // Makes a grid that fits the distance, with the first `count` points in it.
+  // Makes cells that fit the distance, with the first `count` points in them.
   bool refine(const Minimum& minimum, std::size_t count)
   {
-    if(!minimum.has_tight_reach() || !Grid_cells<Dimension>::fits(minimum.reach(), error_))
+    if(!minimum.has_tight_reach() || !Hashed_cells<Dimension>::fits(minimum.reach(), error_))
       return false;
     reach_ = minimum.reach();
     const double padded_reach
       = std::nextafter(reach_ + error_, std::numeric_limits<double>::infinity());
-    cells_ = Grid_cells<Dimension>(dimension_, padded_reach, 2 * reach_);
+    cells_ = Hashed_cells<Dimension>(dimension_, padded_reach, 2 * reach_);
     std::fill(heads_.begin(), heads_.end(), 0);
     for(std::size_t k = 0; k < count; ++k)
       insert(k);
@@ -90,21 +93,21 @@ private:
 
   void insert(std::size_t k)
   {
-    std::uint32_t& head = heads_[slot(cells_.cell_of(points_[positions_[k]]))];
+    Place& head = heads_[slot(cells_.cell_of(points_[positions_[k]]))];
     next_[k] = head;
-    head = static_cast<std::uint32_t>(k) + 1;
+    head = static_cast<Place>(k) + 1;
   }
 
   std::size_t slot(std::uint64_t hash) const { return hash & (heads_.size() - 1); }
 
   const Elements& points_;
-  std::vector<std::uint32_t> positions_; // in the order of insertion
+  std::vector<Place> positions_; // in the order of insertion
   int dimension_;
   double error_;
   double reach_ = 0;
-  Grid_cells<Dimension> cells_;
-  std::vector<std::uint32_t> heads_; // 1 + the last point in cells of this hash, or 0
-  std::vector<std::uint32_t> next_;  // 1 + the one before
+  Hashed_cells<Dimension> cells_;
+  std::vector<Place> heads_; // 1 + the last point in cells of this hash, or 0
+  std::vector<Place> next_;  // 1 + the point before, or 0
 };
 
 } // namespace internal

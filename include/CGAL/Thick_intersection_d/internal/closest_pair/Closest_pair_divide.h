@@ -32,13 +32,18 @@
 // Both rely on distinct points, so that d > 0: equal points are neighbours in the lexicographic
 // order, and are found before the first division.
 
+#include <CGAL/Thick_intersection_d/internal/closest_pair/Axis_orders.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Cell_table.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/Strip_numbering.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/packing.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/tuning.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -46,11 +51,11 @@ namespace Thick_intersection_d {
 namespace internal {
 
 // Returns with how many points of a strip each of them is compared at most.
-inline std::size_t greatest_candidate_count(int dimension)
+inline std::size_t max_candidate_count(int dimension)
 {
   const double cells = std::pow(3., (std::max)(dimension - 2, 0));
   return static_cast<std::size_t>(
-    (std::min)(2 * static_cast<double>(greatest_packing(dimension)) * cells - 1, 1e9));
+    (std::min)(2 * static_cast<double>(max_points_per_cell(dimension)) * cells - 1, 1e9));
 }
 
 // `Minimum` has the functions less(), is_beyond(), offer(), offer_pair_of(), has_pair() of
@@ -58,9 +63,6 @@ inline std::size_t greatest_candidate_count(int dimension)
 template <class ConcurrencyTag, class Minimum>
 class Closest_pair_divide
 {
-  using Rank = std::size_t; // of a point in the lexicographic order
-  using Ranks = std::vector<Rank>;
-
 public:
   // Of the points at `positions`.
   Closest_pair_divide(std::vector<std::size_t> positions, int dimension)
@@ -74,24 +76,15 @@ public:
     sort_lexicographically(minimum);
     if(offer_equal_points(minimum))
       return;
-    sort_along_axes(minimum);
-    scratch_.resize(positions_.size());
+    orders_.sort(positions_.size(), dimension_, [&](Rank a, Rank b, int axis) {
+      return minimum.less(positions_[a], positions_[b], axis);
+    });
     strip_.resize(positions_.size());
     progress.restart(positions_.size() * level_count(positions_.size()));
     divide(0, positions_.size(), minimum, progress);
   }
 
 private:
-  // The points along an axis. Those with ranks [first, last) are at the places [first, last) when
-  // it is their turn.
-  struct Order
-  {
-    int axis;
-    Ranks ranks;
-    Ranks places;                      // the place of each rank in the whole order
-    std::vector<Cell_number> numbers;  // of each rank, within the strip that is looked at
-  };
-
   void sort_lexicographically(const Minimum& minimum)
   {
     std::sort(positions_.begin(), positions_.end(), [&](std::size_t i, std::size_t j) {
@@ -128,34 +121,11 @@ private:
     return are_any;
   }
 
-  // On the line, axis 0 is the last axis as well.
-  void sort_along_axes(const Minimum& minimum)
-  {
-    for(int axis = dimension_ == 1 ? 0 : 1; axis < dimension_; ++axis) {
-      orders_.emplace_back();
-      Order& order = orders_.back();
-      order.axis = axis;
-      order.ranks.resize(positions_.size());
-      for(Rank rank = 0; rank < positions_.size(); ++rank)
-        order.ranks[rank] = rank;
-      std::sort(order.ranks.begin(), order.ranks.end(), [&](Rank a, Rank b) {
-        if(minimum.less(positions_[a], positions_[b], axis))
-          return true;
-        return !minimum.less(positions_[b], positions_[a], axis) && a < b;
-      });
-      order.places.resize(positions_.size());
-      for(std::size_t place = 0; place < positions_.size(); ++place)
-        order.places[order.ranks[place]] = place;
-      if(axis + 1 < dimension_)
-        order.numbers.resize(positions_.size());
-    }
-  }
-
   // Returns in how many ranges of the recursion a point is at most.
   static std::size_t level_count(std::size_t size)
   {
     std::size_t levels = 1;
-    for(; size > greatest_leaf; size -= size / 2)
+    for(; size > max_leaf_size; size -= size / 2)
       ++levels;
     return levels;
   }
@@ -166,7 +136,7 @@ private:
   {
     if(progress.is_cancelled())
       return;
-    if(last - first <= greatest_leaf)
+    if(last - first <= max_leaf_size)
       offer_all(first, last, minimum);
     else
       divide_at_middle(first, last, minimum, progress);
@@ -184,18 +154,16 @@ private:
   void divide_at_middle(Rank first, Rank last, Minimum& minimum, Progress& progress)
   {
     const Rank middle = first + (last - first) / 2;
-    for(Order& order : orders_)
-      divide_order(order.ranks, first, middle, last);
+    orders_.divide(first, middle, last);
     conquer(first, middle, last, minimum, progress);
-    for(Order& order : orders_)
-      merge_order(order, first, middle, last);
+    orders_.merge(first, middle, last);
     scan_strip(first, middle, last, minimum);
   }
 
   template <class Progress>
   void conquer(Rank first, Rank middle, Rank last, Minimum& minimum, Progress& progress)
   {
-    if(is_parallel_v<ConcurrencyTag> && last - first > greatest_task) {
+    if(is_parallel_v<ConcurrencyTag> && last - first > min_task_size) {
       Minimum other(minimum);
       invoke_all<ConcurrencyTag>([&] { divide(first, middle, minimum, progress); return true; },
                                  [&] { divide(middle, last, other, progress); return true; },
@@ -208,44 +176,19 @@ private:
     }
   }
 
-  // Moves the ranks below `middle` to the front, and keeps the order on both sides.
-  void divide_order(Ranks& ranks, Rank first, Rank middle, Rank last)
-  {
-    std::size_t left = first;
-    std::size_t right = first;
-    for(std::size_t place = first; place != last; ++place) {
-      const Rank rank = ranks[place];
-      if(rank < middle)
-        ranks[left++] = rank;
-      else
-        scratch_[right++] = rank;
-    }
-    std::copy(scratch_.begin() + first, scratch_.begin() + right, ranks.begin() + left);
-  }
-
-  // Undoes divide_order().
-  void merge_order(Order& order, Rank first, Rank middle, Rank last)
-  {
-    Ranks& ranks = order.ranks;
-    std::copy(ranks.begin() + first, ranks.begin() + middle, scratch_.begin() + first);
-    std::merge(scratch_.begin() + first, scratch_.begin() + middle, ranks.begin() + middle,
-               ranks.begin() + last, ranks.begin() + first,
-               [&](Rank a, Rank b) { return order.places[a] < order.places[b]; });
-  }
-
   // Offers the pairs of points on different sides of the line, which passes through `middle`.
   void scan_strip(Rank first, Rank middle, Rank last, Minimum& minimum)
   {
     const auto is_in_strip = [&](Rank rank) {
       return !minimum.is_beyond(positions_[rank], positions_[middle], 0);
     };
-    const Ranks& ranks = orders_.back().ranks;
+    const Ranks& ranks = orders_.last().ranks;
     const std::size_t end
       = std::copy_if(ranks.begin() + first, ranks.begin() + last, strip_.begin() + first,
                      is_in_strip) - strip_.begin();
 
     // A short strip keeps the bound on candidates without cells.
-    if(dimension_ <= 2 || end - first <= greatest_candidate_count(dimension_)) {
+    if(dimension_ <= 2 || end - first <= max_candidate_count(dimension_)) {
       scan(first, end, minimum);
       return;
     }
@@ -257,22 +200,16 @@ private:
   // Numbers the strips along an axis between the first and the last, for points that are in the
   // strip along axis 0.
   template <class Is_in_strip>
-  void number_strips(Order& order, Rank first, Rank last, const Is_in_strip& is_in_strip,
+  void number_strips(Axis_order& order, Rank first, Rank last, const Is_in_strip& is_in_strip,
                      const Minimum& minimum)
   {
-    Cell_number number = 0;
-    Rank first_of_strip = 0;
-    for(std::size_t place = first; place != last; ++place) {
-      const Rank rank = order.ranks[place];
-      if(!is_in_strip(rank))
-        continue;
-      if(number == 0
-         || minimum.is_beyond(positions_[rank], positions_[first_of_strip], order.axis)) {
-        ++number;
-        first_of_strip = rank;
-      }
-      order.numbers[rank] = number;
-    }
+    const auto is_beyond = [&](Rank a, Rank b) {
+      return minimum.is_beyond(positions_[a], positions_[b], order.axis);
+    };
+    Strip_numbering<Rank, decltype(is_beyond)> number_of_strip(is_beyond);
+    for(std::size_t place = first; place != last; ++place)
+      if(const Rank rank = order.ranks[place]; is_in_strip(rank))
+        order.numbers[rank] = number_of_strip(rank);
   }
 
   void scan_cells(std::size_t first, std::size_t end, Minimum& minimum)
@@ -335,15 +272,21 @@ private:
     }
   }
 
-  static constexpr std::size_t greatest_leaf = 3;
-  static constexpr std::size_t greatest_task = 2000; // not divided among threads
-
   std::vector<std::size_t> positions_; // by rank
   int dimension_;
-  std::vector<Order> orders_; // along the axes but the first
-  Ranks scratch_;             // threads use the places of their ranks
-  Ranks strip_;               // likewise
+  Axis_orders orders_;
+  Ranks strip_; // threads use the places of their ranks
 };
+
+// Offers the closest pairs of the first `size` points to `minimum`.
+template <class ConcurrencyTag, class Minimum, class Progress>
+void divide_and_conquer(std::size_t size, int dimension, Minimum& minimum, Progress& progress)
+{
+  std::vector<std::size_t> positions(size);
+  std::iota(positions.begin(), positions.end(), 0);
+  Closest_pair_divide<ConcurrencyTag, Minimum>(std::move(positions), dimension)
+    .search(minimum, progress);
+}
 
 } // namespace internal
 } // namespace Thick_intersection_d

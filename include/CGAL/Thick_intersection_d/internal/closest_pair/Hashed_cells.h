@@ -5,8 +5,8 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_HASHED_CELLS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_HASHED_CELLS_H
 
-// Cells of a grid for points with coordinates in doubles, or between doubles, as far from the
-// origin as they like. A cell is known by its hash.
+// Cells for points with coordinates in doubles, or between doubles, as far from the origin as they
+// like. A cell is known by its hash.
 //
 // The index of a coordinate x is f(x) = x / side, cut to an integer. It is rounded, and cells far
 // out are larger than others. All that is relied on is that f is monotone, since rounding is:
@@ -18,8 +18,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -27,18 +27,18 @@ namespace internal {
 
 // `Dimension` is that of the points, or 0 if it is known at run time only.
 template <int Dimension>
-class Grid_cells
+class Hashed_cells
 {
 public:
   // Whether cells of about the size of `reach` are of use: the inverse of a side is a double, and a
   // coordinate between doubles that are `error` apart is in few of them.
   static bool fits(double reach, double error)
   {
-    return reach >= std::ldexp(1., -900) && reach <= std::ldexp(1., 900) && error <= reach / 2;
+    return reach >= 0x1p-900 && reach <= 0x1p900 && error <= reach / 2;
   }
 
-  Grid_cells() = default;
-  Grid_cells(int dimension, double width, double side)
+  Hashed_cells() = default;
+  Hashed_cells(int dimension, double width, double side)
     : dimension_(dimension), width_(width), scale_(1 / side)
   {}
 
@@ -88,7 +88,7 @@ private:
   // Monotone: so are the product, the limits, and the conversion, which cuts towards zero.
   std::int64_t index(double x) const
   {
-    constexpr double limit = 4611686018427387904.; // 2^62
+    constexpr double limit = 0x1p62;
     return static_cast<std::int64_t>((std::max)(-limit, (std::min)(x * scale_, limit)));
   }
 

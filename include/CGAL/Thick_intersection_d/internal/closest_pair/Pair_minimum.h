@@ -11,10 +11,13 @@
 // Of pairs at the same distance the lexicographically smallest one stays. So the pair that is left
 // does not depend on the order in which pairs are offered, if none of the closest is left out.
 
-#include <CGAL/Scene_profile.h>
-
-#include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_tier.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/squared_sums.h>
+#include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,9 +30,6 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Two positions, the smaller one first.
-using Position_pair = std::pair<std::size_t, std::size_t>;
-
 template <class Elements>
 class Pair_minimum
 {
@@ -37,10 +37,9 @@ class Pair_minimum
   using Exact = Exact_number_t<Coordinate_t<Point>>;
 
 public:
-  Pair_minimum(const Elements& points, const Scene_profile& profile)
-    : points_(points), dimension_(profile.dimension()),
-      grid_exponent_(profile.has_grid() ? std::optional<int>(profile.grid_exponent())
-                                        : std::nullopt)
+  // Of points of the scene.
+  Pair_minimum(const Elements& points, const Scene& scene)
+    : points_(points), dimension_(scene.dimension()), grid_exponent_(scene.grid_exponent)
   {}
 
   bool has_pair() const { return has_pair_; }
@@ -49,17 +48,17 @@ public:
   // Takes the pair if it is closer, or as close and lexicographically smaller.
   void offer(std::size_t i, std::size_t j)
   {
-    const Gap square = squared_distance(i, j);
-    if(square.inf > outside_)
+    const Gap square = squared_distance_bounds(points_[i], points_[j], dimension_);
+    if(square.inf > filter_.outside)
       return;
     const Position_pair candidate = std::minmax(i, j);
     if(!has_pair_)
       replace(candidate, square, std::nullopt);
     else if(is_exact_) {
-      if(square.inf < outside_ || candidate < pair_)
+      if(square.inf < filter_.outside || candidate < pair_)
         replace(candidate, square, std::nullopt);
     }
-    else if(square.sup <= inside_)
+    else if(square.sup <= filter_.inside)
       replace(candidate, square, std::nullopt);
     else if(candidate != pair_)
       offer_exactly(candidate, square);
@@ -84,9 +83,9 @@ public:
     const auto& p = points_[i];
     const auto& q = points_[j];
     const Gap g = gap_along(p, q, axis);
-    if(g.inf * g.inf > outside_)
+    if(g.inf * g.inf > filter_.outside)
       return true;
-    if(is_exact_ || g.sup * g.sup <= inside_)
+    if(is_exact_ || g.sup * g.sup <= filter_.inside)
       return false;
     const Exact difference
       = to_exact_number(coordinate(p, axis)) - to_exact_number(coordinate(q, axis));
@@ -96,30 +95,19 @@ public:
   // An upper bound on the distance.
   double reach() const
   {
-    return std::nextafter(std::sqrt(greatest_), std::numeric_limits<double>::infinity());
+    return std::nextafter(std::sqrt(max_square_), std::numeric_limits<double>::infinity());
   }
 
   // Whether reach() is at most twice the distance. Not so for those whose squares over- or
   // underflow or are lost in the errors of the coordinates.
-  bool has_tight_reach() const { return has_pair_ && least_ > 0 && greatest_ <= 4 * least_; }
-
-  bool is_zero() const { return has_pair_ && least_ == 0 && exact_square() == Exact(0); }
-
-private:
-  // Doubles between which the squared distance lies, up to relative_error().
-  Gap squared_distance(std::size_t i, std::size_t j) const
+  bool has_tight_reach() const
   {
-    const auto& p = points_[i];
-    const auto& q = points_[j];
-    Gap sum = {0, 0};
-    for(int axis = 0; axis < dimension_; ++axis) {
-      const Gap g = gap_along(p, q, axis);
-      sum.inf += g.inf * g.inf;
-      sum.sup += g.sup * g.sup;
-    }
-    return sum;
+    return has_pair_ && min_square_ > 0 && max_square_ <= 4 * min_square_;
   }
 
+  bool is_zero() const { return has_pair_ && min_square_ == 0 && exact_square() == Exact(0); }
+
+private:
   const Exact& exact_square() const
   {
     if(!exact_square_)
@@ -136,34 +124,23 @@ private:
       replace(candidate, square, std::move(exact));
   }
 
-  // The thresholds are those of make_distance_filter(), which tells why, with the distance of the
-  // pair in place of the bound.
+  // Takes a pair whose computed squared distance is between the doubles of `square`.
   void replace(const Position_pair& pair, const Gap& square, std::optional<Exact> exact)
   {
-    static const double tiny = std::ldexp(1., -960);
-    static const double above_tiny = std::ldexp(1., -950);
-    static const double huge = std::ldexp(1., 1020);
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-
     const double error = relative_error(dimension_);
     has_pair_ = true;
     pair_ = pair;
     exact_square_ = std::move(exact);
-    least_ = square.inf >= tiny ? (std::min)(square.inf, huge / 2) * (1 - error) : 0;
-    greatest_ = square.sup <= huge ? (std::max)(square.sup * (1 + error), above_tiny) : infinity;
-    is_exact_ = is_exact_in_double();
-    inside_ = least_ > 0 ? least_ * (1 - error) : -1;
-    outside_ = is_exact_ ? square.inf : greatest_ * (1 + error);
-  }
-
-  // Whether doubles evaluate squared distances up to that of the pair without error, and get larger
-  // ones larger: the certificate of Scene_profile, with a bit to spare.
-  bool is_exact_in_double() const
-  {
-    static const double two_to_52 = std::ldexp(1., 52);
-    static const double huge = std::ldexp(1., 1000);
-    return grid_exponent_ && 2 * *grid_exponent_ >= -1074 && greatest_ <= huge
-           && (std::max)(dimension_, 2) * std::ldexp(greatest_, -2 * *grid_exponent_) <= two_to_52;
+    min_square_ = square.inf >= min_safe_square
+                    ? (std::min)(square.inf, max_safe_square / 2) * (1 - error) : 0;
+    max_square_ = square.sup <= max_safe_square
+                    ? (std::max)(square.sup * (1 + error), min_safe_threshold)
+                    : std::numeric_limits<double>::infinity();
+    is_exact_ = grid_exponent_
+                && are_squares_exact_in_double(reach(), *grid_exponent_, dimension_);
+    filter_ = make_distance_filter(min_square_, max_square_, dimension_);
+    if(is_exact_)
+      filter_.outside = square.inf;
   }
 
   const Elements& points_;
@@ -173,11 +150,10 @@ private:
   bool has_pair_ = false;
   Position_pair pair_ = {0, 0};
   mutable std::optional<Exact> exact_square_; // of the pair, when it was needed
-  double least_ = 0; // least_ <= squared distance <= greatest_
-  double greatest_ = std::numeric_limits<double>::infinity();
-  bool is_exact_ = false;
-  double inside_ = -1; // a computed square of at most this is less than that of the pair
-  double outside_ = std::numeric_limits<double>::infinity(); // and one above this is greater
+  double min_square_ = 0; // min_square_ <= squared distance <= max_square_
+  double max_square_ = std::numeric_limits<double>::infinity();
+  bool is_exact_ = false;  // whether doubles compute squares up to that of the pair without error
+  Distance_filter filter_; // with the distance of the pair in place of a bound
 };
 
 } // namespace internal

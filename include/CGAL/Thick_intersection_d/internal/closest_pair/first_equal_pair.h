@@ -7,10 +7,12 @@
 
 // Points at distance zero, by hashing their coordinates.
 
-#include <CGAL/Thick_intersection_d/internal/closest_pair/Pair_minimum.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/radix_sort.h>
+#include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -34,10 +36,8 @@ std::optional<Position_pair> first_equal_pair(const Elements& points, int dimens
     return true;
   };
 
-  std::size_t slot_count = 16;
-  while(slot_count < 2 * points.size())
-    slot_count *= 2;
-  std::vector<std::uint32_t> slots(slot_count); // 1 + a position, or 0
+  const std::size_t slot_count = hash_table_size(points.size());
+  std::vector<Place> slots(slot_count); // 1 + a position, or 0
 
   // Invariant: the slots hold the first one of each set of equal points before i.
   std::optional<Position_pair> first;
@@ -49,7 +49,7 @@ std::optional<Position_pair> first_equal_pair(const Elements& points, int dimens
     while(slots[slot] != 0 && !are_equal(slots[slot] - 1, i))
       slot = (slot + 1) & (slot_count - 1);
     if(slots[slot] == 0)
-      slots[slot] = static_cast<std::uint32_t>(i) + 1;
+      slots[slot] = static_cast<Place>(i) + 1;
     else if(!first || slots[slot] - 1 < first->first) {
       first = Position_pair(slots[slot] - 1, i);
       if(first->first == 0)

@@ -28,7 +28,7 @@ namespace internal {
 // open. For of any 4 points in the plane, some three have an angle of 90 degrees or more. If all
 // distances are more than r then that of the outer two is more than sqrt(2) r, the diagonal of the
 // square.
-inline std::size_t greatest_packing(int dimension)
+inline std::size_t max_points_per_cell(int dimension)
 {
   const double parts = std::floor(std::sqrt(static_cast<double>(dimension))) + 1;
   return static_cast<std::size_t>((std::min)(std::pow(parts, dimension), 1e9));

@@ -5,18 +5,21 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_BALL_CENTERS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_BALL_CENTERS_H
 
-// Balls of one radius intersect if their centres are within twice that radius: then the search
-// needs the centres alone.
+// Balls of one radius intersect if their centers are within twice that radius: then the search
+// needs the centers alone.
 
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 
+#include <cstddef>
 #include <optional>
+#include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// The centres of balls, which are pairs of a point and a radius.
+// The centers of balls, which are pairs of a point and a radius.
 template <class Balls>
 class Ball_centers
 {

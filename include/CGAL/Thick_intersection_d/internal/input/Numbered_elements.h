@@ -11,8 +11,10 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/property_map.h>
 
+#include <cstddef>
 #include <iterator>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -44,7 +46,7 @@ private:
 };
 
 template <class Range, class Map = No_map>
-class Elements
+class Numbered_elements
 {
   using Iterator = decltype(std::begin(std::declval<const Range&>()));
   using Reference = decltype(*std::declval<Iterator&>());
@@ -66,7 +68,7 @@ public:
   using value_type = std::decay_t<decltype(mapped(std::declval<Reference>(),
                                                   std::declval<const Map&>()))>;
 
-  explicit Elements(const Range& range, const Map& map = Map()) : map_(map)
+  explicit Numbered_elements(const Range& range, const Map& map = Map()) : map_(map)
   {
     if constexpr(has_random_access) {
       table_ = std::begin(range);
@@ -80,8 +82,8 @@ public:
   }
 
   std::size_t size() const { return size_; }
-  Element_iterator<Elements> begin() const { return {*this, 0}; }
-  Element_iterator<Elements> end() const { return {*this, size_}; }
+  Element_iterator<Numbered_elements> begin() const { return {*this, 0}; }
+  Element_iterator<Numbered_elements> end() const { return {*this, size_}; }
 
   decltype(auto) operator[](std::size_t position) const
   {
@@ -128,7 +130,7 @@ auto make_elements(const Range& range, const NamedParameters& np)
 {
   using Map = typename internal_np::Lookup_named_param_def<internal_np::point_t, NamedParameters,
                                                            No_map>::type;
-  return Elements<Range, Map>(
+  return Numbered_elements<Range, Map>(
     range, parameters::choose_parameter<Map>(
              parameters::get_parameter(np, internal_np::point_map)));
 }

@@ -8,8 +8,6 @@
 // Which kernel objects have vertices, how many, and that these are finite. A bounding box does not
 // tell: the minimum of NaN and 1 may be 1.
 
-#include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
-
 #include <CGAL/Circle_2.h>
 #include <CGAL/Iso_cuboid_3.h>
 #include <CGAL/Iso_rectangle_2.h>
@@ -19,6 +17,14 @@
 #include <CGAL/Tetrahedron_3.h>
 #include <CGAL/Triangle_2.h>
 #include <CGAL/Triangle_3.h>
+
+#include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
 
 namespace CGAL {
 namespace Thick_intersection_d {

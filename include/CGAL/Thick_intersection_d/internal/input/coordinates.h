@@ -8,13 +8,15 @@
 // The one way in which the package reads points, for `Point_2`, `Point_3` and `Point_d` of every
 // kernel: Cartesian coordinates, double bounds of their differences, exact squared distances.
 
-#include <CGAL/Dimension.h>
-
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -85,6 +87,19 @@ Gap gap_along(const Point& p, const Point& q, int i)
     return gap(coordinate(p, i), coordinate(q, i));
   else
     return gap(coordinate_bounds(p, i), coordinate_bounds(q, i));
+}
+
+// Doubles between which |pq|^2 lies, up to relative_error().
+template <class Point>
+Gap squared_distance_bounds(const Point& p, const Point& q, int dimension)
+{
+  Gap sum = {0, 0};
+  for(int axis = 0; axis < dimension; ++axis) {
+    const Gap g = gap_along(p, q, axis);
+    sum.inf += g.inf * g.inf;
+    sum.sup += g.sup * g.sup;
+  }
+  return sum;
 }
 
 // Whether |x - y| <= reach, or too often true. One rounded subtraction never makes it false for

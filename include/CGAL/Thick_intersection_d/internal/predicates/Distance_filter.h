@@ -5,16 +5,17 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_DISTANCE_FILTER_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_DISTANCE_FILTER_H
 
-// Decides |pq|^2 <= r^2 from a sum s of squares in doubles, by two constants:
+// A filter in doubles for the question whether a squared distance s is within a squared bound:
 //
 //   s <= inside   the distance is certainly within the bound
-//   s > outside   it is certainly not
-//   else          undecided: the exact numbers decide
+//   s > outside   the distance is certainly beyond the bound
+//   else          undecided
 //
-// A sum of squares of differences has a relative error only, since nothing cancels after the
-// subtractions. So the constants depend on the bound alone, not on the points.
+// A sum of squares of differences has a relative error only, because nothing cancels after the
+// subtractions. So the two constants depend on the bound alone, not on the points.
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/squared_sums.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,50 +31,58 @@ struct Distance_filter
   double outside = std::numeric_limits<double>::infinity();
 };
 
-// A bound c on the relative error of s and on that of comparing it with a rounded threshold, in any
-// rounding mode, with or without fused multiplication.
+// Returns the filter for a squared bound between `low` and `high`, and points of any coordinates.
 //
-// With u = 2^-53 for rounding to nearest and 2^-52 for the directed modes: each difference has the
-// relative error u, its square 2u + u, and the at most d-1 additions of non-negative terms (d-1)u;
-// the threshold and its product with 1 -+ c have 3u. Together (d+5)u to first order, and 2^-49 for
-// d <= 3, the worst case.
-inline double relative_error(int dimension)
+// Underflow: for a bound below min_safe_square the filter never says "inside", and it says
+// "outside" only above min_safe_threshold. Overflow: for a bound above max_safe_square the filter
+// never says "outside", because an infinite sum may come from a distance within the bound, and it
+// says "inside" only for sums below half of that.
+inline Distance_filter make_distance_filter(double low, double high, int dimension)
 {
-  return std::ldexp((std::max)(dimension, 3) + 5, -52);
-}
-
-// Returns the filter for points of any coordinates.
-//
-// Below 2^-960 squares lose bits to underflow, of at most d 2^-1022 in all: then the filter says
-// "inside" never, and "outside" only above 2^-950. Above 2^1020 sums may overflow: then it says
-// "outside" never, for an infinite sum may come from a distance within the bound, and "inside" for
-// sums below 2^1019. An unbounded distance lets all sums pass.
-template <class Exact>
-Distance_filter make_distance_filter(const Squared_bound<Exact>& bound, int dimension)
-{
-  static const double tiny = std::ldexp(1., -960);
-  static const double above_tiny = std::ldexp(1., -950);
-  static const double huge = std::ldexp(1., 1020);
-
   Distance_filter filter;
   const double error = relative_error(dimension);
-  if(bound.is_unbounded())
-    filter.inside = filter.outside;
-  else if(bound.squared().first >= tiny)
-    filter.inside = (std::min)(bound.squared().first * (1 - error), huge / 2);
-  if(bound.squared().second <= huge)
-    filter.outside = (std::max)(bound.squared().second * (1 + error), above_tiny);
+  if(low >= min_safe_square)
+    filter.inside = (std::min)(low * (1 - error), max_safe_square / 2);
+  if(high <= max_safe_square)
+    filter.outside = (std::max)(high * (1 + error), min_safe_threshold);
   return filter;
 }
 
-// Returns the filter for scenes in which doubles evaluate all squared distances up to the bound
-// without error. Then it decides every pair: with d2 exact, d2 <= r^2 is equivalent to d2 <= T,
-// where T is r^2 rounded down.
+template <class Exact>
+Distance_filter make_distance_filter(const Squared_bound<Exact>& bound, int dimension)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if(bound.is_unbounded())
+    return {infinity, infinity};
+  return make_distance_filter(bound.squared().first, bound.squared().second, dimension);
+}
+
+// Returns the filter for scenes in which doubles compute all squared distances up to the bound
+// without error. It decides every pair: with s exact, s <= r^2 is equivalent to s <= T, where T is
+// r^2 rounded down.
 template <class Exact>
 Distance_filter make_certified_filter(const Squared_bound<Exact>& bound)
 {
   const double threshold = bound.largest_double();
   return {threshold, threshold};
+}
+
+// Returns `filter` for doubles that differ from the coordinates by up to `error`, in up to three
+// dimensions. Then distances are off by less than twice the error.
+template <class Exact>
+Distance_filter widen(const Distance_filter& filter, const Squared_bound<Exact>& bound,
+                      double error)
+{
+  if(error == 0 || bound.is_unbounded())
+    return filter;
+  const double slack = 4 * relative_error(3);
+  const double low = std::sqrt(bound.squared().first) * (1 - slack) - 2 * error;
+  const double high = (bound.reach() + 2 * error) * (1 + slack);
+  Distance_filter wide;
+  if(filter.inside > 0 && low > 0 && low * low > min_safe_square)
+    wide.inside = (std::min)(filter.inside, low * low);
+  wide.outside = (std::max)(filter.outside, high * high);
+  return wide;
 }
 
 } // namespace internal

@@ -32,7 +32,7 @@ public:
     const std::pair<double, double> r = bounds(a.second);
     const std::pair<double, double> s = bounds(b.second);
     const double least_sum = r.first + s.first;
-    const double greatest_sum = r.second + s.second;
+    const double max_sum = r.second + s.second;
 
     double inf = 0; // the squared distance lies between inf and sup, up to relative_error()
     double sup = 0;
@@ -47,7 +47,7 @@ public:
     static const double tiny = std::ldexp(1., -960);
     static const double huge = std::ldexp(1., 1020);
     const double least = least_sum * least_sum;
-    const double greatest = greatest_sum * greatest_sum;
+    const double greatest = max_sum * max_sum;
     if(least > tiny && greatest < huge) {
       if(sup <= least * (1 - error_))
         return true;

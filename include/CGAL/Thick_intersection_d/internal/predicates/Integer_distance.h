@@ -7,9 +7,10 @@
 
 // Decides |pq|^2 <= r^2 in integers, for coordinates that are doubles and multiples of 2^e.
 //
-// Let U = floor(reach / 2^e), the reach at most 2^1022. Points that differ by more than U steps on
-// an axis are not within the bound. The others have differences and squares that integers hold, and
-// the sum is compared with the number of squared steps in r^2, formed once from the exact r^2:
+// Let U = floor(reach / 2^e), where the reach is at most 2^1022. Points that differ by more than U
+// steps along an axis are not within the bound. The others have differences and squares that
+// integers hold. The sum is compared with the number of squared steps in r^2, which is formed once
+// from the exact r^2:
 //
 // 1. If fl(|x - y|) > reach, for one rounded subtraction, then |x - y| > reach, since rounding is
 //    monotone and fixes the reach (Lemma M, doc/design.md). Otherwise let T = |x - y| / 2^e.
@@ -23,55 +24,28 @@
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Double_grid.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_tier.h>
 
 #include <cmath>
 #include <cstdint>
-
-#ifndef __SIZEOF_INT128__
-#include <boost/multiprecision/cpp_int.hpp>
-#endif
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-#ifdef __SIZEOF_INT128__
-__extension__ typedef unsigned __int128 Uint128;
-#else
-using Uint128 = boost::multiprecision::uint128_t;
-#endif
-
-// Whether the squared distances of points whose coordinates differ by up to `units` steps are at
-// most `greatest`: d U^2 <= greatest. `units` is an integer, or infinity.
-inline bool are_squares_at_most(const Uint128& greatest, double units, int dimension)
-{
-  if(!(units < std::ldexp(1., 63)))
-    return false;
-  const Uint128 steps = static_cast<std::uint64_t>(units);
-  return steps * steps <= greatest / static_cast<unsigned int>((std::max)(dimension, 1));
-}
-
-// Signed ones would do for the first.
-inline bool fits_int64(double units, int dimension)
-{
-  return are_squares_at_most((std::numeric_limits<std::int64_t>::max)(), units, dimension);
-}
-
-inline bool fits_int128(double units, int dimension)
-{
-  return are_squares_at_most(~Uint128(0), units, dimension);
-}
-
 // `Square` is an unsigned integer type that holds d U^2 and (U + 1)^2.
 template <class Square>
-class Grid_distance
+class Integer_distance
 {
 public:
+  // The reach is a number of steps that fits in the integers: see fits_int64() and fits_int128().
   template <class Exact>
-  Grid_distance(const Squared_bound<Exact>& bound, double units, int exponent)
-    : reach_(bound.reach()), units_(static_cast<std::uint64_t>(units)), exponent_(exponent),
+  Integer_distance(const Squared_bound<Exact>& bound, int exponent)
+    : reach_(bound.reach()), max_steps_(static_cast<std::uint64_t>(steps_within(reach_, exponent))),
+      exponent_(exponent),
       scale_{std::ldexp(1., -exponent / 2), std::ldexp(1., -exponent - (-exponent / 2))},
-      beyond_(bound.template first_beyond<Square>(exponent, 2 * (std::ilogb(units + 1) + 1)))
+      beyond_(bound.template first_beyond<Square>(
+        exponent, 2 * (std::ilogb(static_cast<double>(max_steps_) + 1) + 1)))
   {}
 
   // Whether points with coordinates x(i) and y(i) are within the bound.
@@ -84,7 +58,7 @@ public:
       if(gap > reach_)
         return false;
       const std::uint64_t steps = steps_between(x(i), y(i), gap);
-      if(steps > units_)
+      if(steps > max_steps_)
         return false;
       sum += Square(steps) * steps;
     }
@@ -94,7 +68,7 @@ public:
 private:
   std::uint64_t steps_between(double x, double y, double gap) const
   {
-    if(units_ < std::uint64_t(1) << 53)
+    if(max_steps_ < std::uint64_t(1) << 53)
       return static_cast<std::uint64_t>(static_cast<std::int64_t>(gap * scale_[0] * scale_[1]));
     const std::uint64_t difference = steps_modulo_2_64(x, exponent_)
                                      - steps_modulo_2_64(y, exponent_);
@@ -102,7 +76,7 @@ private:
   }
 
   double reach_;
-  std::uint64_t units_;
+  std::uint64_t max_steps_; // U
   int exponent_;
   double scale_[2]; // 2^-e, which may be no double
   Square beyond_;   // the least squared distance beyond the bound, in squares of a step

@@ -5,11 +5,23 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_IS_WITHIN_DISTANCE_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_IS_WITHIN_DISTANCE_H
 
-// The predicate of the package: is |pq| within a bound? Degree 2, exact for every kernel.
+// Is |pq| <= r? The one object that answers this question for points: it is made once, and asks a
+// filter in doubles, integers or twofold doubles, and exact numbers, in this order. Degree 2.
 
-#include <CGAL/Thick_intersection_d/internal/predicates/Near_tie_test.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
+#include <CGAL/Arithmetic_tier.h>
+
+#include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Near_tie_test.h>
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -20,68 +32,138 @@ class Is_within_distance
 {
   using Number = Coordinate_t<Point>;
   using Exact = Exact_number_t<Number>;
+  using Bound = Squared_bound<Exact>;
 
 public:
   // For points of any coordinates.
-  Is_within_distance(const Squared_bound<Exact>& bound, const Distance_filter& filter,
-                     int dimension)
-    : Is_within_distance(bound, filter, make_close_call<Number>(bound, dimension), dimension,
-                         nullptr)
+  Is_within_distance(const Bound& bound, int dimension)
+    : bound_(bound), dimension_(dimension), filter_(make_distance_filter(bound, dimension)),
+      filter_of_doubles_(filter_), reach_of_doubles_(bound.reach())
+  {
+    if constexpr(is_held_by_double_v<Number>)
+      near_tie_ = Near_tie_test(bound, dimension);
+  }
+
+  // For the points of a scene, and no others: by the arithmetic of `tier`, which is exact for the
+  // scene. Adds to `counts` which arithmetic decides, unless that is null.
+  Is_within_distance(const Bound& bound, const Scene& scene, Arithmetic_tier tier,
+                     Shared_decision_counts* counts = nullptr)
+    : bound_(bound), dimension_(scene.dimension()),
+      filter_(tier == Arithmetic_tier::DOUBLE ? make_certified_filter(bound)
+                                              : make_distance_filter(bound, scene.dimension())),
+      near_tie_(bound, scene, tier), are_doubles_exact_(scene.error == 0),
+      filter_of_doubles_(widen(filter_, bound, scene.error)),
+      reach_of_doubles_(padded(bound.reach(), scene.error)), shared_counts_(counts)
   {}
 
-  // With what decides the pairs that the filter does not, before the exact numbers do. Calls add
-  // to `counts` which arithmetic decides, unless it is null.
-  Is_within_distance(const Squared_bound<Exact>& bound, const Distance_filter& filter,
-                     const Close_call& close_call, int dimension, Shared_decision_counts* counts)
-    : bound_(bound), filter_(filter), close_call_(close_call), dimension_(dimension),
-      shared_counts_(counts)
-  {}
+  int dimension() const { return dimension_; }
 
-  const Squared_bound<Exact>& bound() const { return bound_; }
+  // An upper bound on the distance along an axis of points within the bound.
+  double reach() const { return bound_.reach(); }
+
+  // For coordinates, or doubles around them.
   const Distance_filter& filter() const { return filter_; }
-  const Close_call& close_call() const { return close_call_; }
-  Shared_decision_counts* shared_counts() const { return shared_counts_; }
 
+  // The whole question.
   bool operator()(const Point& p, const Point& q) const
   {
     Decision_counts counts;
     const bool is_within = decide(p, q, counts);
-    if(shared_counts_ != nullptr)
-      shared_counts_->add(counts);
+    publish(counts);
     return is_within;
   }
 
-  // Adds to `counts` which arithmetic decides.
+  // Whether two points are within the bound along one axis: |p_i - q_i| <= r.
+  bool is_within_along(const Point& p, const Point& q, int axis) const
+  {
+    const Gap g = gap_along(p, q, axis);
+    if(g.sup * g.sup <= filter_.inside)
+      return true;
+    if(g.inf * g.inf > filter_.outside)
+      return false;
+    const Exact difference
+      = to_exact_number(coordinate(p, axis)) - to_exact_number(coordinate(q, axis));
+    return bound_.holds_for(Exact(difference * difference));
+  }
+
+  // The first question, for those who hold doubles of the points of the scene. Each double is at
+  // most its coordinate, and is off by at most the error of the scene.
+  double reach_of_doubles() const { return reach_of_doubles_; }
+  const Distance_filter& filter_of_doubles() const { return filter_of_doubles_; }
+
+  // The second question: whether points whose doubles are x(i) and y(i), for i < `axes`, are within
+  // the bound, or nothing if that takes a look at the points.
+  template <class X, class Y>
+  std::optional<bool> decide_near_tie(const X& x, const Y& y, int axes,
+                                      Decision_counts& counts) const
+  {
+    return near_tie_.decide(x, y, axes, counts);
+  }
+
+  // The last question, about points that the two before have left undecided. The doubles around
+  // the coordinates of two points are often closer than the error of the scene.
+  bool decide_undecided(const Point& p, const Point& q, Decision_counts& counts) const
+  {
+    if(!are_doubles_exact_)
+      if(const std::optional<bool> is_within = decide_by_filter(p, q, counts))
+        return *is_within;
+    return decide_exactly(p, q, counts);
+  }
+
+  // Adds counts to those that all threads share, if there are any.
+  void publish(const Decision_counts& counts) const
+  {
+    if(shared_counts_ != nullptr)
+      shared_counts_->add(counts);
+  }
+
+private:
   bool decide(const Point& p, const Point& q, Decision_counts& counts) const
   {
-    double inf = 0; // the squared distance lies between inf and sup, up to relative_error()
-    double sup = 0;
-    for(int i = 0; i < dimension_; ++i) {
-      const Gap g = gap_along(p, q, i);
-      inf += g.inf * g.inf;
-      sup += g.sup * g.sup;
-    }
-    if(sup <= filter_.inside) {
+    if(const std::optional<bool> is_within = decide_by_filter(p, q, counts))
+      return *is_within;
+    // A near tie is decided only if the coordinates are doubles; their bounds are the same then.
+    const auto x = [&](int i) { return coordinate_bounds(p, i).first; };
+    const auto y = [&](int i) { return coordinate_bounds(q, i).first; };
+    if(const std::optional<bool> is_within = near_tie_.decide(x, y, dimension_, counts))
+      return *is_within;
+    return decide_exactly(p, q, counts);
+  }
+
+  std::optional<bool> decide_by_filter(const Point& p, const Point& q,
+                                       Decision_counts& counts) const
+  {
+    const Gap s = squared_distance_bounds(p, q, dimension_);
+    if(s.sup <= filter_.inside) {
       counts.add(Arithmetic_tier::DOUBLE);
       return true;
     }
-    if(inf > filter_.outside)
+    if(s.inf > filter_.outside)
       return false;
-    // It decides something only if the coordinates are doubles, which their bounds are then.
-    const auto x = [&](int i) { return coordinate_bounds(p, i).first; };
-    const auto y = [&](int i) { return coordinate_bounds(q, i).first; };
-    if(const std::optional<bool> is_within = close_call_.decide(x, y, dimension_, counts))
-      return *is_within;
+    return std::nullopt;
+  }
+
+  bool decide_exactly(const Point& p, const Point& q, Decision_counts& counts) const
+  {
     counts.add(Arithmetic_tier::FILTERED_EXACT);
     return bound_.holds_for(exact_squared_distance(p, q, dimension_));
   }
 
-private:
-  Squared_bound<Exact> bound_;
-  Distance_filter filter_;
-  Close_call close_call_;
+  // Doubles that are off by up to `error`, in one direction, differ by that much more.
+  static double padded(double reach, double error)
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return error == 0 ? reach : std::nextafter(reach + error, infinity);
+  }
+
+  Bound bound_;
   int dimension_;
-  Shared_decision_counts* shared_counts_;
+  Distance_filter filter_;
+  Near_tie_test near_tie_;
+  bool are_doubles_exact_ = is_held_by_double_v<Number>;
+  Distance_filter filter_of_doubles_;
+  double reach_of_doubles_;
+  Shared_decision_counts* shared_counts_ = nullptr;
 };
 
 } // namespace internal

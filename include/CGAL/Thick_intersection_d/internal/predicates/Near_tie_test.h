@@ -5,42 +5,48 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_NEAR_TIE_TEST_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_NEAR_TIE_TEST_H
 
-// Decides the pairs that the filter does not, from coordinates that are doubles, whatever their
-// type: in integers where the scene's grid allows it, and otherwise, but for exact ties, in doubles
-// of twice the precision.
+// Decides most of what the filter leaves undecided, without looking at the points' own number type:
+// in integers where the grid of the scene allows it. Elsewhere doubles of twice the precision
+// decide all near ties but the exact ones.
 
-#include <CGAL/Scene_profile.h>
+#include <CGAL/Arithmetic_tier.h>
+
+#include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_tier.h>
+#include <CGAL/Thick_intersection_d/internal/input/Scene.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Integer_distance.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Twofold_filter.h>
 
+#include <cstdint>
 #include <optional>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-class Close_call
+class Near_tie_test
 {
 public:
-  Close_call() = default; // decides nothing
+  Near_tie_test() = default; // decides nothing
 
   // For points of any coordinates of a type that a double holds.
   template <class Exact>
-  Close_call(const Squared_bound<Exact>& bound, int dimension) : twofold_filter_(bound, dimension)
+  Near_tie_test(const Squared_bound<Exact>& bound, int dimension) : twofold_(bound, dimension)
   {}
 
   // For the points of a scene, and no others. Decides nothing if the scene has no grid.
   template <class Exact>
-  Close_call(const Squared_bound<Exact>& bound, const Scene_profile& profile)
+  Near_tie_test(const Squared_bound<Exact>& bound, const Scene& scene, Arithmetic_tier tier)
   {
-    if(!profile.has_grid())
+    if(!scene.grid_exponent)
       return;
-    if(profile.tier() == Arithmetic_tier::INT64)
-      in_64_bits_.emplace(bound, profile.units(), profile.grid_exponent());
-    else if(profile.tier() == Arithmetic_tier::INT128)
-      in_128_bits_.emplace(bound, profile.units(), profile.grid_exponent());
-    else if(profile.tier() == Arithmetic_tier::FILTERED_EXACT)
-      twofold_filter_ = Twofold_filter(bound, profile.dimension());
+    if(tier == Arithmetic_tier::INT64)
+      in_64_bits_.emplace(bound, *scene.grid_exponent);
+    else if(tier == Arithmetic_tier::INT128)
+      in_128_bits_.emplace(bound, *scene.grid_exponent);
+    else if(tier == Arithmetic_tier::FILTERED_EXACT)
+      twofold_ = Twofold_filter(bound, scene.dimension());
   }
 
   // Returns whether points with coordinates x(i) and y(i) are within the bound, or nothing if that
@@ -56,9 +62,9 @@ public:
       counts.add(Arithmetic_tier::INT128);
       return in_128_bits_->holds_for(x, y, dimension);
     }
-    if(twofold_filter_.is_usable()) {
+    if(twofold_.is_usable()) {
       const auto difference = [&](int i) { return twofold_sum(x(i), -y(i)); };
-      if(const int sign = twofold_filter_.compare(difference, dimension)) {
+      if(const int sign = twofold_.compare(difference, dimension)) {
         counts.add(Arithmetic_tier::DOUBLE);
         return sign < 0;
       }
@@ -67,20 +73,10 @@ public:
   }
 
 private:
-  std::optional<Grid_distance<std::uint64_t>> in_64_bits_;
-  std::optional<Grid_distance<Uint128>> in_128_bits_;
-  Twofold_filter twofold_filter_;
+  std::optional<Integer_distance<std::uint64_t>> in_64_bits_;
+  std::optional<Integer_distance<Uint128>> in_128_bits_;
+  Twofold_filter twofold_;
 };
-
-// Returns the one for points of any coordinates of type Number.
-template <class Number, class Exact>
-Close_call make_close_call(const Squared_bound<Exact>& bound, int dimension)
-{
-  if constexpr(is_held_by_double_v<Number>)
-    return Close_call(bound, dimension);
-  else
-    return Close_call();
-}
 
 } // namespace internal
 } // namespace Thick_intersection_d

@@ -5,12 +5,11 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_RECURSION_MEMBERS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_RECURSION_MEMBERS_H
 
-// What the book route sees of the input: positions, and three predicates on them.
+// What the recursive route sees of the input: positions, and three predicates on them.
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -19,53 +18,49 @@ namespace internal {
 
 // An object on its way through the recursion.
 //
-// `parts` has one bit for each part of the scene that the object lies in and that somebody else
-// takes care of: a pair that shares a bit is not reported here. This is the separation rule, which
-// replaces the flags of [V03], section 2.3.1, case 2: of the objects in a strip, those in a
-// recursed child carry the bit of that child; and with two sets, each object that of its set.
+// `sides` has a bit for each recursed side of a cut that the object is on, and one for its set. A
+// pair that shares a bit is not reported here. This is the separation rule, which replaces the
+// flags of [V03], section 2.3.1, case 2: in a strip, the members of a recursed side carry the bit
+// of that side, because the recursion reports their pairs. With two sets, pairs of one set are no
+// pairs.
 struct Member
 {
   std::size_t position;
-  std::uint64_t parts;
+  std::uint64_t sides;
 };
 
 using Members = std::vector<Member>;
 using Member_iterator = Members::iterator;
 
-inline bool share_a_part(const Member& a, const Member& b)
-{
-  return (a.parts & b.parts) != 0;
-}
+inline bool share_a_side(const Member& a, const Member& b) { return (a.sides & b.sides) != 0; }
 
 // Axes beyond these are not cut but left to Do_intersect_d: there is a pair of bits for each.
 constexpr int max_cut_axes = 31;
 
-inline std::uint64_t lower_child_bit(int axis) { return std::uint64_t(1) << (2 * axis); }
-inline std::uint64_t upper_child_bit(int axis) { return std::uint64_t(2) << (2 * axis); }
+inline std::uint64_t lower_side_bit(int axis) { return std::uint64_t(1) << (2 * axis); }
+inline std::uint64_t upper_side_bit(int axis) { return std::uint64_t(2) << (2 * axis); }
 constexpr std::uint64_t first_set_bit = std::uint64_t(1) << (2 * max_cut_axes);
 constexpr std::uint64_t second_set_bit = first_set_bit << 1;
 
 // The predicates of a traits class, on members.
-template <class Elements, class Traits>
-class Book_scene
+template <class Elements, class Sets, class Traits>
+class Member_predicates
 {
 public:
-  // With two sets, the first `first_set_size` elements are those of the first.
-  Book_scene(const Elements& elements, std::optional<std::size_t> first_set_size,
-             const Traits& traits)
-    : elements_(elements), first_set_size_(first_set_size),
+  Member_predicates(const Elements& elements, const Sets& sets, const Traits& traits)
+    : elements_(elements), sets_(sets),
       less_(traits.less_coordinate_d_object()), is_close_(traits.is_close_along_axis_d_object()),
       do_intersect_(traits.do_intersect_d_object()), dimension_(traits.dimension())
   {}
 
   int dimension() const { return dimension_; }
-  bool has_two_sets() const { return first_set_size_.has_value(); }
+  static constexpr bool has_two_sets() { return Sets::are_two; }
 
   Members members() const
   {
     Members all(elements_.size());
     for(std::size_t i = 0; i < all.size(); ++i)
-      all[i] = {i, !has_two_sets() ? 0 : i < *first_set_size_ ? first_set_bit : second_set_bit};
+      all[i] = {i, set_bit(i)};
     return all;
   }
 
@@ -88,16 +83,36 @@ public:
   {
     const std::size_t i = (std::min)(a.position, b.position);
     const std::size_t j = (std::max)(a.position, b.position);
-    return report(i, has_two_sets() ? j - *first_set_size_ : j);
+    if constexpr(has_two_sets())
+      return report(i, j - sets_.first_size);
+    else
+      return report(i, j);
   }
 
 private:
+  std::uint64_t set_bit(std::size_t position) const
+  {
+    if constexpr(has_two_sets())
+      return position < sets_.first_size ? first_set_bit : second_set_bit;
+    else
+      return 0;
+  }
+
   const Elements& elements_;
-  std::optional<std::size_t> first_set_size_;
+  Sets sets_;
   typename Traits::Less_coordinate_d less_;
   typename Traits::Is_close_along_axis_d is_close_;
   typename Traits::Do_intersect_d do_intersect_;
   int dimension_;
+};
+
+// Compares members along an axis.
+template <class Predicates>
+struct Less_along_axis
+{
+  const Predicates& predicates;
+  int axis;
+  bool operator()(const Member& a, const Member& b) const { return predicates.less(a, b, axis); }
 };
 
 } // namespace internal

@@ -17,46 +17,62 @@
 // but Less_coordinate_d and Is_close_along_axis_d is asked, and nothing is rounded. Where we differ
 // from the paper, and why: doc/design.md.
 
-#include <CGAL/Thick_intersection_d/internal/recursion/Members.h>
-#include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
-#include <CGAL/Thick_intersection_d/internal/recursion/sweep.h>
+#include <CGAL/tags.h>
+
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/recursion/Members.h>
+#include <CGAL/Thick_intersection_d/internal/recursion/sweep.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-enum class Pivot {
-  MEDIAN, // [V03], section 2.3
-  RANDOM  // [V03], section 3: the version of the experiments
-};
-
-enum class Base_case { SWEEP, WALK, DIMENSION_ZERO };
-
-// The variants of the book route; all of them report the same pairs.
-struct Book_options
+// What the recursion leaves open: where a range is cut, and how it ends. The experiments of [V03]
+// bring variants of this class (test/support/recursion_variants.h).
+struct Median_and_sweep
 {
-  Pivot pivot = Pivot::MEDIAN;
-  Base_case base_case = Base_case::SWEEP;
-  unsigned int random_seed = 0;
+  // The last axis is the first one that is cut; the base case takes those below this one.
+  static constexpr int lowest_cut_axis() { return 1; }
+
+  // Returns the member of [first, last) at which the range is to be cut along an axis. Reorders it.
+  template <class Predicates>
+  Member choose_pivot(const Predicates& predicates, Member_iterator first, Member_iterator last,
+                      int axis) const
+  {
+    const Member_iterator median = first + (last - first) / 2;
+    std::nth_element(first, median, last, Less_along_axis<Predicates>{predicates, axis});
+    return *median;
+  }
+
+  // The base case. Returns false iff the search is to stop.
+  template <class Predicates, class Reporter>
+  bool finish(const Predicates& predicates, Member_iterator first, Member_iterator last,
+              Reporter& report) const
+  {
+    return sweep(predicates, first, last, report);
+  }
 };
 
-template <class ConcurrencyTag, class Scene, class Reporter, class Progress>
-class Book_route
+template <class ConcurrencyTag, class Predicates, class Reporter, class Progress, class Variant>
+class Recursive_route
 {
 public:
-  Book_route(const Scene& scene, const Book_options& options, Reporter& report,
-             Progress& progress)
-    : scene_(scene), options_(options), report_(report), progress_(progress),
-      last_axis_((std::min)(scene.dimension(), max_cut_axes) - 1)
+  Recursive_route(const Predicates& predicates, Reporter& report, Progress& progress,
+                  const Variant& variant)
+    : predicates_(predicates), report_(report), progress_(progress), variant_(variant),
+      last_axis_((std::min)(predicates.dimension(), max_cut_axes) - 1)
   {}
 
   // Returns false iff the search was stopped.
   bool operator()()
   {
-    Members members = scene_.members();
+    Members members = predicates_.members();
     return members.empty() || search(members.begin(), members.end(), last_axis_);
   }
 
@@ -70,21 +86,14 @@ private:
     bool recurse_above;
   };
 
-  struct Less
-  {
-    const Scene& scene;
-    int axis;
-    bool operator()(const Member& a, const Member& b) const { return scene.less(a, b, axis); }
-  };
-
-  // Reports the intersecting pairs of [first, last) that share no part. All members are within two
+  // Reports the intersecting pairs of [first, last) that share no side. All members are within two
   // reaches of each other along the axes above `axis`.
   bool search(Member_iterator first, Member_iterator last, int axis)
   {
     if(last - first < 2)
       return advance(last - first, axis);
-    if(axis < first_cut_axis())
-      return finish(first, last) && advance(last - first, axis);
+    if(axis < variant_.lowest_cut_axis())
+      return variant_.finish(predicates_, first, last, report_) && advance(last - first, axis);
 
     Cut cut;
     if(!find_cut(first, last, axis, cut))
@@ -105,21 +114,23 @@ private:
   // it is in two strips at most. [V03, section 2.3.2]
   bool find_cut(Member_iterator first, Member_iterator last, int axis, Cut& cut)
   {
-    const auto extremes = std::minmax_element(first, last, Less{scene_, axis});
+    const auto extremes
+      = std::minmax_element(first, last, Less_along_axis<Predicates>{predicates_, axis});
     const Member lowest = *extremes.first;
     const Member highest = *extremes.second;
-    if(scene_.is_close(lowest, highest, axis))
+    if(predicates_.is_close(lowest, highest, axis))
       return false; // Case 1, for any cut
 
-    const Member pivot = choose_pivot(first, last, axis);
-    cut = {pivot, !scene_.is_close(lowest, pivot, axis), !scene_.is_close(pivot, highest, axis)};
+    const Member pivot = variant_.choose_pivot(predicates_, first, last, axis);
+    cut = {pivot, !predicates_.is_close(lowest, pivot, axis),
+           !predicates_.is_close(pivot, highest, axis)};
     if(cut.recurse_below == cut.recurse_above)
       return cut.recurse_below; // Case 1 or 2
     if(cut.recurse_above)
       cut.at = last_close_to(lowest, cut.at, first, last, axis);
     else
       cut.at = first_close_to(highest, cut.at, first, last, axis);
-    return !scene_.is_close(cut.at, cut.recurse_above ? highest : lowest, axis); // else Case 1
+    return !predicates_.is_close(cut.at, cut.recurse_above ? highest : lowest, axis); // else Case 1
   }
 
   // The last of the objects close to `lowest`, of which `close` is one.
@@ -127,7 +138,7 @@ private:
                        Member_iterator last, int axis) const
   {
     for(Member_iterator m = first; m != last; ++m)
-      if(scene_.less(close, *m, axis) && scene_.is_close(lowest, *m, axis))
+      if(predicates_.less(close, *m, axis) && predicates_.is_close(lowest, *m, axis))
         close = *m;
     return close;
   }
@@ -137,48 +148,28 @@ private:
                         Member_iterator last, int axis) const
   {
     for(Member_iterator m = first; m != last; ++m)
-      if(scene_.less(*m, close, axis) && scene_.is_close(*m, highest, axis))
+      if(predicates_.less(*m, close, axis) && predicates_.is_close(*m, highest, axis))
         close = *m;
     return close;
-  }
-
-  Member choose_pivot(Member_iterator first, Member_iterator last, int axis)
-  {
-    const std::size_t size = static_cast<std::size_t>(last - first);
-    if(options_.pivot == Pivot::RANDOM)
-      return first[static_cast<std::ptrdiff_t>(hash(first->position, size) % size)];
-    const Member_iterator median = first + (last - first) / 2;
-    std::nth_element(first, median, last, Less{scene_, axis});
-    return *median;
-  }
-
-  // A random number that depends on where in the recursion it is drawn, and not on when: the same
-  // for any number of threads. [Steele, Lea, Flood: Fast splittable pseudorandom number generators]
-  std::uint64_t hash(std::size_t position, std::size_t size) const
-  {
-    std::uint64_t x = options_.random_seed + 0x9e3779b97f4a7c15 * (position + 1) + size;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
-    return x ^ (x >> 31);
   }
 
   // Cuts [first, last) into the objects below, at and above the cut, searches the strip of those
   // close to the cut in one dimension less, and recurses.
   //
-  // Each intersecting pair is met once: there is one cut where it ceases to be in one recursed
-  // child. There it is close to the cut, or on a side that is in the strip as a whole; and at the
-  // cuts before, it shares the bit of that child.
+  // Each intersecting pair is met once. There is one cut where it ceases to be on one recursed
+  // side. There each of its objects is close to the cut, or on a side that is in the strip as a
+  // whole. At the cuts before, the pair shares the bit of the recursed side.
   bool divide(Member_iterator first, Member_iterator last, int axis, const Cut& cut)
   {
     const Member_iterator below_end = std::partition(
-      first, last, [&](const Member& m) { return scene_.less(m, cut.at, axis); });
+      first, last, [&](const Member& m) { return predicates_.less(m, cut.at, axis); });
     const Member_iterator above_begin = std::partition(
-      below_end, last, [&](const Member& m) { return !scene_.less(cut.at, m, axis); });
+      below_end, last, [&](const Member& m) { return !predicates_.less(cut.at, m, axis); });
 
     Members strip; // copied before the recursion reorders the range
-    add_side(first, below_end, axis, cut, cut.recurse_below, lower_child_bit(axis), strip);
+    add_side(first, below_end, axis, cut, cut.recurse_below, lower_side_bit(axis), strip);
     add_side(below_end, above_begin, axis, cut, false, 0, strip);
-    add_side(above_begin, last, axis, cut, cut.recurse_above, upper_child_bit(axis), strip);
+    add_side(above_begin, last, axis, cut, cut.recurse_above, upper_side_bit(axis), strip);
     const std::ptrdiff_t left_behind = (cut.recurse_below ? 0 : below_end - first)
                                        + (above_begin - below_end)
                                        + (cut.recurse_above ? 0 : last - above_begin);
@@ -198,40 +189,25 @@ private:
     return invoke_all<Sequential_tag>(search_strip, search_below, search_above);
   }
 
-  // Appends those of one side of the cut that may intersect objects of the other side: the close
-  // ones if the side is recursed into, marked as members of that child, or else all of them.
+  // Appends the members of one side of the cut that may intersect members of the other side: the
+  // close ones if the side is recursed into, marked as members of that side, and otherwise all.
   void add_side(Member_iterator first, Member_iterator last, int axis, const Cut& cut,
-                bool is_recursed, std::uint64_t child_bit, Members& strip)
+                bool is_recursed, std::uint64_t side_bit, Members& strip)
   {
     for(Member_iterator m = first; m != last; ++m)
       if(!is_recursed)
         strip.push_back(*m);
-      else if(scene_.is_close(*m, cut.at, axis))
-        strip.push_back({m->position, m->parts | child_bit});
+      else if(predicates_.is_close(*m, cut.at, axis))
+        strip.push_back({m->position, m->sides | side_bit});
   }
 
-  // Whether some two members share no part as far as their common bits tell.
+  // Whether there may be two members that share no side: false if one bit is common to all.
   static bool have_pairs(const Members& strip)
   {
     std::uint64_t common = ~std::uint64_t(0);
     for(const Member& m : strip)
-      common &= m.parts;
+      common &= m.sides;
     return common == 0;
-  }
-
-  int first_cut_axis() const { return options_.base_case == Base_case::DIMENSION_ZERO ? 0 : 1; }
-
-  bool finish(Member_iterator first, Member_iterator last)
-  {
-    switch(options_.base_case) {
-    case Base_case::SWEEP:
-      return sweep(scene_, first, last, report_);
-    case Base_case::WALK:
-      return walk(scene_, first, last, report_);
-    case Base_case::DIMENSION_ZERO:
-      return all_pairs(scene_, first, last, report_);
-    }
-    return true;
   }
 
   // Objects are done when the first axis that is cut is done with them.
@@ -245,21 +221,24 @@ private:
   // Smaller ranges are not worth a task.
   static constexpr std::ptrdiff_t parallel_cutoff = 4096;
 
-  const Scene& scene_;
-  const Book_options options_;
+  const Predicates& predicates_;
   Reporter& report_;
   Progress& progress_;
+  const Variant variant_;
   const int last_axis_;
 };
 
 // Reports the intersecting pairs of one set or of two; returns false iff the search was stopped.
-template <class ConcurrencyTag, class Scene, class Callback, class Progress>
-bool search_by_the_book(const Scene& scene, const Book_options& options, Callback& callback,
-                        Progress& progress)
+template <class ConcurrencyTag, class Predicates, class Callback, class Progress,
+          class Variant = Median_and_sweep>
+bool search_recursively(const Predicates& predicates, Callback& callback, Progress& progress,
+                        const Variant& variant = Variant())
 {
   using Reporter = Pair_reporter<Callback>;
   Reporter report(callback);
-  return Book_route<ConcurrencyTag, Scene, Reporter, Progress>(scene, options, report, progress)();
+  Recursive_route<ConcurrencyTag, Predicates, Reporter, Progress, Variant> route(
+    predicates, report, progress, variant);
+  return route();
 }
 
 } // namespace internal

@@ -5,17 +5,23 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_NEIGHBOR_COLLECTOR_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_NEIGHBOR_COLLECTOR_H
 
-// Makes lists of neighbours from pairs that come in any order, by several threads at once.
+// Makes lists of neighbors from pairs that come in any order, by several threads at once.
 //
 // The lists of all points together are larger than a cache, and pairs belong to any of them. So
 // pairs are thrown into bins first, each for as many consecutive points as have their lists in a
 // cache; then the lists of one bin after another are filled and sorted.
 
 #include <CGAL/Neighbor_lists.h>
-#include <CGAL/Thick_intersection_d/internal/reports/Neighbor_bins.h>
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
-#include <CGAL/Thick_intersection_d/internal/arrays/sort_distinct.h>
 
+#include <CGAL/Thick_intersection_d/internal/arrays/prefix_sums.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/sort_distinct.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
+#include <CGAL/Thick_intersection_d/internal/machine/huge_pages.h>
+#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Neighbor_bins.h>
+
+#include <algorithm>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -32,7 +38,7 @@ class Neighbor_collector
 public:
   explicit Neighbor_collector(std::size_t size) : size_(size), bins_(Neighbor_bins(size)) {}
 
-  // Makes the points at two positions neighbours of each other.
+  // Makes the points at two positions neighbors of each other.
   void operator()(std::size_t i, std::size_t j)
   {
     Neighbor_bins& bins = bins_.local();
@@ -71,7 +77,7 @@ private:
 
   std::size_t bin_count() const { return (size_ + bin_size - 1) / bin_size; }
 
-  // Returns how many neighbours the points of all bins before each have.
+  // Returns how many neighbors the points of all bins before each have.
   std::vector<std::size_t> begins_of_all_bins()
   {
     std::vector<std::size_t> begins(bin_count() + 1, 0);
@@ -95,11 +101,9 @@ private:
   void make_lists(std::size_t bin, std::size_t begin, std::vector<std::size_t>& begins,
                   Position* lists)
   {
-    std::vector<std::size_t> ends(bin_size, 0); // of the lists, when all neighbours are in
+    std::vector<std::size_t> ends(bin_size, 0); // of the lists, once all neighbors are in
     for_each_neighbor(bin, [&](std::size_t of, Position) { ++ends[of]; });
-    std::size_t sum = 0;
-    for(std::size_t& end : ends)
-      sum += std::exchange(end, sum);
+    replace_by_prefix_sums(ends.data(), ends.data() + ends.size());
     for_each_neighbor(bin, [&](std::size_t of, Position position) {
       lists[ends[of]++] = position;
     });

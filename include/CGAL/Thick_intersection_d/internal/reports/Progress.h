@@ -5,19 +5,20 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_PROGRESS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_PROGRESS_H
 
-// Tells the user's functor bool(double) how much of the scene is done; it may cancel.
+// Calls the user's functor bool(double) with the share of the work that is done; it may cancel.
 
 #include <CGAL/Named_function_parameters.h>
 
 #include <cstddef>
 #include <mutex>
+#include <type_traits>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
 // For searches that nobody watches.
-struct No_progress
+struct Unwatched_progress
 {
   void restart(std::size_t) {}
   bool advance(std::size_t) { return true; }
@@ -27,10 +28,10 @@ struct No_progress
 
 // Calls the functor about a thousand times, one call at a time, with growing values up to 1.
 template <class Functor>
-class Progress
+class Watched_progress
 {
 public:
-  Progress(const Functor& functor, std::size_t total) : functor_(functor), total_(total) {}
+  Watched_progress(const Functor& functor, std::size_t total) : functor_(functor), total_(total) {}
 
   // Begins another part of the search: `total` objects share what is left of the progress.
   void restart(std::size_t total)
@@ -96,10 +97,10 @@ auto make_progress(const NamedParameters& np, std::size_t total)
 {
   if constexpr(parameters::is_default_parameter<NamedParameters,
                                                 internal_np::callback_t>::value)
-    return No_progress();
+    return Unwatched_progress();
   else {
     const auto& functor = parameters::get_parameter(np, internal_np::callback);
-    return Progress<std::decay_t<decltype(functor)>>(functor, total);
+    return Watched_progress<std::decay_t<decltype(functor)>>(functor, total);
   }
 }
 

@@ -5,10 +5,19 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_BUCKET_SORTER_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_BUCKET_SORTER_H
 
-// Sorts points along an axis. It takes linear time unless points crowd within crowds within crowds,
-// and O(n log n) in the worst case.
+// Sorts points along an axis: in linear time if they are spread evenly, and by buckets of buckets
+// if not; in O(n log n) time in the worst case.
 
-#include <CGAL/Thick_intersection_d/internal/slabs/Slabs.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/prefix_sums.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
+#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Equal_cut.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/tuning.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -30,12 +39,12 @@ void insertion_sort(Point* first, Point* last)
   }
 }
 
-// Sorts up to 16 points by counting for each how many are before it, without branches.
+// Sorts a few points by counting for each how many are before it, without branches.
 template <int axis, class Point>
 void rank_sort(Point* first, Point* last)
 {
-  Point points[16];
-  std::ptrdiff_t rank[16] = {};
+  Point points[few_points];
+  std::ptrdiff_t rank[few_points] = {};
   const std::ptrdiff_t size = last - first;
   std::copy(first, last, points);
   for(std::ptrdiff_t i = 1; i < size; ++i)
@@ -48,14 +57,20 @@ void rank_sort(Point* first, Point* last)
     first[rank[i]] = points[i];
 }
 
-template <int Dimension>
+// Sorts points by comparisons: where they crowd beyond all buckets. The axis is no template
+// parameter, because std::sort is long to compile.
+template <class Point>
+void comparison_sort(Point* first, Point* last, int axis)
+{
+  std::sort(first, last, [axis](const Point& p, const Point& q) { return p.x[axis] < q.x[axis]; });
+}
+
+template <class Point>
 class Bucket_sorter
 {
-  using Point = Slab_point<Dimension>;
-
 public:
   // Whether so few points need no buckets.
-  static bool are_few(std::ptrdiff_t count) { return count <= 16; }
+  static bool are_few(std::ptrdiff_t count) { return count <= few_points; }
 
   template <int axis>
   void sort(Point* first, Point* last)
@@ -64,8 +79,6 @@ public:
   }
 
 private:
-  static constexpr int greatest_depth = 2;
-
   // Sorts points into as many buckets as there are points, and those with many points again.
   template <int axis>
   void sort(Point* first, Point* last, int depth)
@@ -74,16 +87,15 @@ private:
       rank_sort<axis>(first, last);
       return;
     }
-    const Place size = static_cast<Place>(last - first);
-    Range range;
+    Interval interval;
     for(const Point* p = first; p != last; ++p)
-      range.add(p->x[axis]);
-    const Equal_cut cut(range, size);
-    if(depth == greatest_depth || cut.count() == 1) {
-      std::sort(first, last, [](const Point& p, const Point& q) { return p.x[axis] < q.x[axis]; });
+      interval.add(p->x[axis]);
+    const Equal_cut cut(interval, static_cast<double>(last - first));
+    if(depth == max_cut_depth || cut.count() == 1) {
+      comparison_sort(first, last, axis);
       return;
     }
-    Place* const ends = ends_[depth].require(cut.count()); // of buckets, when all points are in
+    Place* const ends = ends_[depth].require(cut.count());
     distribute<axis>(first, last, cut, ends);
     for(Place b = 0, begin = 0; b < cut.count(); begin = ends[b++])
       if(!are_few(ends[b] - begin))
@@ -91,22 +103,21 @@ private:
     insertion_sort<axis>(first, last);
   }
 
+  // Moves points to their buckets, and leaves in `ends` where the buckets end.
   template <int axis>
   void distribute(Point* first, Point* last, const Equal_cut& cut, Place* ends)
   {
     std::fill(ends, ends + cut.count(), 0);
     for(const Point* p = first; p != last; ++p)
       ++ends[cut(p->x[axis])];
-    Place sum = 0;
-    for(Place b = 0; b < cut.count(); ++b)
-      sum += std::exchange(ends[b], sum);
-    Point* const points = points_.require(sum);
+    const Place size = replace_by_prefix_sums(ends, ends + cut.count());
+    Point* const points = points_.require(size);
     std::copy(first, last, points);
-    for(const Point* p = points; p != points + sum; ++p)
+    for(const Point* p = points; p != points + size; ++p)
       first[ends[cut(p->x[axis])]++] = *p;
   }
 
-  std::array<Buffer<Place>, greatest_depth> ends_;
+  std::array<Buffer<Place>, max_cut_depth> ends_;
   Buffer<Point> points_;
 };
 

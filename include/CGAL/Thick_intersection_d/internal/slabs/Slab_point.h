@@ -5,24 +5,41 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_SLAB_POINT_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_SLAB_POINT_H
 
-// Points as the slab route sees them: doubles, and the position in the user's range.
+// A point on its way through the slabs.
+
+#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
 
 #include <array>
-#include <cstdint>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// A position of a point, or an index into an array of points.
-using Place = std::uint32_t;
-
+// Its coordinates as doubles, along the axes that are searched, and its position.
 template <int Dimension>
 struct Slab_point
 {
+  static constexpr int dimension = Dimension;
+  static constexpr int slab_axis = Dimension - 1; // that slabs are cut along
+
   std::array<double, Dimension> x;
   Place position;
 };
+
+// The intervals of some coordinates along all axes.
+template <int Dimension>
+using Box = std::array<Interval, Dimension>;
+
+template <class Point>
+Box<Point::dimension> box_of(const Point* first, const Point* last)
+{
+  Box<Point::dimension> box;
+  for(; first != last; ++first)
+    for(int axis = 0; axis < Point::dimension; ++axis)
+      box[axis].add(first->x[axis]);
+  return box;
+}
 
 } // namespace internal
 } // namespace Thick_intersection_d

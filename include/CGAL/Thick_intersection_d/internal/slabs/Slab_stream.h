@@ -5,53 +5,60 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_SLAB_STREAM_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_SLAB_STREAM_H
 
-// Slabs made ready to be swept, one after another along the last axis.
+// Makes one slab after another ready to be swept, and cuts those again that are large or crowded.
 
+#include <CGAL/Thick_intersection_d/internal/arrays/prefix_sums.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
+#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Bucket_sorter.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Equal_cut.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slabs.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Strips.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Strips_maker.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/tuning.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-template <int Dimension>
+template <class Point>
 class Slab_stream
 {
-  using Point = Slab_point<Dimension>;
-
 public:
   // Starts with the slab `first`.
-  Slab_stream(const Slabs<Dimension>& slabs, double reach, Place first,
-              const Part_sizes& sizes = Part_sizes())
-    : slabs_(slabs), reach_(reach), sizes_(sizes), next_slab_(first), maker_(reach, sizes)
+  Slab_stream(const Slabs<Point>& slabs, double reach, Place first, const Slab_tuning& tuning)
+    : slabs_(slabs), reach_(reach), tuning_(tuning), next_slab_(first), maker_(reach, tuning)
   {}
 
   // The number of the slab that the last strips belong to.
   Place slab() const { return next_slab_ - 1; }
 
-  // Sets `strips` to those of the next slab, or part of a slab; returns false if there is none.
+  // Sets `strips` to those of the next slab, or of the next lower slab that one was cut into;
+  // returns false if there is none.
   //
-  // Parts of sparse points are higher than usual. If the points in one turn out to crowd along axis
-  // 0, as on a line across the slabs or in clusters, it is cut into lower ones after all: then
+  // Slabs of sparse points are higher than usual. If the points in one turn out to crowd along axis
+  // 0, as on a line across the slabs or in clusters, it is cut into lower slabs after all: then
   // sweeps look at no more than O(C(n + k)) pairs.
-  bool next(Strips<Dimension>& strips)
+  bool next(Strips<Point>& strips)
   {
     for(;;) {
-      if(pending_.empty()) {
-        if(next_slab_ == slabs_.count())
-          return false;
-        pending_.push_back({slabs_.begin(next_slab_), slabs_.end(next_slab_), 0});
-        ++next_slab_;
-      }
-      const Part part = pending_.back();
+      if(pending_.empty() && !take_next_slab())
+        return false;
+      const Slab slab = pending_.back();
       pending_.pop_back();
-      if(part.first == part.last)
+      if(slab.size() == 0)
         continue;
-      maker_.count(part.first, part.last);
-      const Range range = maker_.range(axis);
-      const bool is_high = range.high - range.low > greatest_height * reach_;
-      if(is_high && part.depth <= greatest_depth
-         && (maker_.is_crowded() || part.size() > sizes_.large_slab)) {
-        cut(part, range);
+      maker_.count(slab.first, slab.last);
+      const Interval interval = maker_.interval(axis);
+      if(interval.length() > max_height * reach_ && slab.cuts <= max_cut_depth
+         && (maker_.is_crowded() || slab.size() > tuning_.max_slab_size)) {
+        cut(slab, interval);
         continue;
       }
       maker_.make(strips);
@@ -60,65 +67,73 @@ public:
   }
 
 private:
-  static constexpr int axis = Dimension - 1;
-  static constexpr int greatest_depth = 2;
+  static constexpr int axis = Point::slab_axis;
 
-  struct Part
+  struct Slab
   {
     const Point* first;
     const Point* last;
-    int depth;
+    int cuts; // how often the points were cut
 
     Place size() const { return static_cast<Place>(last - first); }
   };
 
-  // Cuts a part into lower ones, which come next: of equal height, or if that was tried before,
+  bool take_next_slab()
+  {
+    if(next_slab_ == slabs_.count())
+      return false;
+    pending_.push_back({slabs_.begin(next_slab_), slabs_.end(next_slab_), 0});
+    ++next_slab_;
+    return true;
+  }
+
+  // Cuts a slab into lower ones, which come next: of equal height, or if that was tried before,
   // where the points are.
-  void cut(const Part& part, const Range& range)
+  void cut(const Slab& slab, const Interval& interval)
   {
-    const Equal_cut cut(range, part_count(range, part.size(), reach_, sizes_.strip));
-    if(part.depth == greatest_depth || cut.count() == 1)
-      cut_sorted(part);
+    const Equal_cut cut(interval, piece_count(interval.length(), slab.size(), reach_,
+                                              tuning_.points_per_strip));
+    if(slab.cuts == max_cut_depth || cut.count() == 1)
+      cut_sorted(slab);
     else
-      cut_equally(part, cut);
+      cut_equally(slab, cut);
   }
 
-  void cut_equally(const Part& part, const Equal_cut& cut)
+  void cut_equally(const Slab& slab, const Equal_cut& cut)
   {
-    std::vector<Place> ends(cut.count(), 0); // of the parts, when all points are in
-    for(const Point* p = part.first; p != part.last; ++p)
+    std::vector<Place> ends(cut.count(), 0); // of the lower slabs, once all points are in
+    for(const Point* p = slab.first; p != slab.last; ++p)
       ++ends[cut(p->x[axis])];
-    Place sum = 0;
-    for(Place& end : ends)
-      sum += std::exchange(end, sum);
-    Point* const points = scratch_[part.depth].require(part.size());
-    for(const Point* p = part.first; p != part.last; ++p)
+    replace_by_prefix_sums(ends.data(), ends.data() + ends.size());
+    Point* const points = scratch_[slab.cuts].require(slab.size());
+    for(const Point* p = slab.first; p != slab.last; ++p)
       points[ends[cut(p->x[axis])]++] = *p;
-    for(Place p = cut.count(); p-- > 0;)
-      pending_.push_back({points + (p == 0 ? 0 : ends[p - 1]), points + ends[p], part.depth + 1});
+    for(Place s = cut.count(); s-- > 0;)
+      pending_.push_back({points + (s == 0 ? 0 : ends[s - 1]), points + ends[s], slab.cuts + 1});
   }
 
-  void cut_sorted(const Part& part)
+  void cut_sorted(const Slab& slab)
   {
-    Point* const points = scratch_[part.depth].require(part.size());
-    std::copy(part.first, part.last, points);
-    sorter_.template sort<axis>(points, points + part.size());
+    Point* const points = scratch_[slab.cuts].require(slab.size());
+    std::copy(slab.first, slab.last, points);
+    sorter_.template sort<axis>(points, points + slab.size());
     const auto bottom = static_cast<std::ptrdiff_t>(pending_.size());
-    for_each_sorted_part<axis>(points, points + part.size(), usual_height * reach_,
-                               sizes_.sorted_part, [&](const Point* first, const Point* last) {
-                                 pending_.push_back({first, last, greatest_depth + 1});
-                               });
+    for_each_sorted_piece<axis>(points, points + slab.size(), usual_height * reach_,
+                                tuning_.points_per_sorted_strip,
+                                [&](const Point* first, const Point* last) {
+                                  pending_.push_back({first, last, max_cut_depth + 1});
+                                });
     std::reverse(pending_.begin() + bottom, pending_.end());
   }
 
-  const Slabs<Dimension>& slabs_;
+  const Slabs<Point>& slabs_;
   const double reach_;
-  const Part_sizes sizes_;
+  const Slab_tuning tuning_;
   Place next_slab_;
-  std::vector<Part> pending_; // the last one comes first
-  std::array<Buffer<Point>, greatest_depth + 1> scratch_; // the points of parts, by depth
-  Strips_maker<Dimension> maker_;
-  Bucket_sorter<Dimension> sorter_;
+  std::vector<Slab> pending_; // the last one comes first
+  std::array<Buffer<Point>, max_cut_depth + 1> scratch_; // the points of cut slabs, by cuts
+  Strips_maker<Point> maker_;
+  Bucket_sorter<Point> sorter_;
 };
 
 } // namespace internal

@@ -5,74 +5,94 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_SLAB_WINDOW_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_SLAB_WINDOW_H
 
-// The slab that is swept, and those behind it within reach.
+// The slabs near the one that is being swept. Only these are ready at a time, so that they are
+// swept while they are in the cache.
 
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_stream.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slabs.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Strips.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/tuning.h>
 
+#include <cstddef>
 #include <deque>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Consecutive slabs, or parts of slabs, of which only those near the one being swept are held.
-template <int Dimension>
+template <class Point>
 class Slab_window
 {
 public:
-  Slab_window(const Slabs<Dimension>& slabs, double reach, Place first,
-              const Part_sizes& sizes = Part_sizes())
-    : stream_(slabs, reach, first, sizes), reach_(reach), end_(slabs.count())
+  using Slabs_nearby = std::vector<const Strips<Point>*>;
+
+  // Starts with the slab `first`.
+  Slab_window(const Slabs<Point>& slabs, double reach, Place first, const Slab_tuning& tuning)
+    : stream_(slabs, reach, first, tuning), reach_(reach), end_(slabs.count())
   {}
 
-  // Returns the strips at `index` in the window, or nullptr if there are no more.
-  const Strips<Dimension>* operator[](std::size_t index)
-  {
-    while(index >= parts_.size()) {
-      parts_.push_back(std::move(spare_));
-      if(!stream_.next(parts_.back().strips)) {
-        parts_.pop_back();
-        return nullptr;
-      }
-      parts_.back().slab = stream_.slab();
-    }
-    return &parts_[index].strips;
-  }
-
-  // Returns the strips at `index` if some of them are within reach above `high`, otherwise nullptr.
-  // Strips follow each other, so those before them may tell that they need not be made.
-  const Strips<Dimension>* within_reach(std::size_t index, double high)
-  {
-    if(index > 0 && parts_[index - 1].strips.range(axis).high - high > reach_)
-      return nullptr;
-    const Strips<Dimension>* const strips = (*this)[index];
-    return strips && strips->range(axis).low - high <= reach_ ? strips : nullptr;
-  }
+  // Returns the first slab in the window, or nullptr if there is none.
+  const Strips<Point>* front() { return at(0); }
 
   // The number of the slab that the first strips belong to, or that of slabs if there are none.
-  Place slab() { return (*this)[0] ? parts_.front().slab : end_; }
+  Place slab() { return front() ? ready_.front().slab : end_; }
 
   void pop()
   {
-    spare_ = std::move(parts_.front());
-    parts_.pop_front();
+    spare_ = std::move(ready_.front());
+    ready_.pop_front();
+  }
+
+  // Drops the slabs that are beyond reach below `low`.
+  void drop_below(double low)
+  {
+    while(front() && low - front()->interval(axis).high > reach_)
+      pop();
+  }
+
+  // Sets `slabs` to those that are not beyond reach above `high`. Slabs follow each other, so the
+  // last of them may show that the next one need not be made ready.
+  void find_within_reach(double high, Slabs_nearby& slabs)
+  {
+    slabs.clear();
+    while(slabs.empty() || slabs.back()->interval(axis).high - high <= reach_) {
+      const Strips<Point>* const next = at(slabs.size());
+      if(!next || next->interval(axis).low - high > reach_)
+        return;
+      slabs.push_back(next);
+    }
   }
 
 private:
-  struct Part
+  struct Ready_slab
   {
-    Strips<Dimension> strips;
+    Strips<Point> strips;
     Place slab = 0;
   };
 
-  static constexpr int axis = Dimension - 1; // that slabs are cut along
+  static constexpr int axis = Point::slab_axis;
 
-  Slab_stream<Dimension> stream_;
+  const Strips<Point>* at(std::size_t index)
+  {
+    while(index >= ready_.size()) {
+      ready_.push_back(std::move(spare_));
+      if(!stream_.next(ready_.back().strips)) {
+        ready_.pop_back();
+        return nullptr;
+      }
+      ready_.back().slab = stream_.slab();
+    }
+    return &ready_[index].strips;
+  }
+
+  Slab_stream<Point> stream_;
   const double reach_;
   const Place end_;
-  std::deque<Part> parts_;
-  Part spare_; // whose memory is used again
+  std::deque<Ready_slab> ready_;
+  Ready_slab spare_; // whose memory is used again
 };
 
 } // namespace internal

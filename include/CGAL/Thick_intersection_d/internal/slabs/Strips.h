@@ -5,14 +5,18 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_STRIPS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_STRIPS_H
 
-// A slab ready to be swept: strips of points, each sorted along axis 0. In the plane a slab is one
-// strip, in space it is cut along axis 1.
+// A slab ready to be swept: strips of points, each of them sorted along axis 0. In the plane a slab
+// is one strip; in space it is cut along axis 1.
 
-#include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
+#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -20,76 +24,40 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-struct Range
-{
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-
-  void add(double x)
-  {
-    low = x < low ? x : low;
-    high = high < x ? x : high;
-  }
-};
-
-// How many sweeps look at together; see Candidates.h.
-constexpr Place lanes = 8;
-
-// Points sorted along axis 0, a column per axis. Behind the last one there are `lanes` points with
-// the coordinate NaN along axis 0, which are not near anything: they end all loops.
-template <int Dimension>
-struct Run
-{
-  std::array<const double*, Dimension> x;
-  const Place* positions;
-  Place size;
-
-  // Returns one of `count` shares of the run, whose points a sweep starts with: it meets the points
-  // behind them as well.
-  Run share(Place index, Place count) const
-  {
-    const std::uint64_t groups = (size + lanes - 1) / lanes;
-    const Place begin = static_cast<Place>(groups * index / count * lanes);
-    const Place end = static_cast<Place>(groups * (index + 1) / count * lanes);
-    Run share = *this;
-    for(const double*& column : share.x)
-      column += begin;
-    share.positions += begin;
-    share.size = (std::min)(end, size) - begin;
-    return share;
-  }
-};
-
-// The places [begin, end) of columns, and the ranges of their coordinates along axis 1 and up.
+// The places [begin, end) of columns, and the intervals of the coordinates of the points there.
 template <int Dimension>
 struct Strip
 {
   Place begin;
   Place end;
-  std::array<Range, Dimension> ranges;
+  Box<Dimension> box;
+
+  Place size() const { return end - begin; }
 };
 
-template <int Dimension>
+template <class Point>
 class Strips
 {
+  static constexpr int dimension = Point::dimension;
+
 public:
-  using Point = Slab_point<Dimension>;
+  using Strip_of_points = Strip<dimension>;
 
-  const std::vector<Strip<Dimension>>& strips() const { return strips_; }
+  const std::vector<Strip_of_points>& strips() const { return strips_; }
   Place size() const { return size_; }
-  const Range& range(int axis) const { return ranges_[axis]; }
+  const Interval& interval(int axis) const { return box_[axis]; }
 
-  // About how many pairs of these points a sweep looks at. Not known for parts.
-  double crowd() const { return crowd_; }
-  void set_crowd(double crowd) { crowd_ = crowd; }
+  // About how many pairs of the points are candidates: in one strip, within a reach along axis 0.
+  double candidates() const { return candidates_; }
+  void set_candidates(double candidates) { candidates_ = candidates; }
 
-  Run<Dimension> run(const Strip<Dimension>& strip) const
+  Run<dimension> run(const Strip_of_points& strip) const
   {
-    Run<Dimension> run;
-    for(int axis = 0; axis < Dimension; ++axis)
+    Run<dimension> run;
+    for(int axis = 0; axis < dimension; ++axis)
       run.x[axis] = columns_[axis].data() + strip.begin;
     run.positions = positions_.data() + strip.begin;
-    run.size = strip.end - strip.begin;
+    run.size = strip.size();
     return run;
   }
 
@@ -103,38 +71,37 @@ public:
     strips_.clear();
     size_ = 0;
     end_ = 0;
-    ranges_ = {};
+    box_ = {};
   }
 
   // Appends a strip of points that are sorted along axis 0.
   template <class Iterator>
   void append(Iterator first, Iterator last)
   {
-    Strip<Dimension> strip{end_, end_, {}};
+    Strip_of_points strip{end_, end_, {}};
     for(; first != last; ++first) {
       const Point& p = *first;
-      for(int axis = 0; axis < Dimension; ++axis) {
+      for(int axis = 0; axis < dimension; ++axis) {
         columns_[axis].data()[strip.end] = p.x[axis];
-        strip.ranges[axis].add(p.x[axis]);
+        strip.box[axis].add(p.x[axis]);
       }
       positions_.data()[strip.end++] = p.position;
     }
     close(strip);
   }
 
-  // Appends the points of a strip of another slab whose coordinate along `axis` is in `range`.
-  // `kept` is room for as many places as there are points in the strip.
-  void append_part(const Strips& other, const Strip<Dimension>& strip, int axis,
-                   const Range& range, Place* kept)
+  // Appends the border of a strip of another slab: the points whose coordinate along `axis` is in
+  // `interval`. `kept` is room for as many places as there are points in the strip.
+  void append_border(const Strips& other, const Strip_of_points& strip, int axis,
+                     const Interval& interval, Place* kept)
   {
     const double* x = other.columns_[axis].data();
     Place count = 0;
     for(Place i = strip.begin; i != strip.end; ++i) {
       kept[count] = i;
-      count += static_cast<Place>(x[i] >= range.low) & static_cast<Place>(x[i] <= range.high);
+      count += static_cast<Place>(x[i] >= interval.low) & static_cast<Place>(x[i] <= interval.high);
     }
-    Strip<Dimension> part{end_, end_ + count, strip.ranges};
-    for(int each = 0; each < Dimension; ++each) {
+    for(int each = 0; each < dimension; ++each) {
       const double* from = other.columns_[each].data();
       double* to = columns_[each].data() + end_;
       for(Place k = 0; k < count; ++k)
@@ -142,33 +109,32 @@ public:
     }
     for(Place k = 0; k < count; ++k)
       positions_.data()[end_ + k] = other.positions_.data()[kept[k]];
-    close(part);
+    close({end_, end_ + count, strip.box});
   }
 
 private:
-  void close(const Strip<Dimension>& strip)
+  // Puts the end of a run behind a strip, and keeps the strip unless it is empty.
+  void close(const Strip_of_points& strip)
   {
     for(Place lane = 0; lane < lanes; ++lane)
       columns_[0].data()[strip.end + lane] = std::numeric_limits<double>::quiet_NaN();
-    for(int axis = 1; axis < Dimension; ++axis) // not used, but read
+    for(int axis = 1; axis < dimension; ++axis) // not used, but read
       for(Place lane = 0; lane < lanes; ++lane)
         columns_[axis].data()[strip.end + lane] = 0;
     end_ = strip.end + lanes;
-    if(strip.begin == strip.end)
+    if(strip.size() == 0)
       return;
     strips_.push_back(strip);
-    size_ += strip.end - strip.begin;
-    for(int axis = 0; axis < Dimension; ++axis) {
-      ranges_[axis].add(strip.ranges[axis].low);
-      ranges_[axis].add(strip.ranges[axis].high);
-    }
+    size_ += strip.size();
+    for(int axis = 0; axis < dimension; ++axis)
+      box_[axis].add(strip.box[axis]);
   }
 
-  std::array<Buffer<double>, Dimension> columns_;
+  std::array<Buffer<double>, dimension> columns_;
   Buffer<Place> positions_;
-  std::vector<Strip<Dimension>> strips_;
-  std::array<Range, Dimension> ranges_;
-  double crowd_ = 0;
+  std::vector<Strip_of_points> strips_;
+  Box<dimension> box_;
+  double candidates_ = 0;
   Place size_ = 0;
   Place end_ = 0; // of the places used
 };

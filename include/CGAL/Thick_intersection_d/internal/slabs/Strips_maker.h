@@ -5,21 +5,33 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_STRIPS_MAKER_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_STRIPS_MAKER_H
 
-// Makes strips of the points of a slab: counts, then sorts.
+// Makes a slab ready to be swept: counts its points by strips and buckets, then sorts them.
 
+#include <CGAL/Thick_intersection_d/internal/arrays/prefix_sums.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
+#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Bucket_sorter.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Equal_cut.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Strips.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/tuning.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Calls task(first, last) for parts of points that are sorted along an axis: no higher than
-// `height`, or of no more than `few` points.
+// Calls task(first, last) for pieces of points that are sorted along an axis: each no longer than
+// `length`, or of no more than `few` points.
 template <int axis, class Point, class Task>
-void for_each_sorted_part(Point* first, Point* last, double height, Place few, const Task& task)
+void for_each_sorted_piece(Point* first, Point* last, double length, Place few, const Task& task)
 {
   while(first != last) {
-    const double limit = first->x[axis] + height;
+    const double limit = first->x[axis] + length;
     Point* end = first + 1;
     while(end != last && (end->x[axis] <= limit || end - first < static_cast<std::ptrdiff_t>(few)))
       ++end;
@@ -28,39 +40,39 @@ void for_each_sorted_part(Point* first, Point* last, double height, Place few, c
   }
 }
 
-template <int Dimension>
+template <class Point>
 class Strips_maker
 {
-  using Point = Slab_point<Dimension>;
+  static constexpr bool is_in_plane = Point::dimension == 2;
 
 public:
-  Strips_maker(double reach, const Part_sizes& sizes) : reach_(reach), sizes_(sizes) {}
+  Strips_maker(double reach, const Slab_tuning& tuning) : reach_(reach), tuning_(tuning) {}
 
   // Looks at the points [first, last), of which there are some, and counts them by strips and by
-  // buckets along axis 0. In the plane there is one strip.
+  // buckets along axis 0.
   void count(const Point* first, const Point* last)
   {
     first_ = first;
     last_ = last;
     box_ = box_of(first, last);
-    const double strips = Dimension == 2 ? 1 : part_count(box_[1], size(), reach_, sizes_.strip);
-    count_by(Equal_cut(box_[1], strips));
+    count_buckets();
+    estimate_candidates();
   }
 
-  // Whether so many pairs of points in the same strip may be within a reach along axis 0 that they
-  // should not be in one slab if that is high.
-  bool is_crowded() const { return !(crowd_ <= usual_crowd * size()); }
+  // Whether the strips hold so many candidates that a high slab should be cut again.
+  bool is_crowded() const { return !(candidates_ <= usual_candidates * size()); }
 
-  const Range& range(int axis) const { return box_[axis]; }
+  const Interval& interval(int axis) const { return box_[axis]; }
 
   // Makes strips of the points that were counted.
-  void make(Strips<Dimension>& strips)
+  void make(Strips<Point>& strips)
   {
-    if(Dimension == 3 && is_crowded() && are_strips_high() && size() > sizes_.sorted_part)
+    if(!is_in_plane && is_crowded() && are_strips_high() &&
+       size() > tuning_.points_per_sorted_strip)
       make_sorted_strips(strips);
     else
       make_counted_strips(strips);
-    strips.set_crowd(crowd_);
+    strips.set_candidates(candidates_);
   }
 
 private:
@@ -69,60 +81,66 @@ private:
   // Whether strips are so high that points far from each other may crowd in them.
   bool are_strips_high() const
   {
-    return box_[1].high - box_[1].low > greatest_height * reach_ * across_.count();
+    return box_[1].length() > max_height * reach_ * across_.count();
   }
 
   Place bucket(const Point& p) const
   {
-    if constexpr(Dimension == 2)
+    if constexpr(is_in_plane)
       return along_(p.x[0]);
     else
       return across_(p.x[1]) * along_.count() + along_(p.x[0]);
   }
 
-  void count_by(const Equal_cut& across)
+  Place bucket_count() const { return across_.count() * along_.count(); }
+
+  // Cuts the slab into strips, in the plane into one, and each strip into buckets, of which there
+  // are as many as points.
+  void count_buckets()
   {
-    across_ = across;
-    along_ = Equal_cut(box_[0], size() / across.count());
-    const Place buckets = across_.count() * along_.count();
-    Place* const counts = counts_.require(buckets);
-    std::fill(counts, counts + buckets, 0);
+    across_ = is_in_plane ? Equal_cut()
+                          : Equal_cut(box_[1], piece_count(box_[1].length(), size(), reach_,
+                                                           tuning_.points_per_strip));
+    along_ = Equal_cut(box_[0], size() / across_.count());
+    Place* const counts = counts_.require(bucket_count());
+    std::fill(counts, counts + bucket_count(), 0);
     for(const Point* p = first_; p != last_; ++p)
       ++counts[bucket(*p)];
+  }
 
+  // A point is within a reach along axis 0 of the points in its own bucket, and in as many buckets
+  // behind it as a reach covers.
+  void estimate_candidates()
+  {
+    const Place* const counts = counts_.data();
     longest_ = 0;
     double squares = 0;
-    for(Place b = 0; b < buckets; ++b) {
+    for(Place b = 0; b < bucket_count(); ++b) {
       longest_ = (std::max)(longest_, counts[b]);
       squares += static_cast<double>(counts[b]) * counts[b];
     }
-    // A point is within reach of those in its own bucket and in so many behind it.
-    const double width = (box_[0].high - box_[0].low) / along_.count();
+    const double width = box_[0].length() / along_.count();
     const double in_reach = squares * (std::ceil(reach_ / width) + 1);
     const double all = static_cast<double>(size()) * size();
-    crowd_ = in_reach < all ? in_reach : all; // also if the width is zero
+    candidates_ = in_reach < all ? in_reach : all; // also if the width is zero
   }
 
-  // Sorts the points into buckets, and those one by one.
-  void make_counted_strips(Strips<Dimension>& strips)
+  // Sorts the points into buckets, and then the points of each bucket.
+  void make_counted_strips(Strips<Point>& strips)
   {
-    const Place row = along_.count();
-    const Place buckets = across_.count() * row;
-    Place* const ends = counts_.data(); // of the buckets, when all points are in
-    Place sum = 0;
-    for(Place b = 0; b < buckets; ++b)
-      sum += std::exchange(ends[b], sum);
+    Place* const ends = counts_.data(); // of the buckets, once all points are in
     Point* const sorted = sorted_.require(size());
+    replace_by_prefix_sums(ends, ends + bucket_count());
     for(const Point* p = first_; p != last_; ++p)
       sorted[ends[bucket(*p)]++] = *p;
     if(!sorter_.are_few(longest_))
-      for(Place b = 0, begin = 0; b < buckets; begin = ends[b++])
+      for(Place b = 0, begin = 0; b < bucket_count(); begin = ends[b++])
         if(!sorter_.are_few(ends[b] - begin))
           sorter_.template sort<0>(sorted + begin, sorted + ends[b]);
 
     strips.reset(size(), across_.count());
     for(Place s = 0, begin = 0; s < across_.count(); ++s) {
-      const Place end = ends[(s + 1) * row - 1];
+      const Place end = ends[(s + 1) * along_.count() - 1];
       insertion_sort<0>(sorted + begin, sorted + end);
       strips.append(sorted + begin, sorted + end);
       begin = end;
@@ -130,14 +148,14 @@ private:
   }
 
   // Sorts the points along axis 1, and cuts them into strips where they are.
-  void make_sorted_strips(Strips<Dimension>& strips)
+  void make_sorted_strips(Strips<Point>& strips)
   {
     Point* const sorted = sorted_.require(size());
     std::copy(first_, last_, sorted);
     sorter_.template sort<1>(sorted, sorted + size());
     const auto for_each_strip = [&](const auto& task) {
-      for_each_sorted_part<1>(sorted, sorted + size(), usual_height * reach_, sizes_.sorted_part,
-                              task);
+      for_each_sorted_piece<1>(sorted, sorted + size(), usual_height * reach_,
+                               tuning_.points_per_sorted_strip, task);
     };
     Place count = 0;
     for_each_strip([&](Point*, Point*) { ++count; });
@@ -148,20 +166,18 @@ private:
     });
   }
 
-  static constexpr double usual_crowd = 8; // pairs per point
-
   const double reach_;
-  const Part_sizes sizes_;
+  const Slab_tuning tuning_;
   const Point* first_ = nullptr;
   const Point* last_ = nullptr;
-  std::array<Range, Dimension> box_;
-  Equal_cut across_{Range(), 1}; // into strips
-  Equal_cut along_{Range(), 1};  // strips into buckets
-  Place longest_ = 0;            // bucket
-  double crowd_ = 0;   // about how many pairs are within reach along axis 0 in the same strip
+  Box<Point::dimension> box_;
+  Equal_cut across_;      // the slab into strips
+  Equal_cut along_;       // a strip into buckets
+  Place longest_ = 0;     // the size of the largest bucket
+  double candidates_ = 0; // their estimated number
   Buffer<Place> counts_;
   Buffer<Point> sorted_;
-  Bucket_sorter<Dimension> sorter_;
+  Bucket_sorter<Point> sorter_;
 };
 
 } // namespace internal

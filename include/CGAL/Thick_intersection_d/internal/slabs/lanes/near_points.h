@@ -5,37 +5,18 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_NEAR_POINTS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_NEAR_POINTS_H
 
-// Collects candidates by the instructions that the processor has. All versions collect the same
-// pairs in the same order, but for pairs that the filter does not decide: these may also be left
-// out where they are beyond the bound.
+// Near pairs of points, by the best instructions that the processor has. Each instruction set has a
+// file of its own; a new one is listed here.
 
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/First_supported.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/near_points_avx512.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/near_points_plain.h>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-template <int Dimension, class Flush>
-void collect_within(const Run<Dimension>& run, double reach, const Distance_filter& filter,
-                    Candidates& candidates, const Flush& flush)
-{
-#ifdef CGAL_THICK_INTERSECTION_D_HAS_AVX512_CODE
-  if(has_avx512())
-    return collect_within_avx512(run, reach, filter, candidates, flush);
-#endif
-  collect_within_plain(run, reach, filter, candidates, flush);
-}
-
-template <int Dimension, class Flush>
-void collect_between(const Run<Dimension>& a, const Run<Dimension>& b, double reach,
-                     const Distance_filter& filter, Candidates& candidates, const Flush& flush)
-{
-#ifdef CGAL_THICK_INTERSECTION_D_HAS_AVX512_CODE
-  if(has_avx512())
-    return collect_between_avx512(a, b, reach, filter, candidates, flush);
-#endif
-  collect_between_plain(a, b, reach, filter, candidates, flush);
-}
+using Near_points_lanes = First_supported<Near_points_avx512, Near_points_plain>;
 
 } // namespace internal
 } // namespace Thick_intersection_d

@@ -5,17 +5,23 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_NEAR_POINTS_AVX512_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_NEAR_POINTS_AVX512_H
 
-// The functions of Candidates.h for processors with AVX-512, which compress the near ones of eight
-// lanes into consecutive memory at once. Many pairs in space are reported twice as fast by them
-// (doc/design.md). The only file with instructions of a processor.
+// Near pairs of points with AVX-512, whose instructions compress the near ones of eight lanes into
+// consecutive memory at once. Many pairs in space are reported twice as fast by them
+// (doc/design.md). The loops are those of near_points_plain.h, which explains them.
 
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Candidates.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/near_points_plain.h>
+
+#include <algorithm>
+#include <cstdint>
 
 #if defined(__GNUC__) && defined(__x86_64__)
 
 #include <immintrin.h>
 
-#define CGAL_THICK_INTERSECTION_D_HAS_AVX512_CODE
 #define CGAL_THICK_INTERSECTION_D_AVX512 __attribute__((target("avx512f")))
 
 namespace CGAL {
@@ -24,19 +30,12 @@ namespace internal {
 
 static_assert(lanes == 8 && sizeof(Candidate) == 8, "A vector holds eight doubles or pairs.");
 
-// Whether the processor that this runs on has the instructions.
-inline bool has_avx512()
-{
-  static const bool has = __builtin_cpu_supports("avx512f");
-  return has;
-}
-
 // The near pairs of eight lanes: {i + lane, j + lane} or {i + lane, j}, for growing j.
-class Near_lanes
+class Near_lanes_avx512
 {
 public:
   CGAL_THICK_INTERSECTION_D_AVX512
-  Near_lanes(const Distance_filter& filter, Candidates& candidates)
+  Near_lanes_avx512(const Distance_filter& filter, Candidates& candidates)
     : inside_(_mm512_set1_pd(filter.inside)), outside_(_mm512_set1_pd(filter.outside)),
       candidates_(candidates), count_(candidates.count)
   {}
@@ -84,62 +83,71 @@ private:
   unsigned int undecided_ = 0;
 };
 
-template <int Dimension, class Flush>
-CGAL_THICK_INTERSECTION_D_AVX512 void
-collect_within_avx512(const Run<Dimension>& run, double reach, const Distance_filter& filter,
-                      Candidates& candidates, const Flush& flush)
+struct Near_points_avx512
 {
-  const __m512d reach_8 = _mm512_set1_pd(reach);
-  Near_lanes lanes_of_run(filter, candidates);
-  for(Place i = 0; i < run.size; i += lanes) {
-    __m512d p[Dimension];
-    for(int axis = 0; axis < Dimension; ++axis)
-      p[axis] = _mm512_loadu_pd(run.x[axis] + i);
-    lanes_of_run.start<true>(i, i + 1);
-    for(Place j = i + 1;; ++j) {
-      __m512d gap = _mm512_sub_pd(_mm512_loadu_pd(run.x[0] + j), p[0]);
-      if(_mm512_cmp_pd_mask(gap, reach_8, _CMP_LE_OQ) == 0)
-        break;
-      __m512d s = _mm512_mul_pd(gap, gap);
-      for(int axis = 1; axis < Dimension; ++axis) {
-        gap = _mm512_sub_pd(_mm512_loadu_pd(run.x[axis] + j), p[axis]);
-        s = _mm512_add_pd(s, _mm512_mul_pd(gap, gap));
-      }
-      if(!lanes_of_run.append(s, flush))
-        return;
-    }
+  static bool is_supported()
+  {
+    static const bool is = __builtin_cpu_supports("avx512f");
+    return is;
   }
-  lanes_of_run.finish();
-}
 
-template <int Dimension, class Flush>
-CGAL_THICK_INTERSECTION_D_AVX512 void
-collect_between_avx512(const Run<Dimension>& a, const Run<Dimension>& b, double reach,
-                       const Distance_filter& filter, Candidates& candidates, const Flush& flush)
-{
-  Place first = 0;
-  Near_lanes lanes_of_a(filter, candidates);
-  for(Place i = 0; i < a.size; i += lanes) {
-    const double low = a.x[0][i] - reach;
-    while(b.x[0][first] < low)
-      ++first;
-    const double high = a.x[0][(std::min)(i + lanes, a.size) - 1] + reach;
-    __m512d p[Dimension];
-    for(int axis = 0; axis < Dimension; ++axis)
-      p[axis] = _mm512_loadu_pd(a.x[axis] + i);
-    lanes_of_a.start<false>(i, first);
-    for(Place j = first; b.x[0][j] <= high; ++j) {
-      __m512d s = _mm512_setzero_pd();
-      for(int axis = 0; axis < Dimension; ++axis) {
-        const __m512d gap = _mm512_sub_pd(p[axis], _mm512_set1_pd(b.x[axis][j]));
-        s = _mm512_add_pd(s, _mm512_mul_pd(gap, gap));
+  template <int Dimension, class Flush>
+  CGAL_THICK_INTERSECTION_D_AVX512 static void
+  collect_within(const Run<Dimension>& run, Near_question near, Candidates& candidates,
+                 const Flush& flush)
+  {
+    const __m512d reach = _mm512_set1_pd(near.reach);
+    Near_lanes_avx512 lanes_of_run(near.filter, candidates);
+    for(Place i = 0; i < run.size; i += lanes) {
+      __m512d p[Dimension];
+      for(int axis = 0; axis < Dimension; ++axis)
+        p[axis] = _mm512_loadu_pd(run.x[axis] + i);
+      lanes_of_run.start<true>(i, i + 1);
+      for(Place j = i + 1;; ++j) {
+        __m512d gap = _mm512_sub_pd(_mm512_loadu_pd(run.x[0] + j), p[0]);
+        if(_mm512_cmp_pd_mask(gap, reach, _CMP_LE_OQ) == 0)
+          break;
+        __m512d s = _mm512_mul_pd(gap, gap);
+        for(int axis = 1; axis < Dimension; ++axis) {
+          gap = _mm512_sub_pd(_mm512_loadu_pd(run.x[axis] + j), p[axis]);
+          s = _mm512_add_pd(s, _mm512_mul_pd(gap, gap));
+        }
+        if(!lanes_of_run.append(s, flush))
+          return;
       }
-      if(!lanes_of_a.append(s, flush))
-        return;
     }
+    lanes_of_run.finish();
   }
-  lanes_of_a.finish();
-}
+
+  template <int Dimension, class Flush>
+  CGAL_THICK_INTERSECTION_D_AVX512 static void
+  collect_between(const Run<Dimension>& a, const Run<Dimension>& b, Near_question near,
+                  Candidates& candidates, const Flush& flush)
+  {
+    Place first = 0;
+    Near_lanes_avx512 lanes_of_a(near.filter, candidates);
+    for(Place i = 0; i < a.size; i += lanes) {
+      const double low = a.x[0][i] - near.reach;
+      while(b.x[0][first] < low)
+        ++first;
+      const double high = a.x[0][(std::min)(i + lanes, a.size) - 1] + near.reach;
+      __m512d p[Dimension];
+      for(int axis = 0; axis < Dimension; ++axis)
+        p[axis] = _mm512_loadu_pd(a.x[axis] + i);
+      lanes_of_a.start<false>(i, first);
+      for(Place j = first; b.x[0][j] <= high; ++j) {
+        __m512d s = _mm512_setzero_pd();
+        for(int axis = 0; axis < Dimension; ++axis) {
+          const __m512d gap = _mm512_sub_pd(p[axis], _mm512_set1_pd(b.x[axis][j]));
+          s = _mm512_add_pd(s, _mm512_mul_pd(gap, gap));
+        }
+        if(!lanes_of_a.append(s, flush))
+          return;
+      }
+    }
+    lanes_of_a.finish();
+  }
+};
 
 } // namespace internal
 } // namespace Thick_intersection_d
@@ -147,6 +155,21 @@ collect_between_avx512(const Run<Dimension>& a, const Run<Dimension>& b, double 
 
 #undef CGAL_THICK_INTERSECTION_D_AVX512
 
-#endif // a compiler and a processor that have them
+#else // no compiler or processor that has them
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+struct Near_points_avx512 : Near_points_plain
+{
+  static bool is_supported() { return false; }
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif
 
 #endif // CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_NEAR_POINTS_AVX512_H

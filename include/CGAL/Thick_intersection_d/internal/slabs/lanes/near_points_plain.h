@@ -5,113 +5,113 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_NEAR_POINTS_PLAIN_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_NEAR_POINTS_PLAIN_H
 
-// Pairs that may be within the bound, collected from sorted runs of points.
+// Near pairs of points by plain loops over lanes, which compilers turn into vector instructions.
 //
-// Coordinates come by `lanes` at a time, in loops that compilers turn into vector instructions.
-// Whether a pair is near is anybody's guess, so each is written, and counted if it is: a wrong
-// guess of a branch would cost more.
+// The branch on whether a pair is near cannot be predicted. So every pair is stored, and the
+// counter advances only for near ones.
 
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Strips.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Candidates.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
+
+#include <algorithm>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// The point at place i of one run and that at place j of the same or another.
-struct Candidate
+// What lanes ask of two points.
+struct Near_question
 {
-  Place i;
-  Place j;
+  double reach; // along axis 0
+  Distance_filter filter;
 };
 
-struct Candidates
+struct Near_points_plain
 {
-  static constexpr Place capacity = 1024;
+  static bool is_supported() { return true; }
 
-  Place count = 0;
-  bool is_any_undecided = false; // by the filter
-  std::array<Candidate, capacity + lanes> pairs; // so many may come before the next look
+  // Collects the pairs of a run that are within reach along axis 0 and not certainly beyond the
+  // bound. Calls flush(), which returns false to stop, when there are many.
+  //
+  // Lanes are consecutive points i, each with the point that is as many places behind it, as long
+  // as one of these is within reach.
+  template <int Dimension, class Flush>
+  static void collect_within(const Run<Dimension>& run, Near_question near,
+                             Candidates& candidates, const Flush& flush)
+  {
+    for(Place i = 0; i < run.size; i += lanes) {
+      for(Place j = i + 1;; ++j) {
+        double s[lanes];
+        int is_any_in_reach = 0;
+        for(Place lane = 0; lane < lanes; ++lane) {
+          const double gap = run.x[0][j + lane] - run.x[0][i + lane];
+          s[lane] = gap * gap;
+          is_any_in_reach |= gap <= near.reach;
+        }
+        if(!is_any_in_reach)
+          break;
+        for(int axis = 1; axis < Dimension; ++axis)
+          for(Place lane = 0; lane < lanes; ++lane) {
+            const double gap = run.x[axis][j + lane] - run.x[axis][i + lane];
+            s[lane] += gap * gap;
+          }
+        append<true>(i, j, s, near.filter, candidates);
+        if(candidates.count >= Candidates::capacity && !flush())
+          return;
+      }
+    }
+  }
+
+  // Collects the pairs of a point of run a and one of run b, likewise. Lanes are consecutive points
+  // of a, each with the same point of b.
+  template <int Dimension, class Flush>
+  static void collect_between(const Run<Dimension>& a, const Run<Dimension>& b,
+                              Near_question near, Candidates& candidates,
+                              const Flush& flush)
+  {
+    Place first = 0; // points of b before it are too low for all points of a to come
+    for(Place i = 0; i < a.size; i += lanes) {
+      const double low = a.x[0][i] - near.reach; // not above any coordinate within reach
+      while(b.x[0][first] < low)
+        ++first;
+      const double high = a.x[0][(std::min)(i + lanes, a.size) - 1] + near.reach;
+      for(Place j = first; b.x[0][j] <= high; ++j) {
+        double s[lanes] = {};
+        for(int axis = 0; axis < Dimension; ++axis) {
+          const double y = b.x[axis][j];
+          for(Place lane = 0; lane < lanes; ++lane) {
+            const double gap = a.x[axis][i + lane] - y;
+            s[lane] += gap * gap;
+          }
+        }
+        append<false>(i, j, s, near.filter, candidates);
+        if(candidates.count >= Candidates::capacity && !flush())
+          return;
+      }
+    }
+  }
+
+private:
+  // Appends the pairs {i + lane, j + lane} or {i + lane, j} whose squared distance is not certainly
+  // beyond the bound.
+  template <bool moves_j>
+  static void append(Place i, Place j, const double (&squared_distances)[lanes],
+                     const Distance_filter& filter, Candidates& candidates)
+  {
+    int is_any_undecided = 0;
+    Place count = candidates.count;
+    for(Place lane = 0; lane < lanes; ++lane) {
+      const double s = squared_distances[lane];
+      candidates.pairs[count] = {i + lane, moves_j ? j + lane : j};
+      count += s <= filter.outside;
+      is_any_undecided |= (s > filter.inside) & (s <= filter.outside);
+    }
+    candidates.count = count;
+    candidates.is_any_undecided |= is_any_undecided != 0;
+  }
 };
-
-// Appends the pairs {i + lane, j + lane} or {i + lane, j} whose squared distance is not certainly
-// beyond the bound.
-template <bool moves_j>
-void append_near_lanes(Place i, Place j, const double (&squared_distances)[lanes],
-                       const Distance_filter& filter, Candidates& candidates)
-{
-  int is_any_undecided = 0;
-  Place count = candidates.count;
-  for(Place lane = 0; lane < lanes; ++lane) {
-    const double s = squared_distances[lane];
-    candidates.pairs[count] = {i + lane, moves_j ? j + lane : j};
-    count += s <= filter.outside;
-    is_any_undecided |= (s > filter.inside) & (s <= filter.outside);
-  }
-  candidates.count = count;
-  candidates.is_any_undecided |= is_any_undecided != 0;
-}
-
-// Collects the pairs of a run that are within `reach` along axis 0 and not certainly beyond the
-// bound. Calls flush(), which returns false to stop, when there are many.
-//
-// Lanes are consecutive points i, each with the point that is as many places behind it, as long as
-// one of these is within reach.
-template <int Dimension, class Flush>
-void collect_within_plain(const Run<Dimension>& run, double reach, const Distance_filter& filter,
-                          Candidates& candidates, const Flush& flush)
-{
-  for(Place i = 0; i < run.size; i += lanes) {
-    for(Place j = i + 1;; ++j) {
-      double s[lanes];
-      int is_any_in_reach = 0;
-      for(Place lane = 0; lane < lanes; ++lane) {
-        const double gap = run.x[0][j + lane] - run.x[0][i + lane];
-        s[lane] = gap * gap;
-        is_any_in_reach |= gap <= reach;
-      }
-      if(!is_any_in_reach)
-        break;
-      for(int axis = 1; axis < Dimension; ++axis)
-        for(Place lane = 0; lane < lanes; ++lane) {
-          const double gap = run.x[axis][j + lane] - run.x[axis][i + lane];
-          s[lane] += gap * gap;
-        }
-      append_near_lanes<true>(i, j, s, filter, candidates);
-      if(candidates.count >= Candidates::capacity && !flush())
-        return;
-    }
-  }
-}
-
-// Collects the pairs of a point of run a and one of run b, likewise. Lanes are consecutive points
-// of a, each with the same point of b.
-template <int Dimension, class Flush>
-void collect_between_plain(const Run<Dimension>& a, const Run<Dimension>& b, double reach,
-                           const Distance_filter& filter, Candidates& candidates,
-                           const Flush& flush)
-{
-  Place first = 0; // points of b before it are too low for all points of a to come
-  for(Place i = 0; i < a.size; i += lanes) {
-    const double low = a.x[0][i] - reach; // not above any coordinate within reach
-    while(b.x[0][first] < low)
-      ++first;
-    const double high = a.x[0][(std::min)(i + lanes, a.size) - 1] + reach;
-    for(Place j = first; b.x[0][j] <= high; ++j) {
-      double s[lanes] = {};
-      for(int axis = 0; axis < Dimension; ++axis) {
-        const double y = b.x[axis][j];
-        for(Place lane = 0; lane < lanes; ++lane) {
-          const double gap = a.x[axis][i + lane] - y;
-          s[lane] += gap * gap;
-        }
-      }
-      append_near_lanes<false>(i, j, s, filter, candidates);
-      if(candidates.count >= Candidates::capacity && !flush())
-        return;
-    }
-  }
-}
 
 } // namespace internal
 } // namespace Thick_intersection_d

@@ -1,0 +1,97 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_ARITHMETIC_EXACT_TIER_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_ARITHMETIC_EXACT_TIER_H
+
+// Which arithmetic is exact for the squared distances of points on a grid 2^e Z.
+//
+// Only differences up to the reach matter: farther points are beyond the bound, and each arithmetic
+// finds that out safely. Such a difference is a number of at most U = floor(reach / 2^e) steps.
+
+#include <CGAL/Arithmetic_tier.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#ifndef __SIZEOF_INT128__
+#include <boost/multiprecision/cpp_int.hpp>
+#endif
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+#ifdef __SIZEOF_INT128__
+__extension__ typedef unsigned __int128 Uint128;
+#else
+using Uint128 = boost::multiprecision::uint128_t;
+#endif
+
+// Returns U, or infinity if that is no double.
+inline double steps_within(double reach, int grid_exponent)
+{
+  return std::floor(std::ldexp(reach, -grid_exponent));
+}
+
+// A sum of one square is treated as one of two, so that the square of U + 1 is exact as well.
+inline int square_terms(int axis_count) { return (std::max)(axis_count, 2); }
+
+// The certificate: whether doubles compute all squared distances up to the reach without error.
+//
+// A sum of `axis_count` squares of U steps has at most 53 bits, and does not underflow or overflow.
+// A longer difference, of at least U + 1 steps, has a square beyond the bound; rounding is
+// monotone, so its sum comes out beyond the bound as well (doc/design.md).
+inline bool are_squares_exact_in_double(double reach, int grid_exponent, int axis_count)
+{
+  const double steps = steps_within(reach, grid_exponent);
+  return 2 * grid_exponent >= -1074 && reach <= 0x1p500
+         && square_terms(axis_count) * steps * steps <= 0x1p53;
+}
+
+// Whether d U^2 <= max_sum. `steps` is an integer, or infinity.
+inline bool are_squares_at_most(const Uint128& max_sum, double steps, int axis_count)
+{
+  if(!(steps < 0x1p63))
+    return false;
+  const Uint128 u = static_cast<std::uint64_t>(steps);
+  return u * u <= max_sum / static_cast<unsigned int>((std::max)(axis_count, 1));
+}
+
+// Whether sums of squares fit into integers of 64 bits; even signed ones would do.
+inline bool fits_int64(double steps, int axis_count)
+{
+  return are_squares_at_most((std::numeric_limits<std::int64_t>::max)(), steps, axis_count);
+}
+
+inline bool fits_int128(double steps, int axis_count)
+{
+  return are_squares_at_most(~Uint128(0), steps, axis_count);
+}
+
+// Returns the first tier that is exact for points that differ along `axis_count` axes. Without a
+// grid, or with a reach so large that differences may overflow, it is the last tier.
+inline Arithmetic_tier first_exact_tier(double reach, const std::optional<int>& grid_exponent,
+                                        int axis_count)
+{
+  if(!grid_exponent || reach > 0x1p1022)
+    return Arithmetic_tier::FILTERED_EXACT;
+  if(are_squares_exact_in_double(reach, *grid_exponent, axis_count))
+    return Arithmetic_tier::DOUBLE;
+  const double steps = steps_within(reach, *grid_exponent);
+  if(fits_int64(steps, axis_count))
+    return Arithmetic_tier::INT64;
+  if(fits_int128(steps, axis_count))
+    return Arithmetic_tier::INT128;
+  return Arithmetic_tier::FILTERED_EXACT;
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_ARITHMETIC_EXACT_TIER_H

@@ -1,0 +1,99 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_ARRAYS_CHUNKED_LISTS_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_ARRAYS_CHUNKED_LISTS_H
+
+// Many lists of small items, when nobody knows beforehand how long each list will be.
+//
+// A list grows by chunks that stay where they are; a vector would copy all items to grow. Chunks
+// are cut from large blocks of memory, because each block costs an allocation.
+
+#include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
+
+#include <boost/config.hpp> // BOOST_NOINLINE
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// A copy shares the items of the original; copies are made while there are none.
+template <class Item, std::size_t chunk_size>
+class Chunked_lists
+{
+public:
+  explicit Chunked_lists(std::size_t list_count = 0) : lists_(list_count) {}
+
+  // If memory runs out, this throws and leaves all lists as they were.
+  void append(std::size_t list, const Item& item)
+  {
+    List& l = lists_[list];
+    if(l.next == l.end)
+      extend(l);
+    *l.next++ = item;
+  }
+
+  std::size_t size(std::size_t list) const
+  {
+    const List& l = lists_[list];
+    return l.chunks.size() * chunk_size - static_cast<std::size_t>(l.end - l.next);
+  }
+
+  // Calls task(item) for the items of a list in order, until the task returns false. Returns
+  // whether it never did.
+  template <class Task>
+  bool for_each(std::size_t list, const Task& task) const
+  {
+    const List& l = lists_[list];
+    for(const Item* item : l.chunks) {
+      const Item* const end = item + chunk_size == l.end ? l.next : item + chunk_size;
+      for(; item != end; ++item)
+        if(!task(*item))
+          return false;
+    }
+    return true;
+  }
+
+private:
+  static constexpr std::size_t max_block_size = 2048; // chunks
+
+  struct List
+  {
+    std::vector<Item*> chunks;
+    Item* next = nullptr; // in the last chunk
+    Item* end = nullptr;  // of the last chunk
+  };
+
+  // Not inline: loops that append stay short.
+  BOOST_NOINLINE void extend(List& list)
+  {
+    if(chunks_left_ == 0) {
+      const std::size_t size = (std::min)(2 * block_size_, max_block_size);
+      blocks_.emplace_back(make_uninitialized<Item>(size * chunk_size));
+      block_size_ = size;
+      chunks_left_ = size;
+    }
+    Item* const chunk = blocks_.back().get() + (chunks_left_ - 1) * chunk_size;
+    list.chunks.push_back(chunk);
+    --chunks_left_;
+    list.next = chunk;
+    list.end = chunk + chunk_size;
+  }
+
+  std::vector<List> lists_;
+  std::vector<std::shared_ptr<Item[]>> blocks_;
+  std::size_t block_size_ = 1;  // of the last block, in chunks
+  std::size_t chunks_left_ = 0; // in the last block
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_ARRAYS_CHUNKED_LISTS_H

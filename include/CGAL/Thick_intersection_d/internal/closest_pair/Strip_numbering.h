@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_STRIP_NUMBERING_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_STRIP_NUMBERING_H
+
+// Cells that are found by comparisons: strips along an axis.
+
+#include <CGAL/Thick_intersection_d/internal/closest_pair/Cell_table.h>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// Numbers the strips of members that come in order along an axis. A strip ends behind the last
+// member that is not beyond a distance of its first one. So members within the distance are in the
+// same strip or in adjacent ones.
+template <class Member, class Is_beyond>
+class Strip_numbering
+{
+public:
+  // is_beyond(b, a) tells whether b, which comes behind a, is beyond the distance.
+  explicit Strip_numbering(const Is_beyond& is_beyond) : is_beyond_(is_beyond) {}
+
+  // Returns the number of the strip that the next member is in; the first one has number 1.
+  Cell_number operator()(const Member& member)
+  {
+    if(number_ == 0 || is_beyond_(member, first_)) {
+      ++number_;
+      first_ = member;
+    }
+    return number_;
+  }
+
+private:
+  const Is_beyond& is_beyond_;
+  Member first_ = Member(); // of the strip
+  Cell_number number_ = 0;
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_STRIP_NUMBERING_H

@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_OBJECT_ROUTE_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_OBJECT_ROUTE_H
+
+// Which route objects take, by their traits.
+
+#include <CGAL/Thick_intersection_d/internal/doors/recursive_search.h>
+
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+template <class Traits, class = void>
+struct Has_check : std::false_type {};
+template <class Traits>
+struct Has_check<Traits,
+                 std::void_t<decltype(std::declval<const Traits&>().check(
+                   std::declval<const typename Traits::Object_d&>(), std::size_t()))>>
+  : std::true_type {};
+
+// Lets the traits of the package look at each object. Traits of users look at their objects
+// themselves.
+template <class Elements, class Traits>
+void check_objects(const Elements& objects, const Traits& traits)
+{
+  if constexpr(Has_check<Traits>::value)
+    for(std::size_t position = 0; position < objects.size(); ++position)
+      traits.check(objects[position], position);
+}
+
+// The recursive route, unless a specialization for some traits knows a faster one.
+template <class Traits>
+struct Object_route
+{
+  template <class ConcurrencyTag, class Elements, class Sets, class Callback,
+            class NamedParameters>
+  static bool report(const Elements& objects, const Sets& sets, const Traits& traits,
+                     Callback& callback, const NamedParameters& np)
+  {
+    check_objects(objects, traits);
+    return report_recursively<ConcurrencyTag>(objects, sets, traits, callback, np);
+  }
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_OBJECT_ROUTE_H

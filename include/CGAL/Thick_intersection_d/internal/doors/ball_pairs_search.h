@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_BALL_PAIRS_SEARCH_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_BALL_PAIRS_SEARCH_H
+
+// Balls behind thick_self_intersection_d(): those of one radius are searched as points.
+
+#include <CGAL/Distance_bound.h>
+
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/doors/Object_route.h>
+#include <CGAL/Thick_intersection_d/internal/doors/near_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/doors/recursive_search.h>
+#include <CGAL/Thick_intersection_d/internal/input/Ball_centers.h>
+
+#include <type_traits>
+
+namespace CGAL {
+
+template <class Point>
+class Thick_ball_traits_d;
+
+namespace Thick_intersection_d {
+namespace internal {
+
+// Two balls of one radius intersect if their centers are within twice that radius.
+template <class Point>
+struct Object_route<Thick_ball_traits_d<Point>>
+{
+  template <class ConcurrencyTag, class Balls, class Sets, class Callback, class NamedParameters>
+  static bool report(const Balls& balls, const Sets& sets,
+                     const Thick_ball_traits_d<Point>& traits, Callback& callback,
+                     const NamedParameters& np)
+  {
+    check_objects(balls, traits);
+    const auto radius = common_radius(balls);
+    if(!radius)
+      return report_recursively<ConcurrencyTag>(balls, sets, traits, callback, np);
+    using Exact = Exact_number_t<std::decay_t<decltype(*radius)>>;
+    const Exact diameter(Exact(2) * to_exact_number(*radius));
+    return report_near_pairs<ConcurrencyTag>(Ball_centers<Balls>(balls), sets,
+                                             within_distance(diameter), callback, np);
+  }
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_BALL_PAIRS_SEARCH_H

@@ -1,0 +1,75 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_CLOSEST_PAIR_SEARCH_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_CLOSEST_PAIR_SEARCH_H
+
+// Behind closest_pair() and find_close_pair().
+
+#include <CGAL/Distance_bound.h>
+#include <CGAL/Named_function_parameters.h>
+
+#include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/Close_pair_search.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/Closest_pair_search.h>
+#include <CGAL/Thick_intersection_d/internal/input/Scene.h>
+#include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
+
+#include <optional>
+#include <stdexcept>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// Returns the scene of the points. Throws if there are too many points, or if one is not like the
+// others or not finite.
+template <class ConcurrencyTag, class Elements>
+Scene check_points(const Elements& points)
+{
+  check_size(points.size());
+  return scan_points<ConcurrencyTag>(points, "point");
+}
+
+template <class ConcurrencyTag, class Elements, class NamedParameters>
+Position_pair find_closest_pair(const Elements& points, const NamedParameters& np)
+{
+  const Scene scene = check_points<ConcurrencyTag>(points);
+  if(points.size() < 2)
+    throw std::invalid_argument("The closest pair of fewer than two points is asked for.");
+  const unsigned int seed
+    = parameters::choose_parameter(parameters::get_parameter(np, internal_np::random_seed), 0u);
+  auto progress = make_progress(np, points.size());
+  Closest_pair_search<ConcurrencyTag, Elements, decltype(progress)> search(points, scene, seed,
+                                                                           progress);
+  const Position_pair pair = search.find();
+  progress.finish();
+  return pair;
+}
+
+template <class ConcurrencyTag, class Elements, class NT, class NamedParameters>
+std::optional<Position_pair> find_pair_within(const Elements& points,
+                                              const Distance_bound<NT>& bound,
+                                              const NamedParameters& np)
+{
+  using Number = Coordinate_t<typename Elements::value_type>;
+  const Squared_bound<Exact_number_t<Number>> squared_bound(bound);
+  const Scene scene = check_points<ConcurrencyTag>(points);
+  auto progress = make_progress(np, points.size());
+  const Close_pair_search<ConcurrencyTag, Elements, decltype(progress)> search(
+    points, squared_bound, scene, progress);
+  const std::optional<Position_pair> pair = search.find();
+  progress.finish();
+  return pair;
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_CLOSEST_PAIR_SEARCH_H

@@ -1,0 +1,149 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_NEAR_PAIRS_SEARCH_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_NEAR_PAIRS_SEARCH_H
+
+// Behind fixed_radius_near_neighbors(): the scene chooses the arithmetic and the route.
+
+#include <CGAL/Distance_bound.h>
+#include <CGAL/Scene_profile.h>
+#include <CGAL/Thick_point_traits_d.h>
+
+#include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/doors/recursive_search.h>
+#include <CGAL/Thick_intersection_d/internal/input/Point_doubles.h>
+#include <CGAL/Thick_intersection_d/internal/input/Scene.h>
+#include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Is_within_distance.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
+#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Near_points.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slab_route.h>
+
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+template <class ConcurrencyTag, class Elements>
+class Near_pairs_search
+{
+  using Point = typename Elements::value_type;
+  using Bound = Squared_bound<Exact_number_t<Coordinate_t<Point>>>;
+
+public:
+  // Checks the bound and the points.
+  template <class NT>
+  Near_pairs_search(const Elements& points, const Distance_bound<NT>& bound)
+    : points_(points), bound_(bound), doubles_(points),
+      scene_(scan_points<ConcurrencyTag>(
+        points, "point",
+        [&](std::size_t position, int axis, double x) { doubles_.set(position, axis, x); })),
+      profile_(scene_, bound_.reach())
+  {}
+
+  Scene_profile& profile() { return profile_; }
+
+  // Reports the pairs. Returns false iff the search was stopped. Adds to `counts` which arithmetic
+  // decides, unless that is null.
+  template <class Sets, class Callback, class NamedParameters>
+  bool report(const Sets& sets, Callback& callback, const NamedParameters& np,
+              Shared_decision_counts* counts)
+  {
+    if(points_.size() == 0)
+      return true;
+    const Is_within_distance<Point> is_within(bound_, scene_, profile_.tier(), counts);
+    if(can_be_in_slabs()) {
+      if constexpr(dimension_or<Point>(3) == 3)
+        if(scene_.extended_axis_count() == 3)
+          return report_by_slabs<3>(is_within, sets, callback, np);
+      if constexpr(dimension_or<Point>(2) == 2 || dimension_or<Point>(3) == 3)
+        return report_by_slabs<2>(is_within, sets, callback, np);
+    }
+    const Thick_point_traits_d<Point> traits(is_within);
+    return report_recursively<ConcurrencyTag>(points_, sets, traits, callback, np);
+  }
+
+private:
+  // Slabs take points of the plane and of space, whose coordinates are between finite doubles. They
+  // keep positions in 32 bits, one of which is room for more.
+  bool can_be_in_slabs() const
+  {
+    if(scene_.dimension() != 2 && scene_.dimension() != 3)
+      return false;
+    for(const Interval& interval : scene_.box)
+      if(!std::isfinite(interval.low) || !std::isfinite(interval.high))
+        return false;
+    return points_.size() < max_place / 2;
+  }
+
+  // Searches along the axes along which the points differ, at least two.
+  template <int Dimension, class Sets, class Callback, class NamedParameters>
+  bool report_by_slabs(const Is_within_distance<Point>& is_within, const Sets& sets,
+                       Callback& callback, const NamedParameters& np)
+  {
+    doubles_.keep(searched_axes<Dimension>(scene_));
+    const Near_points<Dimension, Elements> near(points_, scene_, doubles_, is_within);
+    const Slab_route<ConcurrencyTag, Near_points<Dimension, Elements>> route(near);
+    auto progress = make_progress(np, points_.size());
+    if constexpr(Sets::are_two) {
+      const auto callback_of_two_sets
+        = [&](std::size_t i, std::size_t j) { return callback(i, j - sets.first_size); };
+      Pair_reporter<decltype(callback_of_two_sets)> report(callback_of_two_sets);
+      return route.search(sets, report, progress);
+    }
+    else {
+      Pair_reporter<Callback> report(callback);
+      return route.search(sets, report, progress);
+    }
+  }
+
+  const Elements& points_;
+  const Bound bound_;
+  Doubles<Elements> doubles_;
+  const Scene scene_;
+  Scene_profile profile_;
+};
+
+template <class ConcurrencyTag, class Elements, class Sets, class NT, class Callback,
+          class NamedParameters>
+bool report_near_pairs(const Elements& points, const Sets& sets,
+                       const Distance_bound<NT>& bound, Callback& callback,
+                       const NamedParameters& np)
+{
+  Near_pairs_search<ConcurrencyTag, Elements> search(points, bound);
+  return search.report(sets, callback, np, nullptr);
+}
+
+// Takes the tier that is forced in `profile`, and leaves the profile of the scene there.
+template <class ConcurrencyTag, class Elements, class Sets, class NT, class Callback,
+          class NamedParameters>
+bool report_near_pairs(const Elements& points, const Sets& sets,
+                       const Distance_bound<NT>& bound, Callback& callback,
+                       Scene_profile& profile, const NamedParameters& np)
+{
+  Near_pairs_search<ConcurrencyTag, Elements> search(points, bound);
+  if(profile.forced_tier())
+    search.profile().force_tier(*profile.forced_tier());
+  Shared_decision_counts counts;
+  const bool is_complete = search.report(sets, callback, np, &counts);
+  search.profile().set_counts(counts.total());
+  profile = search.profile();
+  return is_complete;
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_NEAR_PAIRS_SEARCH_H

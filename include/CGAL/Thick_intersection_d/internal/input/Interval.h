@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_INTERVAL_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_INTERVAL_H
+
+// The coordinates between two doubles.
+
+#include <limits>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// An interval without coordinates is empty: its lower end is above its upper end.
+struct Interval
+{
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  double length() const { return high - low; }
+
+  // Extends the interval until it holds x.
+  void add(double x)
+  {
+    low = x < low ? x : low;
+    high = high < x ? x : high;
+  }
+
+  // Extends the interval until it holds another one.
+  void add(const Interval& other)
+  {
+    low = other.low < low ? other.low : low;
+    high = high < other.high ? other.high : high;
+  }
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_INTERVAL_H

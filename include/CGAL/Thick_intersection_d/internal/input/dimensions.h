@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_DIMENSIONS_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_DIMENSIONS_H
+
+// The dimension of points, where it has to be a constant.
+
+#include <CGAL/Dimension.h>
+
+#include <type_traits>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// The dimension of a type of points, or `fallback` if only the points themselves know theirs.
+template <class Point>
+constexpr int dimension_or(int fallback)
+{
+  using Dimension = typename Ambient_dimension<Point>::type;
+  if constexpr(std::is_same_v<Dimension, Dynamic_dimension_tag>)
+    return fallback;
+  else
+    return Dimension::value;
+}
+
+// Calls f(std::integral_constant<int, D>()) for the dimension D of the points if it is 2 or 3, and
+// otherwise() if not.
+template <class Point, class Function, class Otherwise>
+auto for_plane_and_space(int dimension, const Function& f, const Otherwise& otherwise)
+{
+  if constexpr(dimension_or<Point>(2) == 2)
+    if(dimension == 2)
+      return f(std::integral_constant<int, 2>());
+  if constexpr(dimension_or<Point>(3) == 3)
+    if(dimension == 3)
+      return f(std::integral_constant<int, 3>());
+  return otherwise();
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_DIMENSIONS_H

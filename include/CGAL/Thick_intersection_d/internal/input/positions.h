@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_POSITIONS_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_POSITIONS_H
+
+// Positions of elements in the user's ranges.
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// A position of a point, or an index into an array of points. It has 32 bits, because much of the
+// time of a search goes into moving points.
+using Place = std::uint32_t;
+
+constexpr Place max_place = (std::numeric_limits<Place>::max)();
+
+// Two positions, the smaller one first.
+using Position_pair = std::pair<std::size_t, std::size_t>;
+
+// The positions 0, 1, ..., size - 1, without a list of them.
+class All_positions
+{
+public:
+  explicit All_positions(std::size_t size) : size_(size) {}
+  std::size_t size() const { return size_; }
+  Place operator[](std::size_t i) const { return static_cast<Place>(i); }
+
+private:
+  std::size_t size_;
+};
+
+// Throws if there are more points than places, one of which stands for none.
+inline void check_size(std::size_t size)
+{
+  if(size >= max_place)
+    throw std::length_error("There are too many points: " + std::to_string(size) + ".");
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_POSITIONS_H

@@ -1,0 +1,135 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_SCAN_POINTS_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_SCAN_POINTS_H
+
+// One pass over the coordinates of all points, by blocks: checks them and makes the scene.
+
+#include <CGAL/tags.h>
+
+#include <CGAL/Thick_intersection_d/internal/arithmetic/Double_grid.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/check_denormals.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/input/Scene.h>
+#include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// What is found of some of the points.
+class Scene_scan
+{
+public:
+  explicit Scene_scan(int dimension)
+    : box_(static_cast<std::size_t>(dimension)), grids_(box_.size())
+  {}
+
+  // The position of the first point that is not finite or has another dimension.
+  std::size_t first_bad() const { return first_bad_; }
+
+  // Adds the points [first, last), and calls store(position, axis, lower bound) for each
+  // coordinate.
+  template <class Elements, class Store>
+  void add(const Elements& points, std::size_t first, std::size_t last, const Store& store)
+  {
+    using Number = Coordinate_t<typename Elements::value_type>;
+    const int dimension = static_cast<int>(box_.size());
+    for(std::size_t position = first; position < last; ++position) {
+      const auto& point = points[position];
+      bool is_good = point.dimension() == dimension;
+      for(int axis = 0; is_good && axis < dimension; ++axis) {
+        const std::pair<double, double> x = coordinate_bounds(point, axis);
+        is_good = are_bounds_of_finite(x);
+        box_[axis].add(Interval{x.first, x.second});
+        grids_[axis].add(x.first);
+        if constexpr(!is_held_by_double_v<Number>)
+          error_ = (std::max)(error_, x.second - x.first);
+        store(position, axis, x.first);
+      }
+      if(!is_good) {
+        first_bad_ = position;
+        return;
+      }
+    }
+  }
+
+  // Adds what is found of other points.
+  void add(const Scene_scan& other)
+  {
+    for(std::size_t axis = 0; axis < box_.size(); ++axis) {
+      box_[axis].add(other.box_[axis]);
+      grids_[axis].add(other.grids_[axis]);
+    }
+    error_ = (std::max)(error_, other.error_);
+    first_bad_ = (std::min)(first_bad_, other.first_bad_);
+  }
+
+  // Returns the scene of the points, of which there are `size`.
+  Scene scene(std::size_t size) const
+  {
+    Scene scene;
+    scene.size = size;
+    scene.box = box_;
+    if(error_ != 0) {
+      scene.error = std::nextafter(error_, std::numeric_limits<double>::infinity()); // was rounded
+      return scene;
+    }
+    Double_grid grid;
+    for(int axis = 0; axis < scene.dimension(); ++axis)
+      if(scene.is_extended_along(axis))
+        grid.add(grids_[axis]);
+    scene.grid_exponent = grid.exponent();
+    return scene;
+  }
+
+private:
+  std::vector<Interval> box_;
+  std::vector<Double_grid> grids_; // of the lower bounds, per axis
+  double error_ = 0;               // the largest difference of two bounds
+  std::size_t first_bad_ = (std::numeric_limits<std::size_t>::max)();
+};
+
+// Returns the scene of the points, and calls store(position, axis, lower bound) for each
+// coordinate. Throws if a point, called `name` in the message, has a NaN or infinite coordinate or
+// another dimension than the first point, or if denormal numbers are flushed to zero.
+template <class ConcurrencyTag, class Elements, class Store>
+Scene scan_points(const Elements& points, const std::string& name, const Store& store)
+{
+  const int dimension = points.size() == 0 ? 0 : points[0].dimension();
+  Scene_scan all(dimension);
+  std::vector<Scene_scan> scans(block_count<ConcurrencyTag>(), all);
+  for_each_numbered_block<ConcurrencyTag>(
+    scans.size(), points.size(), [&](std::size_t block, std::size_t first, std::size_t last) {
+      check_denormals(); // in each thread that takes part
+      scans[block].add(points, first, last, store);
+    });
+  for(const Scene_scan& scan : scans)
+    all.add(scan);
+  if(all.first_bad() < points.size())
+    check_point(points[all.first_bad()], dimension, name, all.first_bad());
+  return all.scene(points.size());
+}
+
+template <class ConcurrencyTag, class Elements>
+Scene scan_points(const Elements& points, const std::string& name)
+{
+  return scan_points<ConcurrencyTag>(points, name, [](std::size_t, int, double) {});
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_SCAN_POINTS_H

@@ -1,0 +1,153 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_NEAR_POINTS_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_NEAR_POINTS_H
+
+// Points within a distance, as the slab route sees them: what is moved into slabs, which lanes find
+// candidates, and what decides them.
+
+#include <CGAL/Arithmetic_tier.h>
+
+#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/input/Point_doubles.h>
+#include <CGAL/Thick_intersection_d/internal/input/Scene.h>
+#include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Is_within_distance.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Candidates.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/near_points.h>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <type_traits>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// Returns the axes of a search: those along which the points differ, at most `Dimension`, and as
+// many others as are missing to that number, in ascending order.
+template <int Dimension>
+std::array<int, Dimension> searched_axes(const Scene& scene)
+{
+  std::array<int, Dimension> axes = {};
+  int missing = Dimension - scene.extended_axis_count();
+  std::size_t count = 0;
+  for(int axis = 0; axis < scene.dimension(); ++axis)
+    if(scene.is_extended_along(axis) || missing-- > 0)
+      axes[count++] = axis;
+  return axes;
+}
+
+// The points are searched along `Dimension` axes, which suffice to distinguish them.
+template <int Dimension, class Elements>
+class Near_points
+{
+  using Element = typename Elements::value_type;
+
+  // Along all axes, if the type of the points says that these are no more.
+  static constexpr bool takes_all_axes = dimension_or<Element>(0) == Dimension;
+  using All_doubles = Doubles<Elements>;
+  using Some_doubles = std::conditional_t<takes_all_axes, const All_doubles&,
+                                          const Doubles_along_axes<Dimension, All_doubles>>;
+
+public:
+  using Point = Slab_point<Dimension>;
+  using Run = internal::Run<Dimension>;
+
+  Near_points(const Elements& points, const Scene& scene, const All_doubles& doubles,
+              const Is_within_distance<Element>& is_within)
+    : points_(points), scene_(scene), axes_(searched_axes<Dimension>(scene)),
+      doubles_(some_doubles(doubles, axes_)), is_within_(is_within),
+      near_{is_within.reach_of_doubles(), is_within.filter_of_doubles()}
+  {}
+
+  std::size_t size() const { return points_.size(); }
+  double reach() const { return near_.reach; }
+
+  // Along the axes that are searched.
+  Interval interval(int axis) const { return scene_.box[axes_[axis]]; }
+  double coordinate(std::size_t position, int axis) const { return doubles_.at(position, axis); }
+  Point point(std::size_t position) const
+  {
+    return {doubles_.template at<Dimension>(position), static_cast<Place>(position)};
+  }
+
+  // Whether no two points of the scene are farther apart than the bound, for sure.
+  bool are_all_pairs() const
+  {
+    double s = 0;
+    for(int axis = 0; axis < Dimension; ++axis)
+      s += interval(axis).length() * interval(axis).length();
+    return s <= is_within_.filter().inside;
+  }
+
+  template <class Flush>
+  void collect_within(const Run& run, Candidates& candidates, const Flush& flush) const
+  {
+    Near_points_lanes::collect_within(run, near_, candidates, flush);
+  }
+
+  template <class Flush>
+  void collect_between(const Run& a, const Run& b, Candidates& candidates,
+                       const Flush& flush) const
+  {
+    Near_points_lanes::collect_between(a, b, near_, candidates, flush);
+  }
+
+  // Whether a candidate is within the bound. Its doubles are in the cache, the points are not.
+  bool is_pair(const Run& a, const Run& b, Candidate pair, Decision_counts& counts) const
+  {
+    if(squared_distance(a, b, pair) <= near_.filter.inside) { // as lanes have found, not kept
+      counts.add(Arithmetic_tier::DOUBLE);
+      return true;
+    }
+    const auto x = [&](int axis) { return a.x[axis][pair.i]; };
+    const auto y = [&](int axis) { return b.x[axis][pair.j]; };
+    if(const std::optional<bool> is = is_within_.decide_near_tie(x, y, Dimension, counts))
+      return *is;
+    return is_within_.decide_undecided(points_[a.positions[pair.i]], points_[b.positions[pair.j]],
+                                       counts);
+  }
+
+  void publish(const Decision_counts& counts) const { is_within_.publish(counts); }
+
+private:
+  static Some_doubles some_doubles(const All_doubles& doubles,
+                                   const std::array<int, Dimension>& axes)
+  {
+    if constexpr(takes_all_axes)
+      return doubles;
+    else
+      return Some_doubles(doubles, axes);
+  }
+
+  static double squared_distance(const Run& a, const Run& b, Candidate pair)
+  {
+    double s = 0;
+    for(int axis = 0; axis < Dimension; ++axis) {
+      const double gap = a.x[axis][pair.i] - b.x[axis][pair.j];
+      s += gap * gap;
+    }
+    return s;
+  }
+
+  const Elements& points_;
+  const Scene& scene_;
+  const std::array<int, Dimension> axes_;
+  Some_doubles doubles_;
+  const Is_within_distance<Element>& is_within_;
+  const Near_question near_;
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_NEAR_POINTS_H

@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_PAIR_SWEEP_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_PAIR_SWEEP_H
+
+// Sweeps one or two sorted runs: collects candidates by lanes, decides them, and reports the pairs.
+// It does not know where the runs come from, nor what makes two elements a pair.
+
+#include <CGAL/Arithmetic_tier.h>
+
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Candidates.h>
+
+#include <boost/config.hpp> // BOOST_NOINLINE
+
+#include <utility>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// `Test` brings its runs and knows what a pair is. It has
+//
+//   Run                                               columns of elements that are sorted, with
+//                                                     positions and block()
+//   collect_within(run, candidates, flush)            the candidates of a run, by lanes
+//   collect_between(a, b, candidates, flush)          those between two runs
+//   is_pair(a, b, candidate, counts)                  the decision about a candidate, in case the
+//                                                     lanes have left any undecided
+//
+// `Report` takes two positions, returns false to stop, and has is_stopped().
+template <class Test, class Report>
+class Pair_sweep
+{
+  using Run = typename Test::Run;
+
+public:
+  Pair_sweep(const Test& test, Report& report) : test_(test), report_(report) {}
+
+  // Takes only this one of `count` blocks of each run from now on.
+  void take_block(Place index, Place count)
+  {
+    block_index_ = index;
+    block_count_ = count;
+  }
+
+  bool is_stopped() const { return is_stopped_; }
+
+  // Which arithmetic has decided the pairs so far.
+  const Decision_counts& counts() const { return counts_; }
+
+  // Reports the pairs of a run.
+  void within(const Run& run)
+  {
+    const Run a = block_of(run);
+    test_.collect_within(a, candidates_, [&] { return flush(a, a); });
+    flush(a, a);
+  }
+
+  // Reports the pairs of an element of one run and an element of another.
+  void between(const Run& run, const Run& b)
+  {
+    const Run a = block_of(run);
+    test_.collect_between(a, b, candidates_, [&] { return flush(a, b); });
+    flush(a, b);
+  }
+
+private:
+  Run block_of(const Run& run) const
+  {
+    return block_count_ == 1 ? run : run.block(block_index_, block_count_);
+  }
+
+  // Reports the candidates that are pairs. Returns false to stop. Not inline: the loops of lanes,
+  // which call it once per thousand candidates, stay short.
+  BOOST_NOINLINE bool flush(const Run& a, const Run& b)
+  {
+    const Place count = candidates_.count;
+    candidates_.count = 0;
+    const bool is_any_undecided = std::exchange(candidates_.is_any_undecided, false);
+    if(report_.is_stopped())
+      is_stopped_ = true;
+    else if(is_any_undecided)
+      is_stopped_ = !report_pairs<true>(a, b, count);
+    else {
+      counts_.add(Arithmetic_tier::DOUBLE, count);
+      is_stopped_ = !report_pairs<false>(a, b, count);
+    }
+    return !is_stopped_;
+  }
+
+  // A loop without stores of its own, which short callbacks profit from.
+  template <bool is_any_undecided>
+  bool report_pairs(const Run& a, const Run& b, Place count)
+  {
+    for(Place c = 0; c < count; ++c) {
+      const Candidate candidate = candidates_.pairs[c];
+      const Place i = a.positions[candidate.i];
+      const Place j = b.positions[candidate.j];
+      if constexpr(is_any_undecided)
+        if(!test_.is_pair(a, b, candidate, counts_))
+          continue;
+      const Place swapped = (i ^ j) & (Place(0) - static_cast<Place>(j < i)); // no branch
+      if(!report_(i ^ swapped, j ^ swapped))
+        return false;
+    }
+    return true;
+  }
+
+  const Test& test_;
+  Report& report_;
+  Place block_index_ = 0;
+  Place block_count_ = 1;
+  bool is_stopped_ = false;
+  Decision_counts counts_;
+  Candidates candidates_;
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_PAIR_SWEEP_H

@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_FIRST_SUPPORTED_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_FIRST_SUPPORTED_H
+
+// The choice among instruction sets, while the program runs.
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// Collects candidates by the first of some kinds of lanes that the processor supports. All kinds
+// collect the same pairs in the same order, but for pairs that the filter does not decide: those
+// beyond the bound may be left out.
+template <class First, class... Others>
+struct First_supported
+{
+  template <class... Arguments>
+  static void collect_within(Arguments&&... arguments)
+  {
+    if constexpr(sizeof...(Others) == 0)
+      First::collect_within(arguments...);
+    else if(First::is_supported())
+      First::collect_within(arguments...);
+    else
+      First_supported<Others...>::collect_within(arguments...);
+  }
+
+  template <class... Arguments>
+  static void collect_between(Arguments&&... arguments)
+  {
+    if constexpr(sizeof...(Others) == 0)
+      First::collect_between(arguments...);
+    else if(First::is_supported())
+      First::collect_between(arguments...);
+    else
+      First_supported<Others...>::collect_between(arguments...);
+  }
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_FIRST_SUPPORTED_H
