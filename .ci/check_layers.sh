@@ -1,18 +1,19 @@
 #!/usr/bin/env bash
-# Checks what the headers include and name: includes point one way (public headers to internal
-# ones, no cycles), TBB is named in one file, no part of CGAL under the GPL is included, and some
-# things have no place in a header at all. Prints each offending line; exits with 1 if there is one.
+# Checks what the headers include and name. Each wing includes the wings and the public headers that
+# the table in doc/design.md allows, and directly what it uses; there are no cycles. oneTBB, calls of
+# an operating system and processor instructions stand in one wing each. No part of CGAL under the
+# GPL is included, and some things have no place in a header at all.
+#
+# Prints each offending line; exits with 1 if there is one.
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 set -euo pipefail
 export LC_ALL=C.UTF-8
 
-cd "$(dirname "${BASH_SOURCE[0]}")/../include"
+top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+cd "$top/include"
 
-internal=CGAL/Thick_intersection_d
-parallel=$internal/internal/machine/parallel.h
-# The public headers that name the things which the internal ones work on.
-vocabulary='Arithmetic_tier|Distance_bound|Neighbor_lists|Scene_profile'
+internal=CGAL/Thick_intersection_d/internal
 # Parts of CGAL under the GPL that are near at hand here. The test `licences` follows every include.
 gpl='license/|box_intersection_d|Box_intersection_d/|Kd_tree|Fuzzy_|Search_traits|Orthogonal_|Orthtree'
 gpl+='|Delaunay|Triangulation|Regular_triangulation|Point_set_2|point_set|Point_set_processing_3/|AABB_'
@@ -35,14 +36,46 @@ find_lines() {  # extended regular expression, grep option...
 
 mapfile -t headers < <(find CGAL -name '*.h' | sort)
 (( ${#headers[@]} > 0 )) || { echo "No headers found." >&2; exit 1; }
+doors=$(grep -lE "include <$internal/doors/" CGAL/*.h | paste -sd ' ')
 
-# One way: internal headers include internal ones and the vocabulary.
-public=$(find CGAL -maxdepth 1 -name '*.h' -printf '%f\n' | sed 's/\.h$//' |
-         { grep -vxE "$vocabulary" || true; } | paste -sd '|')
-if [[ -n $public ]]; then
-  forbid 'an internal header includes a public one' < <(
-    find_lines "^ *# *include *[<\"]CGAL/($public)\.h[>\"]" | grep "^$internal/")
-fi
+# The table of wings: may_include[wing] has words such as internal/input/ and CGAL/Neighbor_lists.h.
+declare -A may_include=()
+wings=()
+while IFS='|' read -r _ wing others vocabulary _; do
+  wing=$(tr -d ' \`' <<< "$wing")
+  words=" $internal/$wing"
+  if [[ $others == *all* ]]; then
+    for other in "${wings[@]}"; do words+=" $internal/$other"; done
+    for header in CGAL/*.h; do [[ " $doors " == *" $header "* ]] || words+=" $header"; done
+  else
+    for other in $others; do
+      [[ " ${wings[*]} " == *" $other/ "* ]] ||
+        { echo "doc/design.md: $wing may include $other/, which does not stand above it." >&2; exit 1; }
+      words+=" $internal/$other/"
+    done
+    for header in $(tr -d '\`' <<< "$vocabulary"); do words+=" CGAL/$header"; done
+  fi
+  may_include[$wing]="$words "
+  wings+=("$wing")
+done < <(sed -n '/^| wing | may include wings/,/^$/p' "$top/doc/design.md" | grep '^| `')
+(( ${#wings[@]} > 0 )) || { echo "doc/design.md has no table of wings." >&2; exit 1; }
+
+for header in "${headers[@]}"; do
+  [[ $header == "$internal"/* ]] || continue
+  folder=$(dirname "${header#"$internal"/}")/
+  allowed=${may_include[$folder]-}
+  forbid "$folder is not in the table of wings" < <([[ -n $allowed ]] || echo "$header")
+  while read -r included; do
+    [[ -f $included ]] || continue
+    target=$included
+    [[ $included == "$internal"/* ]] && target=$(dirname "$included")/
+    forbid "$folder may not include it" < <([[ $allowed == *" $target "* ]] || echo "$header: $included")
+  done < <(sed -nE 's|^ *# *include *[<"](CGAL/[^>"]*)[>"].*|\1|p' "$header")
+done
+
+# What a header uses, it includes.
+forbid 'is used here and not included' < <(
+  awk -f "$top/.ci/check_includes.awk" "${headers[@]}" "${headers[@]}" | sort)
 
 # No cycles: tsort names the headers of a cycle, given the pairs (header, included header).
 forbid 'these headers include each other in a circle' < <(
@@ -53,8 +86,15 @@ forbid 'these headers include each other in a circle' < <(
       done
   done | tsort 2>&1 > /dev/null | sed -nE 's|^tsort: (CGAL/)|\1|p')
 
-forbid "only $parallel names TBB" < <(
-  find_lines '(tbb::|include *[<"](oneapi/)?tbb|CGAL_LINKED_WITH_TBB)' | grep -v "^$parallel:")
+forbid 'only machine/ names oneTBB and calls an operating system' < <(
+  find_lines '(tbb::|include *[<"](oneapi/)?tbb|CGAL_LINKED_WITH_TBB|madvise|include *<sys/|unistd)' |
+    grep -v "^$internal/machine/")
+forbid 'only slabs/lanes/ has processor instructions' < <(
+  find_lines '(_mm[0-9]*_|__m[0-9]+|immintrin|arm_neon|__builtin_(ia32|cpu)|target *\()' |
+    grep -v "^$internal/slabs/lanes/")
+forbid 'the recursion knows no number, kernel or named parameter' < <(
+  find_lines '(Named_function|parameters::|coordinate\(|cartesian|Exact_)' |
+    grep "^$internal/recursion/")
 forbid 'this part of CGAL is under the GPL' < <(
   find_lines "^ *# *include *[<\"]CGAL/($gpl)")
 forbid 'no using-directive in a header' < <(
@@ -67,5 +107,7 @@ forbid 'nothing unfinished' < <(
   find_lines 'TODO|FIXME|XXX|^ *# *if +0')
 forbid 'write (std::min)(...): windows.h has macros of these names' < <(
   find_lines 'std::(min|max) *(<[^>]*>)? *\(|>::(min|max) *\(')
+forbid 'a header has at most 300 lines' < <(
+  wc -l "${headers[@]}" | awk '$2 != "total" && $1 > 300 { print $2 ": " $1 " lines" }')
 
 exit $fail

@@ -15,11 +15,11 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Sorts distinct numbers. Of not many, the rank of each is counted, `lanes` at a time, in loops
+// Sorts distinct numbers. Of not many, the rank of each is counted, `lane_count` at a time, in loops
 // without branches that compilers turn into vector instructions.
 inline void sort_distinct(std::uint32_t* first, std::uint32_t* last)
 {
-  constexpr std::ptrdiff_t lanes = 8;
+  constexpr std::ptrdiff_t lane_count = 8;
   constexpr std::ptrdiff_t max_size = 256; // above, the order of squares tells
   const std::ptrdiff_t size = last - first;
   if(size > max_size) {
@@ -30,13 +30,13 @@ inline void sort_distinct(std::uint32_t* first, std::uint32_t* last)
   std::int32_t numbers[max_size];
   for(std::ptrdiff_t i = 0; i < size; ++i)
     numbers[i] = static_cast<std::int32_t>(first[i] ^ 0x80000000u);
-  std::fill(numbers + size, numbers + (size + lanes - 1) / lanes * lanes, 0);
-  for(std::ptrdiff_t i = 0; i < size; i += lanes) {
-    std::int32_t rank[lanes] = {};
+  std::fill(numbers + size, numbers + (size + lane_count - 1) / lane_count * lane_count, 0);
+  for(std::ptrdiff_t i = 0; i < size; i += lane_count) {
+    std::int32_t rank[lane_count] = {};
     for(std::ptrdiff_t j = 0; j < size; ++j)
-      for(std::ptrdiff_t lane = 0; lane < lanes; ++lane)
+      for(std::ptrdiff_t lane = 0; lane < lane_count; ++lane)
         rank[lane] += numbers[j] < numbers[i + lane];
-    const std::ptrdiff_t count = (std::min)(lanes, size - i);
+    const std::ptrdiff_t count = (std::min)(lane_count, size - i);
     for(std::ptrdiff_t lane = 0; lane < count; ++lane)
       first[rank[lane]] = static_cast<std::uint32_t>(numbers[i + lane]) ^ 0x80000000u;
   }

@@ -13,29 +13,29 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Numbers the strips of members that come in order along an axis. A strip ends behind the last
-// member that is not beyond a distance of its first one. So members within the distance are in the
+// Numbers the strips of elements that come in order along an axis. A strip ends behind the last
+// element that is not beyond a distance of its first one. So elements within the distance are in the
 // same strip or in adjacent ones.
-template <class Member, class Is_beyond>
+template <class Element, class Is_beyond>
 class Strip_numbering
 {
 public:
   // is_beyond(b, a) tells whether b, which comes behind a, is beyond the distance.
   explicit Strip_numbering(const Is_beyond& is_beyond) : is_beyond_(is_beyond) {}
 
-  // Returns the number of the strip that the next member is in; the first one has number 1.
-  Cell_number operator()(const Member& member)
+  // Returns the number of the strip that the next element is in; the first one has number 1.
+  Cell_number operator()(const Element& element)
   {
-    if(number_ == 0 || is_beyond_(member, first_)) {
+    if(number_ == 0 || is_beyond_(element, first_)) {
       ++number_;
-      first_ = member;
+      first_ = element;
     }
     return number_;
   }
 
 private:
   const Is_beyond& is_beyond_;
-  Member first_ = Member(); // of the strip
+  Element first_ = Element(); // of the strip
   Cell_number number_ = 0;
 };
 

@@ -7,8 +7,11 @@
 
 // Is |pq| <= r + s? The predicate of balls with a radius each: degree 2, exact for every kernel.
 
-#include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/squared_sums.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+
+#include <utility>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -31,27 +34,18 @@ public:
   {
     const std::pair<double, double> r = bounds(a.second);
     const std::pair<double, double> s = bounds(b.second);
-    const double least_sum = r.first + s.first;
+    const double min_sum = r.first + s.first;
     const double max_sum = r.second + s.second;
-
-    double inf = 0; // the squared distance lies between inf and sup, up to relative_error()
-    double sup = 0;
-    for(int i = 0; i < dimension_; ++i) {
-      const Gap g = gap(coordinate(a.first, i), coordinate(b.first, i));
-      inf += g.inf * g.inf;
-      sup += g.sup * g.sup;
-    }
+    const double min_square = min_sum * min_sum;
+    const double max_square = max_sum * max_sum;
+    const Gap square = squared_distance_bounds(a.first, b.first, dimension_);
 
     // The sums of radii and their squares have an error of their own, three roundings: less than
     // relative_error(). Underflow and overflow leave the decision to the exact numbers.
-    static const double tiny = std::ldexp(1., -960);
-    static const double huge = std::ldexp(1., 1020);
-    const double least = least_sum * least_sum;
-    const double greatest = max_sum * max_sum;
-    if(least > tiny && greatest < huge) {
-      if(sup <= least * (1 - error_))
+    if(min_square > min_safe_square && max_square < max_safe_square) {
+      if(square.sup <= min_square * (1 - error_))
         return true;
-      if(inf > greatest * (1 + error_))
+      if(square.inf > max_square * (1 + error_))
         return false;
     }
     return do_intersect_exactly(a, b);

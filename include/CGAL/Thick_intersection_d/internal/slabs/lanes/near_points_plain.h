@@ -13,6 +13,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Candidates.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_question.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
 
 #include <algorithm>
@@ -20,13 +21,6 @@
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
-
-// What lanes ask of two points.
-struct Near_question
-{
-  double reach; // along axis 0
-  Distance_filter filter;
-};
 
 struct Near_points_plain
 {
