@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Checks what holds for every source file whatever its style: no tabs, no blanks at line ends, a
-# final newline, at most 100 columns in C++ files, and a line that names the licence.
+# final newline, at most 100 columns, and a line that names the license. Documents have at most 100
+# columns too, but for rows of tables and addresses.
 # Prints each offending line; exits with 1 if there is one. (.clang-format describes the style; it
 # is a help for editors and not enforced.)
 #
@@ -14,6 +15,7 @@ find_files() {  # find expression...
   find . -path './build*' -prune -o -path ./.git -prune -o -type f \( "$@" \) -print | sort
 }
 mapfile -t cpp_files < <(find_files -name '*.h' -o -name '*.cpp')
+mapfile -t documents < <(find_files -name '*.md' -o -path './doc/*.txt')
 mapfile -t other_files < <(find_files -name CMakeLists.txt -o -name '*.cmake' -o -name '*.in' \
                              -o -name '*.sh' -o -name '*.py' -o -path './scripts/*' -o -path ./.ci/run)
 source_files=("${cpp_files[@]}" "${other_files[@]}")
@@ -31,6 +33,8 @@ forbid() {  # reason; the offending places on standard input
 forbid 'tab' < <(grep -nP '\t' "${source_files[@]}")
 forbid 'blank at the end of the line' < <(grep -nE '[[:space:]]$' "${source_files[@]}")
 forbid 'more than 100 columns' < <(grep -nE '^.{101,}$' "${cpp_files[@]}")
+forbid 'more than 100 columns' < <(
+  grep -nE '^.{101,}$' "${documents[@]}" | grep -vE '^[^:]*:[0-9]+:([|]| *\\|.*https?://)')
 forbid 'no SPDX line' < <(grep -L 'SPDX-License-Identifier: ' "${source_files[@]}")
 forbid 'no newline at the end' < <(
   for file in "${source_files[@]}"; do

@@ -107,6 +107,8 @@ forbid 'nothing unfinished' < <(
   find_lines 'TODO|FIXME|XXX|^ *# *if +0')
 forbid 'write (std::min)(...): windows.h has macros of these names' < <(
   find_lines 'std::(min|max) *(<[^>]*>)? *\(|>::(min|max) *\(')
+forbid 'a function has at most 35 lines' < <(
+  awk -v limit=35 -f "$top/.ci/check_functions.awk" "${headers[@]}")
 forbid 'a header has at most 300 lines' < <(
   wc -l "${headers[@]}" | awk '$2 != "total" && $1 > 300 { print $2 ": " $1 " lines" }')
 

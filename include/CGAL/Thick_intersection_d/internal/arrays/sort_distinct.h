@@ -15,8 +15,8 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Sorts distinct numbers. Of not many, the rank of each is counted, `lane_count` at a time, in loops
-// without branches that compilers turn into vector instructions.
+// Sorts distinct numbers. Of not many, the rank of each is counted, `lane_count` at a time, in
+// loops without branches that compilers turn into vector instructions.
 inline void sort_distinct(std::uint32_t* first, std::uint32_t* last)
 {
   constexpr std::ptrdiff_t lane_count = 8;

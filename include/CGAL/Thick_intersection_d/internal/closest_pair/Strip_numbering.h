@@ -14,8 +14,8 @@ namespace Thick_intersection_d {
 namespace internal {
 
 // Numbers the strips of elements that come in order along an axis. A strip ends behind the last
-// element that is not beyond a distance of its first one. So elements within the distance are in the
-// same strip or in adjacent ones.
+// element that is not beyond a distance of its first one. So elements within the distance are in
+// the same strip or in adjacent ones.
 template <class Element, class Is_beyond>
 class Strip_numbering
 {
