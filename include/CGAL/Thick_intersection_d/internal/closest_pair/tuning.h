@@ -6,6 +6,9 @@
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_TUNING_H
 
 // The constants that the search for the closest pair is tuned by. Any values give the same pair.
+//
+// The factors below are times with another value over times with this one: medians of 7 paired runs
+// of 10^6 points (more for fewer points) on an AMD EPYC with AVX-512.
 
 #include <cstddef>
 
@@ -13,40 +16,47 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// The closest pair of so few points is not worth a join.
+// The closest pair of so few points is not worth a join. 5000 points in the plane: 1.02 with 100,
+// 1.81 with 10,000. 1000 points: 0.60 with 100 in the plane, 1.12 in space.
 constexpr std::size_t small_size = 1000;
 
-// A sample of the points tells the join how far to look: each point is drawn with a probability of
-// 1/8, by steps of 1 to 15.
+// A sample of the points finds how far the join has to look: each point is drawn with a probability
+// of 1/8, by steps of 1 to 15. Uniform points in the plane: 1.29 by steps to 7, 1.19 to 31.
 constexpr std::size_t max_sample_step = 15;
 
 // A join visits at most so many pairs per point. Cells of twice the distance with points that far
-// apart in them, a lattice in space, give about 50 each; clusters give more, and are left to
-// others.
+// apart in them, a lattice in space, give about 50 each: 5.07 with 20. Clusters give more, and are
+// left to other methods.
 constexpr std::size_t max_visits_per_point = 100;
 
 // The cells of a join are 2 to 16 distances long. If the points are uniform then one cell in 64 has
-// a point in it, so that most points are alone in their cell.
+// a point in it, so that most points are alone in their cell. At least 1: 1.41 for the lattice, and
+// 1.52 for 5000 points. At least 4: 6.31 for the lattice. At most 4: 1.30 for uniform points. One
+// cell in 512: 1.17 for uniform points in space.
 constexpr double min_cell_side = 2;
 constexpr double max_cell_side = 16;
 constexpr double cells_per_point = 64;
 
 // The entries of a join are distributed over lists of so many, which fit in a cache with their hash
-// table; into at most 2^11 lists, because of the translation buffer of the processor (TLB).
+// table. Uniform points in the plane: 1.15 with 1024, 1.09 with 16,384. There are at most 2^11
+// lists, because each has a page of its own; 10^7 points: 0.87 with 2^9, 1.01 with 2^13.
 constexpr std::size_t entries_per_list = 4096;
 constexpr int max_list_bits = 11;
 
-// In parallel, this many blocks of points are entered into lists of their own.
+// In parallel, this many blocks of points are entered into lists of their own: more than threads,
+// so that these finish at about the same time.
 constexpr std::size_t max_entry_block_count = 16;
 
-// The first look for a close pair is at one point in so many: where cells are heavy, that will do.
+// The first look for a close pair is at one point in so many: where cells are heavy, these points
+// will do. To find that there is no close pair takes 1.44 times as long with 16 in the plane, 1.91
+// times in space.
 constexpr std::size_t first_look_step = 128;
 
-// A cell has 3^5 - 1 neighbors in dimension 5; beyond it the divide and conquer is faster.
+// A cell has 3^5 - 1 neighbors in dimension 5, and 728 in dimension 6.
 constexpr int max_bucket_dimension = 5;
 
-// The divide and conquer compares the points of a leaf directly, and gives no smaller range to
-// another thread than a task.
+// The divide and conquer compares the points of a leaf directly. 200,000 points: 1.02 with 2 and
+// with 8, 1.15 with 16. It gives no smaller range than a task to another thread.
 constexpr std::size_t max_leaf_size = 3;
 constexpr std::size_t min_task_size = 2000;
 

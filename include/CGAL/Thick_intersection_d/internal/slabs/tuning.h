@@ -6,7 +6,11 @@
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_TUNING_H
 
 // The constants that the slab route is tuned by. Any values give the same pairs; these give them
-// fast. Times are those of 10^6 points with 1 and 20 neighbors each, on a processor with AVX-512.
+// fast.
+//
+// The factors below are times with another value over times with this one: medians of 9 paired runs
+// of 10^6 points (5 or 3 of 10^7) on an AMD EPYC with AVX-512. "Sparse" are uniform points with k =
+// n/2, "dense" with k = 10 n; clusters and Levy flights have fewer pairs.
 
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 
@@ -16,52 +20,65 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// The height of slabs and strips, in reaches. Lower ones have more points near other slabs: in the
-// plane, half of the points of a slab two reaches high are within a reach of the next one. Higher
-// ones have more pairs of points that are within a reach along axis 0 and no other axis.
+// The height of slabs and strips, in reaches. Lower ones have more points in their borders, higher
+// ones have more candidates that are far apart along other axes. Dense points in space: 1.38 with
+// 1, 1.07 with 3, 1.34 with 4. Sparse points in space: 1.56 with 1, 0.86 with 3, 0.81 with 4.
 constexpr double usual_height = 2;
 
 // The height, in reaches, from which on points far from each other may crowd in a slab or strip.
+// Twice of it costs clusters in space 0.85, but more candidates; 3/4 of it costs them 1.03.
 constexpr double max_height = 2 * usual_height;
 
-// A scatter into more slabs than these misses the translation buffer of the processor (TLB): 10^7
-// points took 1.4 times as long with as many slabs as two reaches ask for.
+// A scatter into more slabs misses the translation buffer of the processor (TLB). 10^7 sparse
+// points in the plane: 1.22 with 256, 1.35 with 4096. With 10^6 points there is no difference.
 constexpr double max_slab_count = 1024;
 
-// How often a crowded slab, or a crowded bucket, is cut into equal pieces before it is sorted: two
-// levels of buckets resolve clusters of clusters.
-constexpr int max_cut_depth = 2;
-
 // How many candidates per point a strip may have before it counts as crowded. Uniform points have
-// up to 4, with slabs of the usual height.
+// less. Very sparse points (k = n/100) in the plane: 1.15 with 4. Levy flights in the plane: 0.88
+// with 16, 0.78 with 64; but then every scene may cost so many candidates per point.
 constexpr double usual_candidates = 8;
 
-// So few points are sorted by rank rather than by buckets. The ranks of 16 points are found without
-// a branch; a bucket sort of so few spends its time on empty buckets.
+// How often a crowded slab, or a crowded bucket, is cut into equal pieces before it is sorted. Two
+// levels of buckets resolve clusters in clusters; beyond them comparisons take O(n log n).
+constexpr int max_cut_depth = 2;
+
+// So few points are sorted by rank rather than by buckets. Levy flights in space: 1.10 with 8;
+// clusters in space: 1.08 with 60. Elsewhere there is no difference.
 constexpr int few_points = 16;
 
-// The slabs cover the range of the coordinates that a sample finds, with a margin, if the whole
-// range is much longer: a single outlier would leave all others in one slab.
+// If the whole range of the coordinates is much longer than that of a sample without its tails,
+// then the slabs cover the latter with a margin: a single outlier would leave all other points in
+// one slab. The numbers are not critical: points outside belong to the first and the last slab,
+// which are cut again if they are crowded.
 constexpr Place sample_size = 512;
-constexpr Place sample_tail = sample_size / 64; // points of the sample left out at either end
-constexpr double sample_margin = 1. / 16;       // of the range of the sample
+constexpr Place sample_tail = sample_size / 64; // points left out at either end of the sample
+constexpr double sample_margin = 1. / 16;       // in ranges of the sample
 constexpr double max_stretch = 4;               // of the whole range, in ranges of the sample
+
+// A slab is swept in at most so many blocks: the progress functor is called a thousand times.
+constexpr double max_block_count = 1024;
 
 // How a search cuts its points. Tests set small numbers, to get many slabs of few points.
 struct Slab_tuning
 {
-  // With fewer points, on average, there is more to do per slab than per point.
+  // On average, at least. Larger slabs leave the cache: sparse points in the plane take 1.22 with
+  // 8192. Smaller ones gain nothing: 1.01 with 128.
   Place points_per_slab = 1024;
-  Place points_per_strip = 8;          // or per slab that a crowded slab is cut into
-  Place points_per_sorted_strip = 12;  // where points crowd in the strips as well
-  // A larger slab is cut again, to fit in a cache of 1 MB with its columns.
+
+  // Or per slab that a crowded slab is cut into. Clusters in space: 0.94 with 2, 1.03 with 32.
+  Place points_per_strip = 8;
+
+  // Where points crowd in the strips as well. Levy flights in space: 1.27 with 4, 0.91 with 40.
+  Place points_per_sorted_strip = 12;
+
+  // A larger slab is cut again, to fit in a cache with its columns. 10^7 sparse points: 1.26 in the
+  // plane with 4096, 1.45 in space without a limit.
   Place max_slab_size = 16384;
-  // A slab with more candidates is swept in blocks, each of which takes some milliseconds.
+
+  // A slab with more candidates is swept in blocks, which threads share. A slab that is not crowded
+  // has 8 candidates for each of 16384 points at most, a hundredth of this number.
   double candidates_per_block = 1 << 24;
 };
-
-// At most so many blocks of one slab are swept in turn.
-constexpr double max_block_count = 1024;
 
 // Returns how many pieces `size` points in a range of the given length are cut into: each of at
 // least the usual height, and of `points_per_piece` points or more on average.
