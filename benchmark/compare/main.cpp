@@ -6,17 +6,15 @@
 //
 //   <dimension>/<scene>/<k/n aimed at>/<n>/<method>
 
-#include "../support/Search.h"
-#include "../support/run_facts.h"
-#include "../support/scenes.h"
-#include "../support/timing.h"
-#include "methods.h"
+#include "Contestant.h"
+
+#include "measuring/run_facts.h"
+#include "measuring/speed_up.h"
+#include "measuring/timing.h"
+#include "methods/ours.h"
+#include "scenes/generators.h"
 
 #include <benchmark/benchmark.h>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#endif
 
 #include <cstring>
 #include <iostream>
@@ -51,7 +49,7 @@ public:
   const Tally& pairs() const { return pairs_; }
 
   // After this, found() is what the method finds.
-  void prepare(const Method& method)
+  void prepare(const Method<Tally>& method)
   {
     if(method_name_ == method.name)
       return;
@@ -77,7 +75,7 @@ private:
   Scene scene_;
   Tally pairs_;
   std::string method_name_;
-  Run run_;
+  Run<Tally> run_;
   Tally found_;
   double seconds_ = 0; // that it took to find them
 };
@@ -89,11 +87,12 @@ std::string difference_in_words(const Tally& expected, const Tally& found)
   return words.str();
 }
 
-void measure(benchmark::State& state, Stage& stage, const Scene_kind& kind, const Method& method)
+void measure(benchmark::State& state, Stage& stage, const Scene_kind& kind,
+             const Contestant& contestant)
 {
   const Scene& scene = stage.scene(kind);
-  stage.prepare(method);
-  if(method.answer == Answer::EXACT && stage.found() != stage.pairs()) {
+  stage.prepare(contestant);
+  if(contestant.precision == Precision::EXACT && stage.found() != stage.pairs()) {
     state.SkipWithError(difference_in_words(stage.pairs(), stage.found()).c_str());
     return;
   }
@@ -102,7 +101,7 @@ void measure(benchmark::State& state, Stage& stage, const Scene_kind& kind, cons
   state.counters["n"] = static_cast<double>(scene.size());
   state.counters["k"] = static_cast<double>(stage.pairs().pairs);
   state.counters["r"] = scene.r;
-  if(method.answer == Answer::ROUNDED)
+  if(contestant.precision == Precision::ROUNDED)
     state.counters["pairs_too_many"] = static_cast<double>(stage.found().pairs)
                                        - static_cast<double>(stage.pairs().pairs);
 }
@@ -115,17 +114,17 @@ std::string name(int dimension, const char* kind, double neighbours, std::size_t
 }
 
 // Time against n, against k/n, and on other scenes.
-std::vector<Scene_kind> scene_kinds(std::size_t largest_n)
+std::vector<Scene_kind> scene_kinds(std::size_t max_n)
 {
   std::vector<Scene_kind> kinds;
-  const std::size_t n = std::min<std::size_t>(largest_n, 1000000);
+  const std::size_t n = std::min<std::size_t>(max_n, 1000000);
   const auto add_uniform = [&](int d, double neighbours, std::size_t size, bool has_variants) {
     kinds.push_back({name(d, "uniform", neighbours, size), has_variants, [=] {
                        return uniform(d, size, neighbours * static_cast<double>(size));
                      }});
   };
   for(int d : {2, 3}) {
-    for(std::size_t size = 1000; size <= largest_n; size *= 10)
+    for(std::size_t size = 1000; size <= max_n; size *= 10)
       for(double neighbours : {0.5, 10.})
         add_uniform(d, neighbours, size, true);
     for(double neighbours : {0.01, 0.1, 2., 40., 100.})
@@ -137,42 +136,34 @@ std::vector<Scene_kind> scene_kinds(std::size_t largest_n)
   return kinds;
 }
 
-Methods all_methods()
+Contestants all_contestants()
 {
-  Methods methods;
-  add_ours(methods);
-  add_book_variants(methods);
-  add_box_intersection(methods);
-  add_delaunay_epick(methods);
-  add_delaunay_epeck(methods);
-  add_kd_tree(methods);
-  add_rtree(methods);
-#ifdef THICK_BENCHMARK_HAS_NANOFLANN
-  add_nanoflann(methods);
-#endif
-#ifdef THICK_BENCHMARK_HAS_ANN
-  add_ann(methods);
-#endif
-  return methods;
+  Contestants all;
+  add_ours(all);
+  add_recursive_routes(all);
+  add_boxes(all);
+  add_delaunay(all);
+  add_trees(all);
+  return all;
 }
 
-void register_all(Stage& stage, std::size_t largest_n)
+void register_all(Stage& stage, std::size_t max_n)
 {
-  const Methods methods = all_methods();
-  for(const Scene_kind& kind : scene_kinds(largest_n)) {
+  const Contestants all = all_contestants();
+  for(const Scene_kind& kind : scene_kinds(max_n)) {
     const std::size_t n = std::stoul(kind.name.substr(kind.name.rfind('/') + 1));
-    for(const Method& method : methods)
-      if(n <= method.largest_n && (kind.has_variants || !method.is_variant))
+    for(const Contestant& one : all)
+      if(n <= one.max_n && (kind.has_variants || !one.is_variant))
         benchmark::RegisterBenchmark(
-          (kind.name + "/" + method.name).c_str(),
-          [&stage, kind, method](benchmark::State& state) { measure(state, stage, kind, method); })
+          (kind.name + "/" + one.name).c_str(),
+          [&stage, kind, one](benchmark::State& state) { measure(state, stage, kind, one); })
           ->Unit(benchmark::kMillisecond)
           ->UseManualTime();
   }
 }
 
 // Takes "--largest=<n>", the only option of our own, out of the arguments.
-std::size_t largest_n(int& argc, char** argv)
+std::size_t max_n(int& argc, char** argv)
 {
   const std::string option = "--largest=";
   std::size_t n = 1000000;
@@ -193,9 +184,9 @@ int main(int argc, char** argv)
 {
   using namespace thick_benchmark;
 #ifdef CGAL_LINKED_WITH_TBB
-  const tbb::global_control two_threads(tbb::global_control::max_allowed_parallelism, 2);
+  const Two_threads two_threads;
 #endif
-  const std::size_t largest = largest_n(argc, argv);
+  const std::size_t n = max_n(argc, argv);
   benchmark::Initialize(&argc, argv);
   if(benchmark::ReportUnrecognizedArguments(argc, argv)) {
     std::cerr << "compare: besides those of Google Benchmark there is --largest=<n>\n";
@@ -204,7 +195,7 @@ int main(int argc, char** argv)
   for(const Run_fact& fact : run_facts())
     benchmark::AddCustomContext(fact.name, fact.value);
   Stage stage;
-  register_all(stage, largest);
+  register_all(stage, n);
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
   return 0;

@@ -7,11 +7,9 @@
 #include "outputs.h"
 #include "rows.h"
 
-#include <boost/program_options.hpp>
+#include "measuring/speed_up.h"
 
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#endif
+#include <boost/program_options.hpp>
 
 #include <iostream>
 #include <regex>
@@ -76,7 +74,7 @@ int main(int argc, char** argv)
 try {
   using namespace thick_benchmark;
 #ifdef CGAL_LINKED_WITH_TBB
-  const tbb::global_control two_threads(tbb::global_control::max_allowed_parallelism, 2);
+  const Two_threads two_threads;
 #endif
   po::variables_map options;
   po::store(po::parse_command_line(argc, argv, known_options()), options);

@@ -3,7 +3,7 @@
 
 #include "outputs.h"
 
-#include "../support/run_facts.h"
+#include "measuring/run_facts.h"
 
 #include <fstream>
 #include <iomanip>

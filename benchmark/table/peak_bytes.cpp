@@ -3,7 +3,7 @@
 
 #include "rows.h"
 
-#include "support/counting_allocator.h" // of the tests
+#include "support/counting_allocator.h"
 
 namespace thick_benchmark {
 

@@ -3,13 +3,10 @@
 
 #include "rows.h"
 
-#include "../support/Search.h"
-#include "../support/scenes.h"
-#include "../support/timing.h"
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/parallel_invoke.h>
-#endif
+#include "measuring/speed_up.h"
+#include "measuring/timing.h"
+#include "methods/ours.h"
+#include "scenes/generators.h"
 
 #include <cmath>
 #include <filesystem>
@@ -24,7 +21,6 @@ using Rows = std::vector<Row>;
 using Quotient = std::function<double(const Seconds&)>;
 
 const int rounds = 7;
-const Goal speed_up = {Goal::AT_LEAST, 1.7, 1.9};
 
 Goal at_most(double target) { return {Goal::AT_MOST, target, std::nullopt}; }
 Goal at_most(double target, double good) { return {Goal::AT_MOST, target, good}; }
@@ -48,7 +44,7 @@ Tally agreed_pairs(const Scene& scene, const Search& search, const Tally& expect
 
 Tally agreed_pairs(const Scene& scene, const Search& search)
 {
-  return agreed_pairs(scene, search, tally_by_the_book(scene));
+  return agreed_pairs(scene, search, tally_by_recursive_route(scene));
 }
 
 // A search whose pairs have been checked, and where its times are compared with.
@@ -66,46 +62,16 @@ Subject make_subject(const Scene& scene, const std::string& name)
   return {name, scene.size(), agreed_pairs(scene, search).pairs, search};
 }
 
-// ---- in parallel --------------------------------------------------------------------------------
-
 #ifdef CGAL_LINKED_WITH_TBB
 
-void sort_numbers(std::uint64_t seed)
+// With the same callback on both sides.
+Row measure_two_threads(const Subject& subject)
 {
-  std::vector<double> numbers(200000);
-  for(double& x : numbers)
-    x = static_cast<double>(seed = seed * 6364136223846793005 + 1442695040888963407);
-  std::sort(numbers.begin(), numbers.end());
-}
-
-void sort_twice()
-{
-  sort_numbers(1);
-  sort_numbers(2);
-}
-
-void sort_two_at_once()
-{
-  tbb::parallel_invoke([] { sort_numbers(1); }, [] { sort_numbers(2); });
-}
-
-// The speed-up of a search by two threads with the same callback, and that of two sorts, which have
-// nothing to do with each other: how much of two processors the machine had to give at the time.
-Row measure_speed_up(const Subject& subject)
-{
-  const std::vector<Seconds> times
-    = time_in_turns({timed_by_the_clock(subject.search.sequential_like_parallel),
-                     timed_by_the_clock(subject.search.parallel), timed_by_the_clock(sort_twice),
-                     timed_by_the_clock(sort_two_at_once)},
-                    rounds);
-  return {subject.name + ", 2 threads",
-          "speed-up",
-          speed_up,
-          median(times, [](const Seconds& s) { return s[0] / s[1]; }),
-          subject.n,
-          subject.k,
-          median(times, [](const Seconds& s) { return 1000 * s[1]; }),
-          median(times, [](const Seconds& s) { return s[2] / s[3]; })};
+  const Speed_up speed_up
+    = measure_speed_up(subject.search.sequential_like_parallel, subject.search.parallel);
+  const Goal goal = {Goal::AT_LEAST, 1.7, 1.9};
+  return {subject.name + ", 2 threads", "speed-up", goal, speed_up.of_search, subject.n,
+          subject.k, speed_up.milliseconds, speed_up.of_machine};
 }
 
 #endif // CGAL_LINKED_WITH_TBB
@@ -121,7 +87,7 @@ Rows measure(const Subject& subject, const std::string& quantity, const Goal& go
   Rows rows = {{subject.name, quantity, goal, median(times, quotient), subject.n, subject.k,
                 median(times, [](const Seconds& s) { return 1000 * s[0]; })}};
 #ifdef CGAL_LINKED_WITH_TBB
-  rows.push_back(measure_speed_up(subject));
+  rows.push_back(measure_two_threads(subject));
 #endif
   return rows;
 }
@@ -133,11 +99,7 @@ double of_first_other(const Seconds& s) { return s[0] / s[1]; }
 // Sorts the x-coordinates of a scene, copied anew each time; the copy takes no part in the seconds.
 Job sort_of_x(const Scene& scene)
 {
-  const std::size_t dimension = static_cast<std::size_t>(scene.dimension);
-  std::vector<double> unsorted;
-  for(std::size_t i = 0; i < scene.coordinates.size(); i += dimension)
-    unsorted.push_back(scene.coordinates[i]);
-  return [unsorted] {
+  return [unsorted = x_coordinates(scene)] {
     std::vector<double> x = unsorted;
     return processor_seconds_of([&] { std::sort(x.begin(), x.end()); });
   };
@@ -251,7 +213,7 @@ std::size_t side_of_lattice(int dimension, std::size_t n)
 Rows measure_dense(const std::string& name, int dimension, std::size_t n)
 {
   const Scene scene = dense(dimension, n);
-  const Run naive = naive_double_loop(scene);
+  const Run<Tally> naive = naive_double_loop(scene);
   const Search search = search_epick(scene);
   const Subject subject = {name, n, agreed_pairs(scene, search, naive()).pairs, search};
   return measure(subject, "time / naive double loop", at_most(1.0, 0.6), {timed(naive)},
@@ -264,7 +226,7 @@ Rows measure_memory(const std::string& name, int dimension, std::size_t n, doubl
   const Search search = search_epick(scene);
   const Goal goal = at_most(dimension == 2 ? 48 : 56, 32);
   Tally tally;
-  const auto bytes_per_point = [&](const Run& run) {
+  const auto bytes_per_point = [&](const Run<Tally>& run) {
     return static_cast<double>(peak_bytes_of([&] { tally = run(); })) / static_cast<double>(n);
   };
   const double bytes = bytes_per_point(search.sequential);
@@ -275,8 +237,8 @@ Rows measure_memory(const std::string& name, int dimension, std::size_t n, doubl
   return rows;
 }
 
-// The time per point of a hundred times as many points. The book route would take minutes and more
-// memory than there may be: sequential and parallel search are compared with each other alone.
+// The time per point of a hundred times as many points. The recursive route would take minutes and
+// more memory than there may be: sequential and parallel search are compared with each other alone.
 Rows measure_huge(const std::string& name, std::size_t n)
 {
   const Search few = search_epick(uniform(2, n, 0.5 * static_cast<double>(n)));

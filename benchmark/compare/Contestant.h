@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The methods that are compared, and how far. Those that take long to compile have a file of their
+// own.
+
+#ifndef THICK_INTERSECTION_BENCHMARK_COMPARE_CONTESTANT_H
+#define THICK_INTERSECTION_BENCHMARK_COMPARE_CONTESTANT_H
+
+#include "measuring/Tally.h"
+#include "methods/Method.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <vector>
+
+namespace thick_benchmark {
+
+using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+enum class Precision {
+  EXACT,   // must find our pairs
+  ROUNDED, // may differ from ours, and tells by how much
+  NONE     // is no search
+};
+
+struct Contestant : Method<Tally>
+{
+  Precision precision;
+  std::size_t max_n; // more points would take minutes
+  bool is_variant = false; // measured on the scenes of time against n only
+};
+
+using Contestants = std::vector<Contestant>;
+
+void add_ours(Contestants& all);
+void add_recursive_routes(Contestants& all);
+void add_boxes(Contestants& all);
+void add_delaunay(Contestants& all);
+void add_trees(Contestants& all);
+
+} // namespace thick_benchmark
+
+#endif // THICK_INTERSECTION_BENCHMARK_COMPARE_CONTESTANT_H

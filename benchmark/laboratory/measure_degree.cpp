@@ -1,0 +1,243 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Runs algorithms on numbers that measure algebraic degree, and writes, for each call site, the
+// highest degree whose sign was taken and the bits of the longest number computed, for integer
+// input of 8, 16 and 24 bits.
+//
+//   measure_degree <folder for degree.csv>
+
+#include "measuring/Csv_file.h"
+#include "degree_traits.h"
+
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Thick_ball_traits_d.h>
+#include <CGAL/box_intersection_d.h>
+#include <CGAL/fixed_radius_near_neighbors.h>
+#include <CGAL/thick_intersection_d.h>
+
+#include <functional>
+#include <iostream>
+
+namespace CGAL {
+namespace Box_intersection_d {
+
+template <>
+struct box_limits<lab::Degree_number>
+{
+  static lab::Degree_number inf() { return -sup(); }
+  static lab::Degree_number sup() { return greatest; }
+  static inline double greatest = 0; // beyond all sides of boxes, with no more bits than needed
+};
+
+} // namespace Box_intersection_d
+} // namespace CGAL
+
+namespace {
+
+using namespace lab;
+using Kernel = Degree_kernel;
+using Point_2 = Kernel::Point_2;
+using Point_3 = Kernel::Point_3;
+
+constexpr std::size_t n = 200;
+
+const auto ignore_pair = [](std::size_t, std::size_t) {};
+
+// Points on a lattice of 2^(bits - 5), so that 5 steps of it make ties.
+Degree_number radius(int bits) { return Degree_number::input(5 * std::ldexp(1., bits - 5)); }
+
+// Delaunay triangulations ask their traits for these predicates.
+struct Delaunay_traits_2 : Kernel
+{
+  using Orientation_2 = Predicate_at_site<Kernel::Orientation_2>;
+  using Side_of_oriented_circle_2 = Predicate_at_site<Kernel::Side_of_oriented_circle_2>;
+
+  Orientation_2 orientation_2_object() const
+  {
+    return {Kernel::orientation_2_object(), "Orientation_2"};
+  }
+  Side_of_oriented_circle_2 side_of_oriented_circle_2_object() const
+  {
+    return {Kernel::side_of_oriented_circle_2_object(), "Side_of_oriented_circle_2"};
+  }
+};
+
+// In space there is one more, for points on a common plane and circle.
+struct Delaunay_traits_3 : Kernel
+{
+  using Coplanar_side_of_bounded_circle_3
+    = Predicate_at_site<Kernel::Coplanar_side_of_bounded_circle_3>;
+  using Orientation_3 = Predicate_at_site<Kernel::Orientation_3>;
+  using Side_of_oriented_sphere_3 = Predicate_at_site<Kernel::Side_of_oriented_sphere_3>;
+
+  Coplanar_side_of_bounded_circle_3 coplanar_side_of_bounded_circle_3_object() const
+  {
+    return {Kernel::coplanar_side_of_bounded_circle_3_object(),
+            "Coplanar_side_of_bounded_circle_3"};
+  }
+  Orientation_3 orientation_3_object() const
+  {
+    return {Kernel::orientation_3_object(), "Orientation_3"};
+  }
+  Side_of_oriented_sphere_3 side_of_oriented_sphere_3_object() const
+  {
+    return {Kernel::side_of_oriented_sphere_3_object(), "Side_of_oriented_sphere_3"};
+  }
+};
+
+template <class Point, int Dimension>
+void run_near_neighbors(int bits)
+{
+  const auto points = degree_points<Point, Dimension>(n, bits, 1);
+  CGAL::Scene_profile profile; // otherwise integers decide what the filter leaves
+  profile.force_tier(CGAL::Arithmetic_tier::FILTERED_EXACT);
+  CGAL::fixed_radius_near_neighbors(points, CGAL::within_distance(radius(bits)), ignore_pair,
+                                    profile);
+}
+
+template <class Objects, class Traits>
+void run_traits(const Objects& objects, const Traits& traits)
+{
+  CGAL::thick_self_intersection_d(
+    objects, ignore_pair, CGAL::parameters::geom_traits(Traits_with_sites<Traits>(traits)));
+}
+
+template <class Point, int Dimension>
+void run_point_traits(int bits)
+{
+  const auto points = degree_points<Point, Dimension>(n, bits, 1);
+  run_traits(points, CGAL::Thick_point_traits_d<Point>(CGAL::within_distance(radius(bits))));
+}
+
+template <class Point, int Dimension>
+void run_paper_traits(int bits)
+{
+  const auto points = degree_points<Point, Dimension>(n, bits, 1);
+  run_traits(points, Paper_point_traits<Point, Dimension>(radius(bits)));
+}
+
+template <class Point, int Dimension>
+std::vector<std::pair<Point, Degree_number>> degree_balls(int bits)
+{
+  std::vector<std::pair<Point, Degree_number>> balls;
+  for(const Point& p : degree_points<Point, Dimension>(n, bits, 1))
+    balls.emplace_back(p, Degree_number::input(std::ldexp(1. + balls.size() % 4, bits - 5)));
+  return balls;
+}
+
+template <class Point, int Dimension>
+void run_ball_traits(int bits)
+{
+  const auto balls = degree_balls<Point, Dimension>(bits);
+  run_traits(balls, CGAL::Thick_ball_traits_d<Point>(balls));
+}
+
+template <class Sphere, class Point, int Dimension>
+void run_squared_radii(int bits)
+{
+  std::vector<Sphere> spheres;
+  for(const auto& [centre, r] : degree_balls<Point, Dimension>(bits))
+    spheres.emplace_back(centre, r * r);
+  run_traits(spheres, Squared_radius_traits<Sphere, Dimension>(
+                        Degree_number::input(std::ldexp(8., bits - 5))));
+}
+
+// The curves, not the disks, by CGAL's own predicate.
+void run_circles_of_the_kernel(int bits)
+{
+  const auto balls = degree_balls<Point_2, 2>(bits);
+  const Predicate_at_site<Kernel::Do_intersect_2> do_intersect(Kernel::Do_intersect_2(),
+                                                               "Do_intersect_2");
+  for(const auto& a : balls)
+    for(const auto& b : balls)
+      do_intersect(Kernel::Circle_2(a.first, a.second * a.second),
+                   Kernel::Circle_2(b.first, b.second * b.second));
+}
+
+template <class Delaunay, class Point, int Dimension>
+void run_delaunay(int bits)
+{
+  const auto points = degree_points<Point, Dimension>(n, bits, 1);
+  const Delaunay triangulation(points.begin(), points.end());
+}
+
+void run_boxes(int bits)
+{
+  using Box = CGAL::Box_intersection_d::Box_d<Degree_number, 2,
+                                              CGAL::Box_intersection_d::ID_EXPLICIT>;
+  std::vector<Box> boxes;
+  for(const Point_2& p : degree_points<Point_2, 2>(n, bits, 1)) {
+    Degree_number low[] = {p.x(), p.y()};
+    Degree_number high[] = {p.x() + radius(bits), p.y() + radius(bits)};
+    boxes.emplace_back(low, high);
+  }
+  CGAL::Box_intersection_d::box_limits<Degree_number>::greatest = std::ldexp(1., bits + 1);
+  const Call_site site("comparisons of box sides");
+  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [](const Box&, const Box&) {});
+}
+
+struct Algorithm
+{
+  std::string name;
+  bool hides_doubles; // so that exact numbers decide everything
+  std::function<void(int)> run;
+};
+
+std::vector<Algorithm> algorithms()
+{
+  return {
+    {"fixed_radius_near_neighbors 2D", true, run_near_neighbors<Point_2, 2>},
+    {"fixed_radius_near_neighbors 3D", true, run_near_neighbors<Point_3, 3>},
+    {"fixed_radius_near_neighbors 2D, filter first", false, run_near_neighbors<Point_2, 2>},
+    {"fixed_radius_near_neighbors 3D, filter first", false, run_near_neighbors<Point_3, 3>},
+    {"Thick_point_traits_d 2D", true, run_point_traits<Point_2, 2>},
+    {"Thick_point_traits_d 3D", true, run_point_traits<Point_3, 3>},
+    {"predicates of [V03] as written 2D", false, run_paper_traits<Point_2, 2>},
+    {"predicates of [V03] as written 3D", false, run_paper_traits<Point_3, 3>},
+    {"Thick_ball_traits_d 2D", true, run_ball_traits<Point_2, 2>},
+    {"Thick_ball_traits_d 3D", true, run_ball_traits<Point_3, 3>},
+    {"disks stored by squared radius", false, run_squared_radii<Kernel::Circle_2, Point_2, 2>},
+    {"balls stored by squared radius", false, run_squared_radii<Kernel::Sphere_3, Point_3, 3>},
+    {"do_intersect(Circle_2, Circle_2)", false, run_circles_of_the_kernel},
+    {"Delaunay_triangulation_2", false,
+     run_delaunay<CGAL::Delaunay_triangulation_2<Delaunay_traits_2>, Point_2, 2>},
+    {"Delaunay_triangulation_3", false,
+     run_delaunay<CGAL::Delaunay_triangulation_3<Delaunay_traits_3>, Point_3, 3>},
+    {"box_self_intersection_d 2D", false, run_boxes},
+  };
+}
+
+void measure(const Algorithm& algorithm, int bits, Csv_file& csv)
+{
+  Degree_record& record = Degree_record::get();
+  record.restart(algorithm.hides_doubles);
+  algorithm.run(bits);
+  const auto write = [&](const std::string& site, const Degree_tally& tally) {
+    std::uint64_t signs = 0;
+    for(std::uint64_t count : tally.signs)
+      signs += count;
+    csv.row(algorithm.name, site, bits, tally.degree(), signs, tally.signs[tally.degree()],
+            tally.bits, tally.degree_in_doubles);
+  };
+  write("all", record.total());
+  for(const auto& [site, tally] : record.tallies())
+    if(!site.empty())
+      write(site, tally);
+  std::cout << algorithm.name << ", " << bits << " bits: degree " << record.total().degree()
+            << '\n';
+}
+
+} // namespace
+
+int main(int, char** arguments)
+{
+  Csv_file csv(std::string(arguments[1]) + "/degree.csv",
+               "each sign is that of a rational number, computed without error (Degree_number.h)",
+               "algorithm,call_site,input_bits,degree,signs,signs_of_that_degree,"
+               "longest_number_bits,degree_in_doubles");
+  for(const Algorithm& algorithm : algorithms())
+    for(int bits : {8, 16, 24})
+      measure(algorithm, bits, csv);
+}

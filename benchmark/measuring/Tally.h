@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The callback of all measurements: it counts the pairs and combines their positions, so that the
+// pairs cannot be left uncomputed, and two methods can be compared.
+
+#ifndef THICK_INTERSECTION_BENCHMARK_MEASURING_TALLY_H
+#define THICK_INTERSECTION_BENCHMARK_MEASURING_TALLY_H
+
+#include <cstddef>
+#include <cstdint>
+#include <ostream>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/enumerable_thread_specific.h>
+#endif
+
+namespace thick_benchmark {
+
+struct Tally
+{
+  std::uint64_t pairs = 0;
+  std::uint64_t positions = 0; // of the points of all pairs, combined by exclusive or
+
+  void operator()(std::size_t i, std::size_t j)
+  {
+    ++pairs;
+    positions ^= i ^ j;
+  }
+  // Of the neighbours of each point, those behind it make the pairs.
+  void neighbour(std::size_t i, std::size_t j)
+  {
+    if(i < j)
+      (*this)(i, j);
+  }
+
+  friend bool operator==(const Tally& a, const Tally& b)
+  {
+    return a.pairs == b.pairs && a.positions == b.positions;
+  }
+  friend bool operator!=(const Tally& a, const Tally& b) { return !(a == b); }
+  friend std::ostream& operator<<(std::ostream& out, const Tally& tally)
+  {
+    return out << tally.pairs << " pairs (positions " << tally.positions << ")";
+  }
+};
+
+#ifdef CGAL_LINKED_WITH_TBB
+
+// One tally per thread, so that threads never write to the same cache line. There is one for the
+// whole program: a thread looks its tally up once and then keeps a reference to it.
+class Parallel_tally
+{
+public:
+  Parallel_tally()
+  {
+    for(Tally& tally : tallies())
+      tally = Tally();
+  }
+
+  void operator()(std::size_t i, std::size_t j) const
+  {
+    thread_local Tally& own = tallies().local();
+    own(i, j);
+  }
+
+  Tally sum() const
+  {
+    Tally sum;
+    for(const Tally& tally : tallies()) {
+      sum.pairs += tally.pairs;
+      sum.positions ^= tally.positions;
+    }
+    return sum;
+  }
+
+private:
+  static tbb::enumerable_thread_specific<Tally>& tallies()
+  {
+    static tbb::enumerable_thread_specific<Tally> tallies;
+    return tallies;
+  }
+};
+
+#endif // CGAL_LINKED_WITH_TBB
+
+} // namespace thick_benchmark
+
+#endif // THICK_INTERSECTION_BENCHMARK_MEASURING_TALLY_H

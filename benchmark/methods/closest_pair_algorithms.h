@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The algorithms for the closest pair and for a close one as they stand in the library: that of [L]
+// by divide and conquer, the randomised incremental one, and cells as long as the distance. No
+// other file of the benchmarks knows how the library calls them.
+
+#ifndef THICK_INTERSECTION_BENCHMARK_METHODS_CLOSEST_PAIR_ALGORITHMS_H
+#define THICK_INTERSECTION_BENCHMARK_METHODS_CLOSEST_PAIR_ALGORITHMS_H
+
+#include <CGAL/closest_pair.h>
+
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace thick_benchmark {
+
+namespace internal = CGAL::Thick_intersection_d::internal;
+
+template <int Dimension, class Point>
+class Closest_pair_algorithms
+{
+  using Elements = internal::Elements<std::vector<Point>>;
+  using Minimum = internal::Pair_minimum<Elements>;
+
+public:
+  using Positions = std::pair<std::size_t, std::size_t>;
+
+  explicit Closest_pair_algorithms(const std::vector<Point>& points)
+    : elements_(points), n_(points.size()),
+      profile_(CGAL::profile_scene(points, CGAL::within_distance(0)))
+  {}
+
+  Positions by_division() const
+  {
+    Minimum minimum(elements_, profile_);
+    internal::No_progress progress;
+    internal::divide_and_conquer<CGAL::Sequential_tag>(n_, Dimension, minimum, progress);
+    return minimum.pair();
+  }
+
+  Positions by_incremental_cells() const
+  {
+    std::vector<std::uint32_t> positions(n_);
+    std::iota(positions.begin(), positions.end(), 0);
+    Minimum minimum(elements_, profile_);
+    internal::No_progress progress;
+    internal::Closest_pair_grid<Dimension, Elements>(elements_, std::move(positions), Dimension, 0,
+                                                     1).search(minimum, progress);
+    return minimum.pair();
+  }
+
+  // Whether there is a pair within the bound. Adjacent buckets are found by hashing, or else by the
+  // sorted order.
+  bool has_pair_in_cells(const CGAL::Distance_bound<double>& bound, bool by_hashing) const
+  {
+    using Exact = internal::Exact_number_t<double>;
+    const auto access = by_hashing ? internal::Bucket_access::HASHING
+                                   : internal::Bucket_access::SORTED_ORDER;
+    internal::No_progress progress;
+    return internal::Close_pair_grid<CGAL::Sequential_tag, Elements>(
+             elements_, internal::Squared_bound<Exact>(bound), profile_, 0, access)
+      .find(internal::All_positions(n_), progress).has_value();
+  }
+
+private:
+  const Elements elements_;
+  const std::size_t n_;
+  const CGAL::Scene_profile profile_;
+};
+
+} // namespace thick_benchmark
+
+#endif // THICK_INTERSECTION_BENCHMARK_METHODS_CLOSEST_PAIR_ALGORITHMS_H

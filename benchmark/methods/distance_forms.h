@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The ways in which programs ask whether two points are within a distance of r, in floating point.
+
+#ifndef THICK_INTERSECTION_BENCHMARK_METHODS_DISTANCE_FORMS_H
+#define THICK_INTERSECTION_BENCHMARK_METHODS_DISTANCE_FORMS_H
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace lab {
+
+template <std::size_t Dimension>
+using Array_point = std::array<double, Dimension>;
+
+// The sum of the squared differences, in the number type Float, into which coordinates are rounded.
+template <class Float, std::size_t Dimension>
+Float squared_distance_in(const Array_point<Dimension>& p, const Array_point<Dimension>& q)
+{
+  Float sum = 0;
+  for(std::size_t i = 0; i < Dimension; ++i) {
+    const Float difference = static_cast<Float>(p[i]) - static_cast<Float>(q[i]);
+    sum += difference * difference;
+  }
+  return sum;
+}
+
+template <class Float>
+struct Squared_in
+{
+  template <class Point>
+  static bool is_near(const Point& p, const Point& q, double r)
+  {
+    const Float radius = static_cast<Float>(r);
+    return squared_distance_in<Float>(p, q) <= radius * radius;
+  }
+};
+
+// As compilers contract the sum on machines with fused multiplication.
+struct Squared_with_fma
+{
+  template <class Point>
+  static bool is_near(const Point& p, const Point& q, double r)
+  {
+    const double first = p[0] - q[0];
+    double sum = first * first;
+    for(std::size_t i = 1; i < p.size(); ++i) {
+      const double difference = p[i] - q[i];
+      sum = std::fma(difference, difference, sum);
+    }
+    return sum <= r * r;
+  }
+};
+
+struct With_square_root
+{
+  template <class Point>
+  static bool is_near(const Point& p, const Point& q, double r)
+  {
+    return std::sqrt(squared_distance_in<double>(p, q)) <= r;
+  }
+};
+
+struct With_hypot
+{
+  static bool is_near(const Array_point<2>& p, const Array_point<2>& q, double r)
+  {
+    return std::hypot(p[0] - q[0], p[1] - q[1]) <= r;
+  }
+  static bool is_near(const Array_point<3>& p, const Array_point<3>& q, double r)
+  {
+    return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) <= r;
+  }
+};
+
+// |p|^2 + |q|^2 - 2 p.q, by which matrix products compute distances.
+struct Expanded
+{
+  template <class Point>
+  static bool is_near(const Point& p, const Point& q, double r)
+  {
+    double pp = 0, qq = 0, pq = 0;
+    for(std::size_t i = 0; i < p.size(); ++i) {
+      pp += p[i] * p[i];
+      qq += q[i] * q[i];
+      pq += p[i] * q[i];
+    }
+    return pp + qq - 2 * pq <= r * r;
+  }
+};
+
+} // namespace lab
+
+#endif // THICK_INTERSECTION_BENCHMARK_METHODS_DISTANCE_FORMS_H
