@@ -13,7 +13,6 @@
 #include "support/brute_force.h"
 #include "support/robustness_families.h"
 
-
 namespace {
 
 using namespace test_support;
@@ -23,10 +22,10 @@ using namespace test_support;
 void check_our_columns(int dimension)
 {
   for(const Point_scene& scene : robustness_families(dimension))
-    for(const lab::Method& method : lab::package_methods(dimension)) {
+    for(const lab::Column& column : lab::package_columns()) {
       const lab::Wrong_pairs wrong
-        = lab::count_wrong_pairs(method, scene, truth_of(scene).pairs, 60);
-      BOOST_TEST_CONTEXT(method.name << " on " << scene)
+        = lab::count_wrong_pairs(column, lab::scene_of(scene), truth_of(scene).pairs, 60);
+      BOOST_TEST_CONTEXT(column.name << " on " << scene)
       {
         BOOST_TEST(wrong.status == "ok");
         BOOST_TEST(wrong.missing == 0u);
@@ -36,15 +35,14 @@ void check_our_columns(int dimension)
     }
 }
 
-lab::Wrong_pairs wrong_pairs_of(const std::string& method_name, int dimension,
-                                const std::string& family)
+lab::Wrong_pairs wrong_pairs_of(const std::string& name, int dimension, const std::string& family)
 {
   for(const Point_scene& scene : robustness_families(dimension))
     if(scene.name == family)
-      for(const lab::Method& method : lab::plain_methods(dimension))
-        if(method.name == method_name)
-          return lab::count_wrong_pairs(method, scene, truth_of(scene).pairs, 60);
-  throw std::invalid_argument(method_name + " on " + family);
+      for(const lab::Column& column : lab::plain_columns())
+        if(column.name == name)
+          return lab::count_wrong_pairs(column, lab::scene_of(scene), truth_of(scene).pairs, 60);
+  throw std::invalid_argument(name + " on " + family);
 }
 
 // ---- the staircase ------------------------------------------------------------------------------
@@ -105,11 +103,12 @@ BOOST_AUTO_TEST_CASE(other_columns_are_as_known)
 
 BOOST_AUTO_TEST_CASE(a_method_that_crashes_is_reported_as_crashed)
 {
-  const Point_scene scene = robustness_families(2).front();
-  const lab::Method crashing{"crashing", "form", [](const Point_scene&) -> lab::Found {
-                               std::raise(SIGFPE);
-                               return {};
-                             }};
+  const lab::Scene scene = lab::scene_of(robustness_families(2).front());
+  const lab::Column crashing{{"crashing", [](const lab::Scene&) -> lab::Run<lab::Found> {
+                                std::raise(SIGFPE);
+                                return {};
+                              }},
+                             "form"};
   BOOST_TEST(lab::count_wrong_pairs(crashing, scene, {}, 10).status == "SIGFPE");
 }
 

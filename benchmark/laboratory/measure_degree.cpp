@@ -7,8 +7,9 @@
 //
 //   measure_degree <folder for degree.csv>
 
-#include "measuring/Csv_file.h"
 #include "degree_traits.h"
+
+#include "measuring/Csv_file.h"
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -27,8 +28,8 @@ template <>
 struct box_limits<lab::Degree_number>
 {
   static lab::Degree_number inf() { return -sup(); }
-  static lab::Degree_number sup() { return greatest; }
-  static inline double greatest = 0; // beyond all sides of boxes, with no more bits than needed
+  static lab::Degree_number sup() { return max_side; }
+  static inline double max_side = 0; // beyond all sides of boxes, with no more bits than needed
 };
 
 } // namespace Box_intersection_d
@@ -37,6 +38,7 @@ struct box_limits<lab::Degree_number>
 namespace {
 
 using namespace lab;
+using thick_benchmark::Csv_file;
 using Kernel = Degree_kernel;
 using Point_2 = Kernel::Point_2;
 using Point_3 = Kernel::Point_3;
@@ -173,7 +175,7 @@ void run_boxes(int bits)
     Degree_number high[] = {p.x() + radius(bits), p.y() + radius(bits)};
     boxes.emplace_back(low, high);
   }
-  CGAL::Box_intersection_d::box_limits<Degree_number>::greatest = std::ldexp(1., bits + 1);
+  CGAL::Box_intersection_d::box_limits<Degree_number>::max_side = std::ldexp(1., bits + 1);
   const Call_site site("comparisons of box sides");
   CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [](const Box&, const Box&) {});
 }
@@ -233,7 +235,7 @@ void measure(const Algorithm& algorithm, int bits, Csv_file& csv)
 
 int main(int, char** arguments)
 {
-  Csv_file csv(std::string(arguments[1]) + "/degree.csv",
+  Csv_file csv(arguments[1], "degree.csv",
                "each sign is that of a rational number, computed without error (Degree_number.h)",
                "algorithm,call_site,input_bits,degree,signs,signs_of_that_degree,"
                "longest_number_bits,degree_in_doubles");

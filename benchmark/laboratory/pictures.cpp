@@ -7,7 +7,8 @@
 //   pictures <folder for microscope.csv, offsets.csv and scales.csv>
 
 #include "measuring/Csv_file.h"
-#include "columns.h"
+#include "methods/all_pairs.h"
+#include "methods/distance_forms.h"
 
 #include "support/brute_force.h"
 #include "support/kernels.h"
@@ -18,22 +19,12 @@
 namespace {
 
 using namespace test_support;
-using Array = lab::Array_point<2>;
 using Kernel = CGAL::Simple_cartesian<double>;
-using Is_near = std::function<bool(const Array&, const Array&, double)>;
+using thick_benchmark::Csv_file;
+using Form = thick_benchmark::Named_form<2>;
+using Array = Form::Point;
 
 const char* const truth = "GMP integers (test/support/exact_points.h, are_within_radius)";
-
-struct Form
-{
-  std::string name;
-  Is_near is_near;
-};
-
-bool is_near_by_hypot(const Array& p, const Array& q, double r)
-{
-  return lab::With_hypot::is_near(p, q, r);
-}
 
 bool is_near_by_package(const Array& p, const Array& q, double r)
 {
@@ -43,13 +34,10 @@ bool is_near_by_package(const Array& p, const Array& q, double r)
 
 std::vector<Form> forms()
 {
-  return {{"double", lab::Squared_in<double>::is_near<Array>},
-          {"double, sqrt", lab::With_square_root::is_near<Array>},
-          {"double, hypot", is_near_by_hypot},
-          {"double, expanded", lab::Expanded::is_near<Array>},
-          {"float", lab::Squared_in<float>::is_near<Array>},
-          {"long double", lab::Squared_in<long double>::is_near<Array>},
-          {"ours", is_near_by_package}};
+  std::vector<Form> forms = thick_benchmark::common_forms<2>();
+  forms.push_back({"long double", thick_benchmark::Squared_in<long double>::is_near<2>});
+  forms.push_back({"ours", is_near_by_package});
+  return forms;
 }
 
 // ---- the microscope: p stays, q is each of 256 x 256 points next to each other ------------------
@@ -73,7 +61,7 @@ std::string run_lengths(const std::string& row)
   return runs;
 }
 
-void write_views(lab::Csv_file& csv)
+void write_views(Csv_file& csv)
 {
   constexpr int width = 256;
   const double step = std::ldexp(1., -56);
@@ -103,17 +91,18 @@ void write_views(lab::Csv_file& csv)
 
 // ---- scenes that move and scale -----------------------------------------------------------------
 
-Pairs all_pairs(const Points& points, double r, const Is_near& is_near)
+Pairs pairs_by(const Form& form, const Points& points, double r)
 {
   Pairs pairs;
-  for(std::size_t i = 0; i < points.size(); ++i)
-    for(std::size_t j = i + 1; j < points.size(); ++j)
-      if(is_near({points[i][0], points[i][1]}, {points[j][0], points[j][1]}, r))
-        pairs.emplace_back(i, j);
+  const auto is_near = [&](std::size_t i, std::size_t j) {
+    return form.is_near({points[i][0], points[i][1]}, {points[j][0], points[j][1]}, r);
+  };
+  const auto append = [&](std::size_t i, std::size_t j) { pairs.emplace_back(i, j); };
+  thick_benchmark::all_pairs(points.size(), is_near, append);
   return pairs;
 }
 
-void write_wrong_pairs(int exponent, const Points& points, double r, lab::Csv_file& csv)
+void write_wrong_pairs(int exponent, const Points& points, double r, Csv_file& csv)
 {
   const Pairs expected = brute_force(points, Radius::of_length(r)).pairs;
   const auto write = [&](const std::string& name, const Pairs& found) {
@@ -122,7 +111,7 @@ void write_wrong_pairs(int exponent, const Points& points, double r, lab::Csv_fi
   };
   for(const Form& form : forms())
     if(form.name != "ours")
-      write(form.name, all_pairs(points, r, form.is_near));
+      write(form.name, pairs_by(form, points, r));
   write("ours", near_pairs(make_points<Cartesian_points<Kernel, 2>>(points),
                            CGAL::within_distance(r)));
 }
@@ -132,15 +121,15 @@ void write_wrong_pairs(int exponent, const Points& points, double r, lab::Csv_fi
 int main(int, char** arguments)
 {
   const std::string folder = arguments[1];
-  lab::Csv_file microscope(folder + "/microscope.csv", truth, "view,form,row,pixels");
+  Csv_file microscope(folder, "microscope.csv", truth, "view,form,row,pixels");
   write_views(microscope);
 
-  lab::Csv_file offsets(folder + "/offsets.csv", truth, "exponent,method,true_pairs,missing,extra");
+  Csv_file offsets(folder, "offsets.csv", truth, "exponent,method,true_pairs,missing,extra");
   for(int exponent = 0; exponent <= 50; ++exponent)
     write_wrong_pairs(exponent, uniform_points(2, 400, std::ldexp(1., exponent), 1, 1), 0.1,
                       offsets);
 
-  lab::Csv_file scales(folder + "/scales.csv", truth, "exponent,method,true_pairs,missing,extra");
+  Csv_file scales(folder, "scales.csv", truth, "exponent,method,true_pairs,missing,extra");
   for(int exponent = -540; exponent <= 540; exponent += 15) {
     const double unit = std::ldexp(0.1, exponent);
     write_wrong_pairs(exponent, lattice_points(2, 16, unit), 5 * unit, scales);

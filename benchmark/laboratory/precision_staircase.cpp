@@ -5,15 +5,18 @@
 //
 //   precision_staircase <folder for staircase.csv> <questions per set>
 
-#include "measuring/Csv_file.h"
 #include "staircase.h"
+
+#include "measuring/Csv_file.h"
 
 #include <string>
 
 namespace {
 
+using thick_benchmark::Csv_file;
+
 template <class Predicate>
-void measure(int input_bits, bool is_near, std::size_t count, lab::Csv_file& csv)
+void measure(int input_bits, bool is_near, std::size_t count, Csv_file& csv)
 {
   const lab::Questions<Predicate> questions(input_bits, is_near, count);
   lab::for_each_precision(
@@ -29,9 +32,9 @@ void measure(int input_bits, bool is_near, std::size_t count, lab::Csv_file& csv
 
 int main(int, char** arguments)
 {
-  lab::Csv_file csv(std::string(arguments[1]) + "/staircase.csv",
-                    "the same polynomial in GMP integers (staircase.h, Questions)",
-                    "predicate,degree,input_bits,bits_by_theory,set,precision,questions,wrong");
+  Csv_file csv(arguments[1], "staircase.csv",
+               "the same polynomial in GMP integers (staircase.h, Questions)",
+               "predicate,degree,input_bits,bits_by_theory,set,precision,questions,wrong");
   const std::size_t count = std::stoul(arguments[2]);
   for(int input_bits : {10, 16, 24})
     for(bool is_near : {true, false}) {

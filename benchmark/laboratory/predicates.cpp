@@ -8,7 +8,9 @@
 //   predicates <folder for predicates.csv and tie_density.csv> <milliseconds per measurement>
 
 #include "measuring/Csv_file.h"
+#include "measuring/timing.h"
 #include "methods/distance_forms.h"
+#include "scenes/from_tests.h"
 
 #include "support/exact_points.h"
 #include "support/mpfr_kernel_number.h"
@@ -22,23 +24,26 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Thick_point_traits_d.h>
 
-#include <chrono>
 #include <iostream>
 
 namespace {
 
-using lab::Csv_file;
-using Array = lab::Array_point<3>;
+using namespace thick_benchmark;
+using Array = Array_point<3>;
 using test_support::Random;
 
 // ---- the pairs ----------------------------------------------------------------------------------
 
-// Pairs of points for one radius.
-struct Pair_set
+// Pairs of points for one radius: points 2i and 2i + 1 of a scene are pair i.
+using Pair_set = Scene;
+
+Pair_set no_pairs(double r) { return {"", 3, {}, r}; }
+
+void add(Pair_set& set, const Array& p, const Array& q)
 {
-  double r;
-  std::vector<std::pair<Array, Array>> pairs;
-};
+  set.coordinates.insert(set.coordinates.end(), p.begin(), p.end());
+  set.coordinates.insert(set.coordinates.end(), q.begin(), q.end());
+}
 
 // Whether r * r is rounded up or down matters to all pairs at once: hence many radii.
 constexpr std::size_t radii = 16;
@@ -47,14 +52,15 @@ constexpr std::size_t size = 512; // pairs for each
 Pair_set random_pairs(std::uint64_t seed)
 {
   Random random(seed);
-  Pair_set set{0.6 + 0.1 * random.uniform(), {}}; // about the median distance in the unit cube
+  // About the median distance in the unit cube.
+  Pair_set set = no_pairs(0.6 + 0.1 * random.uniform());
   for(std::size_t i = 0; i < size; ++i) {
-    std::pair<Array, Array> pair;
+    Array p, q;
     for(int axis = 0; axis < 3; ++axis) {
-      pair.first[axis] = random.uniform();
-      pair.second[axis] = random.uniform();
+      p[axis] = random.uniform();
+      q[axis] = random.uniform();
     }
-    set.pairs.push_back(pair);
+    add(set, p, q);
   }
   return set;
 }
@@ -79,15 +85,15 @@ Pair_set ties(std::uint64_t seed)
   static const std::vector<Array> quadruples = pythagorean_quadruples();
   Random random(seed);
   const double unit = std::ldexp(1., 33) + 2 * std::ldexp(random.fixed_point(32), 32) + 1; // odd
-  Pair_set set{1155 * unit, {}};
+  Pair_set set = no_pairs(1155 * unit);
   for(std::size_t i = 0; i < size; ++i) {
     const Array& difference = quadruples[random.below(quadruples.size())];
-    std::pair<Array, Array> pair;
+    Array p, q;
     for(int axis = 0; axis < 3; ++axis) {
-      pair.first[axis] = unit * static_cast<double>(random.below(128));
-      pair.second[axis] = pair.first[axis] + unit * difference[axis]; // exact, below 2^53
+      p[axis] = unit * static_cast<double>(random.below(128));
+      q[axis] = p[axis] + unit * difference[axis]; // exact, below 2^53
     }
-    set.pairs.push_back(pair);
+    add(set, p, q);
   }
   return set;
 }
@@ -96,7 +102,7 @@ Pair_set ties(std::uint64_t seed)
 Pair_set near_misses(std::uint64_t seed)
 {
   Random random(seed);
-  Pair_set set{0.6 + 0.1 * random.uniform(), {}};
+  Pair_set set = no_pairs(0.6 + 0.1 * random.uniform());
   for(std::size_t i = 0; i < size; ++i) {
     Array direction;
     double length = 0;
@@ -104,12 +110,12 @@ Pair_set near_misses(std::uint64_t seed)
       x = random.uniform() - 0.5;
       length += x * x;
     }
-    std::pair<Array, Array> pair;
+    Array p, q;
     for(int axis = 0; axis < 3; ++axis) {
-      pair.first[axis] = random.uniform();
-      pair.second[axis] = pair.first[axis] + set.r * (direction[axis] / std::sqrt(length));
+      p[axis] = random.uniform();
+      q[axis] = p[axis] + set.r * (direction[axis] / std::sqrt(length));
     }
-    set.pairs.push_back(pair);
+    add(set, p, q);
   }
   return set;
 }
@@ -120,10 +126,10 @@ Pair_set mixture(std::uint64_t seed, double share_of_ties)
 {
   Random random(seed + 1000);
   Pair_set set = ties(seed);
-  for(auto& pair : set.pairs)
+  for(std::size_t i = 0; i < size; ++i)
     if(random.uniform() >= share_of_ties)
-      for(int axis = 0; axis < 3; ++axis)
-        pair.second[axis] = 2 * pair.second[axis] - pair.first[axis];
+      for(double* p = &set.coordinates[6 * i]; p != &set.coordinates[6 * i] + 3; ++p)
+        p[3] = 2 * p[3] - p[0];
   return set;
 }
 
@@ -139,13 +145,9 @@ std::vector<Pair_set> sets(const Make& make)
 
 std::vector<char> exact_answers(const Pair_set& set)
 {
-  test_support::Points points;
-  for(const auto& pair : set.pairs)
-    for(const Array& p : {pair.first, pair.second})
-      points.emplace_back(p.begin(), p.end());
-  const test_support::Exact_points exact(points, test_support::Radius::of_length(set.r));
+  const test_support::Exact_points exact(points_of(set), radius_of(set));
   std::vector<char> answers;
-  for(std::size_t i = 0; i < points.size(); i += 2)
+  for(std::size_t i = 0; i < set.size(); i += 2)
     answers.push_back(exact.are_within_radius(i, i + 1));
   return answers;
 }
@@ -162,47 +164,24 @@ template <class Points, class Predicate>
 Measured measure(const Points& points, const Predicate& is_near, const std::vector<char>& answers,
                  double milliseconds)
 {
-  using Clock = std::chrono::steady_clock;
   std::size_t wrong = 0;
   for(std::size_t i = 0; i < answers.size(); ++i)
     wrong += static_cast<char>(is_near(points[2 * i], points[2 * i + 1])) != answers[i];
 
-  std::vector<double> times;
+  double least = std::numeric_limits<double>::infinity();
   volatile std::size_t sink = 0;
   for(int repetition = 0; repetition < 5; ++repetition) {
+    const Stopwatch watch;
     std::size_t calls = 0, near = 0;
-    const Clock::time_point start = Clock::now();
-    double elapsed = 0;
     do {
       for(std::size_t i = 0; i < answers.size(); ++i)
         near += is_near(points[2 * i], points[2 * i + 1]);
       calls += answers.size();
-      elapsed = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-    } while(elapsed < milliseconds / 5);
+    } while(1000 * watch.seconds() < milliseconds / 5);
+    least = std::min(least, 1e9 * watch.seconds() / static_cast<double>(calls));
     sink = sink + near;
-    times.push_back(1e6 * elapsed / static_cast<double>(calls));
   }
-  return {*std::min_element(times.begin(), times.end()), wrong};
-}
-
-template <class Kernel>
-std::vector<typename Kernel::Point_3> kernel_points(const Pair_set& set)
-{
-  using FT = typename Kernel::FT;
-  std::vector<typename Kernel::Point_3> points;
-  for(const auto& pair : set.pairs)
-    for(const Array& p : {pair.first, pair.second})
-      points.emplace_back(FT(p[0]), FT(p[1]), FT(p[2]));
-  return points;
-}
-
-std::vector<Array> array_points(const Pair_set& set)
-{
-  std::vector<Array> points;
-  for(const auto& pair : set.pairs)
-    for(const Array& p : {pair.first, pair.second})
-      points.push_back(p);
-  return points;
+  return {least, wrong};
 }
 
 // Measures predicates on the sets and hands each result to write(name, group, measured).
@@ -220,7 +199,7 @@ public:
   template <class Form>
   void form(const char* name) const
   {
-    put(name, "form", array_points, [](double r) {
+    put<Arrays>(name, "form", [](double r) {
       return [r](const Array& p, const Array& q) { return Form::is_near(p, q, r); };
     });
   }
@@ -230,7 +209,7 @@ public:
   void compare_squared_distance(const char* name) const
   {
     using Point = typename Kernel::Point_3;
-    put(name, "kernel", kernel_points<Kernel>, [](double r) {
+    put<Kernel>(name, "kernel", [](double r) {
       return [square = square_in<Kernel>(r)](const Point& p, const Point& q) {
         return CGAL::compare_squared_distance(p, q, square) != CGAL::LARGER;
       };
@@ -241,7 +220,7 @@ public:
   void bounded_side(const char* name) const
   {
     using Point = typename Kernel::Point_3;
-    put(name, "kernel", kernel_points<Kernel>, [](double r) {
+    put<Kernel>(name, "kernel", [](double r) {
       return [square = square_in<Kernel>(r)](const Point& p, const Point& q) {
         return !typename Kernel::Sphere_3(p, square).has_on_unbounded_side(q);
       };
@@ -253,7 +232,7 @@ public:
   void ours(const char* name) const
   {
     using Traits = CGAL::Thick_point_traits_d<typename Kernel::Point_3>;
-    put(name, "ours", kernel_points<Kernel>, [](double r) {
+    put<Kernel>(name, "ours", [](double r) {
       return Traits(CGAL::within_distance(r)).do_intersect_d_object();
     });
   }
@@ -266,14 +245,13 @@ private:
     return number * number;
   }
 
-  template <class Make_points, class Make_predicate>
-  void put(const char* name, const char* group, const Make_points& make_points,
-           const Make_predicate& make_predicate) const
+  template <class Kernel, class Make_predicate>
+  void put(const char* name, const char* group, const Make_predicate& make_predicate) const
   {
     Measured sum{0, 0};
     for(std::size_t i = 0; i < sets_.size(); ++i) {
-      const Measured one = measure(make_points(sets_[i]), make_predicate(sets_[i].r), answers_[i],
-                                   milliseconds_);
+      const Measured one = measure(make_points<Kernel, 3>(sets_[i]), make_predicate(sets_[i].r),
+                                   answers_[i], milliseconds_);
       sum.nanoseconds += one.nanoseconds / static_cast<double>(sets_.size());
       sum.wrong += one.wrong;
     }
@@ -295,7 +273,7 @@ void measure_main_predicates(const std::vector<Pair_set>& sets, double milliseco
                              const Write& write)
 {
   const Predicates_on_sets<Write> on(sets, milliseconds, write);
-  on.template form<lab::Squared_in<double>>("double");
+  on.template form<Squared_in<double>>("double");
   on.template compare_squared_distance<Epick>("EPICK");
   on.template compare_squared_distance<Epeck>("EPECK");
   on.template compare_squared_distance<CGAL::Simple_cartesian<CGAL::Mpzf>>("Mpzf");
@@ -311,11 +289,11 @@ void measure_all_predicates(const std::vector<Pair_set>& sets, double millisecon
 {
   measure_main_predicates(sets, milliseconds, write);
   const Predicates_on_sets<Write> on(sets, milliseconds, write);
-  on.template form<lab::Squared_in<float>>("float");
-  on.template form<lab::Squared_in<long double>>("long double");
-  on.template form<lab::With_square_root>("double, sqrt");
-  on.template form<lab::With_hypot>("double, hypot");
-  on.template form<lab::Expanded>("double, expanded");
+  on.template form<Squared_in<float>>("float");
+  on.template form<Squared_in<long double>>("long double");
+  on.template form<With_square_root>("double, sqrt");
+  on.template form<With_hypot>("double, hypot");
+  on.template form<Expanded>("double, expanded");
   on.template bounded_side<Epick>("EPICK Sphere_3");
   on.template compare_squared_distance<CGAL::Simple_cartesian<CGAL::Gmpzf>>("Gmpzf");
   on.template compare_squared_distance<CGAL::Simple_cartesian<test_support::Mpfr_number<16>>>(
@@ -342,7 +320,7 @@ int main(int, char** arguments)
   const std::string folder = arguments[1];
   const double milliseconds = std::stod(arguments[2]);
 
-  Csv_file csv(folder + "/predicates.csv", truth, "set,pairs,true_pairs,method,group,ns,wrong");
+  Csv_file csv(folder, "predicates.csv", truth, "set,pairs,true_pairs,method,group,ns,wrong");
   const auto measure_set = [&](const char* name, const std::vector<Pair_set>& sets) {
     const std::size_t near = count_near(sets);
     measure_all_predicates(
@@ -354,7 +332,7 @@ int main(int, char** arguments)
   measure_set("exact ties", sets(ties));
   measure_set("near misses", sets(near_misses));
 
-  Csv_file tie_csv(folder + "/tie_density.csv", truth, "share_of_ties,method,group,ns,wrong");
+  Csv_file tie_csv(folder, "tie_density.csv", truth, "share_of_ties,method,group,ns,wrong");
   for(double share : {0., 0.001, 0.01, 0.05, 0.1, 0.25, 0.5, 0.75, 1.})
     measure_main_predicates(
       sets([share](std::uint64_t seed) { return mixture(seed, share); }), milliseconds,

@@ -7,10 +7,11 @@
 //
 // The data folders are those of test/support/data_files.h: THICK_SHIPPED_DATA, THICK_EXTRA_DATA.
 
-#include "methods/Cell_list.h"
 #include "measuring/Csv_file.h"
+#include "measuring/Tally.h"
+#include "methods/Cell_list.h"
+#include "methods/recursive_route.h"
 
-#include "support/book_variants.h"
 #include "support/data_facts.h"
 #include "support/kernels.h"
 #include "support/lattice_traits.h"
@@ -24,6 +25,9 @@
 namespace {
 
 using namespace test_support;
+using thick_benchmark::Base_case;
+using thick_benchmark::Csv_file;
+using thick_benchmark::Tally;
 
 // ---- the certificate map ------------------------------------------------------------------------
 
@@ -35,7 +39,7 @@ CGAL::Scene_profile profile(const Points& points, double radius)
 }
 
 void write_certificate(const Fact& fact, const char* stored, const Points& points, double radius,
-                       lab::Csv_file& csv)
+                       Csv_file& csv)
 {
   const CGAL::Scene_profile scene
     = fact.dimension == 2 ? profile<2>(points, radius) : profile<3>(points, radius);
@@ -55,7 +59,7 @@ double double_of(const Decimal_integer& digits, int decimals)
   return std::strtod((digits.str() + "e-" + std::to_string(decimals)).c_str(), nullptr);
 }
 
-void write_certificates(lab::Csv_file& csv)
+void write_certificates(Csv_file& csv)
 {
   for(const Fact& fact : facts()) {
     const auto path = find_data_file(fact.file, data_folders());
@@ -104,15 +108,15 @@ long distance_for_n_pairs(int dimension, std::size_t n)
 }
 
 template <std::size_t Dimension>
-std::size_t count_grid_candidates(const std::vector<Site>& sites, long distance)
+std::size_t count_cell_candidates(const std::vector<Site>& sites, long distance)
 {
-  std::vector<lab::Array_point<Dimension>> points(sites.size());
+  std::vector<std::array<double, Dimension>> points(sites.size());
   for(std::size_t i = 0; i < sites.size(); ++i)
     for(std::size_t axis = 0; axis < Dimension; ++axis)
       points[i][axis] = static_cast<double>(sites[i].coordinate(static_cast<int>(axis)));
   const double r = static_cast<double>(distance);
   std::size_t count = 0;
-  lab::Cell_list<Dimension>(points, [r](double x) { return std::floor(x / r); })
+  thick_benchmark::Cell_list(points, [r](double x) { return std::floor(x / r); })
     .for_each_candidate([&](std::size_t, std::size_t) { ++count; });
   return count;
 }
@@ -133,7 +137,7 @@ std::size_t count_within_along_x(const std::vector<Site>& sites, long distance)
   return count;
 }
 
-void write_work(int dimension, std::size_t n, lab::Csv_file& csv)
+void write_work(int dimension, std::size_t n, Csv_file& csv)
 {
   const std::vector<Site> sites = uniform_sites(dimension, n);
   const long distance = distance_for_n_pairs(dimension, n);
@@ -145,15 +149,18 @@ void write_work(int dimension, std::size_t n, lab::Csv_file& csv)
   const auto write_variant = [&](const char* method, Base_case base_case, long reach) {
     Calls calls;
     const Lattice_traits traits(dimension, distance, reach, calls);
-    k = book_pairs(sites, traits, {Pivot::MEDIAN, base_case, 0}).size();
+    Tally tally;
+    thick_benchmark::recursive_route(sites, traits, {thick_benchmark::Pivot::MEDIAN, base_case, 0},
+                                     tally);
+    k = tally.pairs;
     write(method, calls.do_intersect);
   };
   write_variant("sweep, reach r", Base_case::SWEEP, distance);
   write_variant("sweep, reach 2 r", Base_case::SWEEP, 2 * distance);
   write_variant("walk, reach r", Base_case::WALK, distance);
   write_variant("walk, reach 2 r", Base_case::WALK, 2 * distance);
-  write("grid of cells r", dimension == 2 ? count_grid_candidates<2>(sites, distance)
-                                          : count_grid_candidates<3>(sites, distance));
+  write("grid of cells r", dimension == 2 ? count_cell_candidates<2>(sites, distance)
+                                          : count_cell_candidates<3>(sites, distance));
   write("sweep along x alone", count_within_along_x(sites, distance));
 }
 
@@ -162,13 +169,13 @@ void write_work(int dimension, std::size_t n, lab::Csv_file& csv)
 int main(int, char** arguments)
 {
   const std::string folder = arguments[1];
-  lab::Csv_file certificates(
-    folder + "/certificates.csv",
+  Csv_file certificates(
+    folder, "certificates.csv",
     "Scene_profile itself; test/test_data.cpp checks the pairs of these scenes in integers",
     "file,view,dimension,radius,stored,log2_extent,log2_reach,bits,tier");
   write_certificates(certificates);
 
-  lab::Csv_file work(folder + "/work.csv", "integer coordinates below 2^24, squared in 64 bits "
+  Csv_file work(folder, "work.csv", "integer coordinates below 2^24, squared in 64 bits "
                                            "(test/support/lattice_traits.h, squared_distance)",
                      "dimension,n,k,method,calls,calls_per_output");
   for(int dimension : {2, 3})

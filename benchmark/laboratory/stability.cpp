@@ -17,14 +17,14 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <cfenv>
-#include <functional>
 
 namespace {
 
 using namespace test_support;
-using Array = lab::Array_point<3>;
+using thick_benchmark::Csv_file;
+using Form = thick_benchmark::Named_form<3>;
+using Array = Form::Point;
 using Answers = std::string; // a character '0' or '1' per question
-using Is_near = std::function<bool(const Array&, const Array&, double)>;
 
 struct Question
 {
@@ -62,12 +62,6 @@ std::vector<Question> questions()
   return result;
 }
 
-template <class Form>
-bool ask(const Array& p, const Array& q, double r)
-{
-  return Form::is_near(p, q, r);
-}
-
 bool ask_epick(const Array& p, const Array& q, double r)
 {
   using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
@@ -83,31 +77,21 @@ bool ask_package(const Array& p, const Array& q, double r)
   return !near_pairs(points, CGAL::within_distance(r)).empty();
 }
 
-struct Method
+std::vector<Form> forms()
 {
-  std::string name;
-  Is_near is_near;
-};
-
-std::vector<Method> methods()
-{
-  return {{"double", ask<lab::Squared_in<double>>},
-          {"double, sqrt", ask<lab::With_square_root>},
-          {"double, hypot", ask<lab::With_hypot>},
-          {"double, expanded", ask<lab::Expanded>},
-          {"float", ask<lab::Squared_in<float>>},
-          {"EPICK, r * r", ask_epick},
-          {"ours", ask_package}};
+  std::vector<Form> forms = thick_benchmark::common_forms<3>();
+  forms.push_back({"EPICK, r * r", ask_epick});
+  forms.push_back({"ours", ask_package});
+  return forms;
 }
 
 template <class Change>
-Answers answers(const Method& method, const std::vector<Question>& questions,
-                const Change& change)
+Answers answers(const Form& form, const std::vector<Question>& questions, const Change& change)
 {
   Answers result;
   for(const Question& question : questions) {
     const Question changed = change(question);
-    result += method.is_near(changed.p, changed.q, changed.r) ? '1' : '0';
+    result += form.is_near(changed.p, changed.q, changed.r) ? '1' : '0';
   }
   return result;
 }
@@ -138,20 +122,20 @@ const char* const truth = "none needed: answers of one method are compared with 
 
 void write_changes(const std::string& folder)
 {
-  lab::Csv_file csv(folder + "/stability.csv", truth, "method,change,questions,changed");
+  Csv_file csv(folder, "stability.csv", truth, "method,change,questions,changed");
   std::ofstream all_answers(folder + "/answers.txt");
   const std::vector<Question> all = questions();
-  for(const Method& method : methods()) {
-    const Answers base = answers(method, all, as_it_is);
+  for(const Form& form : forms()) {
+    const Answers base = answers(form, all, as_it_is);
     all_answers << base << '\n';
     const auto write = [&](const char* change, const Answers& other) {
-      csv.row(method.name, change, all.size(), count_differences(base, other));
+      csv.row(form.name, change, all.size(), count_differences(base, other));
     };
-    write("p and q swapped", answers(method, all, with_points_swapped));
-    write("axes reversed", answers(method, all, with_axes_reversed));
+    write("p and q swapped", answers(form, all, with_points_swapped));
+    write("axes reversed", answers(form, all, with_axes_reversed));
     const auto write_mode = [&](const char* name, int mode) {
       std::fesetround(mode);
-      const Answers other = answers(method, all, as_it_is);
+      const Answers other = answers(form, all, as_it_is);
       std::fesetround(FE_TONEAREST);
       write(name, other);
     };
@@ -163,14 +147,14 @@ void write_changes(const std::string& folder)
 
 void write_differences_of_builds(const std::string& folder, const std::string& answers_of_other)
 {
-  lab::Csv_file csv(folder + "/fused.csv", truth, "method,change,questions,changed");
+  Csv_file csv(folder, "fused.csv", truth, "method,change,questions,changed");
   std::ifstream other(answers_of_other);
   const std::vector<Question> all = questions();
-  for(const Method& method : methods()) {
+  for(const Form& form : forms()) {
     Answers base;
     std::getline(other, base);
-    csv.row(method.name, "fused multiplication", all.size(),
-            count_differences(base, answers(method, all, as_it_is)));
+    csv.row(form.name, "fused multiplication", all.size(),
+            count_differences(base, answers(form, all, as_it_is)));
   }
 }
 

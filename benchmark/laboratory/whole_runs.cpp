@@ -6,8 +6,9 @@
 //
 //   whole_runs <folder for whole_runs.csv> <random points> <points per lattice row>
 
-#include "measuring/Csv_file.h"
 #include "wrong_pairs.h"
+
+#include "measuring/Csv_file.h"
 
 #include "support/box_oracle.h"
 
@@ -16,6 +17,8 @@
 namespace {
 
 using namespace test_support;
+using lab::Column;
+using lab::Outcome;
 
 std::vector<Point_scene> scenes(std::size_t n, std::size_t row)
 {
@@ -32,35 +35,32 @@ std::vector<Point_scene> scenes(std::size_t n, std::size_t row)
 
 // Runs a method five times, or once if that is long; keeps the least time, in which the machine did
 // the least besides.
-std::string find_often(const lab::Method& method, const Point_scene& scene, lab::Found& found)
+Outcome find_often(const Column& column, const lab::Scene& scene)
 {
   constexpr unsigned int seconds = 120;
-  const std::string status = lab::find_in_child(method, scene, seconds, found).status;
-  for(int repetition = 1; repetition < 5 && status == "ok" && found.seconds < 1; ++repetition) {
-    lab::Found again;
-    lab::find_in_child(method, scene, seconds, again);
-    found.seconds = std::min(found.seconds, again.seconds);
-  }
-  return status;
+  Outcome best = find_in_child(column, scene, seconds);
+  for(int repetition = 1; repetition < 5 && best.is_ok() && best.seconds < 1; ++repetition)
+    best.seconds = std::min(best.seconds, find_in_child(column, scene, seconds).seconds);
+  return best;
 }
 
 } // namespace
 
 int main(int, char** arguments)
 {
-  lab::Csv_file csv(std::string(arguments[1]) + "/whole_runs.csv",
+  lab::Csv_file csv(arguments[1], "whole_runs.csv",
                     "boxes rounded outwards, then GMP integers (test/support/box_oracle.h)",
                     "set,points,true_pairs,method,group,status,seconds,missing,extra");
-  for(const Point_scene& scene : scenes(std::stoul(arguments[2]), std::stoul(arguments[3]))) {
-    const Pairs truth = box_pairs(scene);
-    std::cout << scene << ", " << truth.size() << " pairs" << std::endl;
-    for(const lab::Method& method : lab::all_methods(2)) {
-      lab::Found found;
-      const std::string status = find_often(method, scene, found);
+  for(const Point_scene& points : scenes(std::stoul(arguments[2]), std::stoul(arguments[3]))) {
+    const Pairs truth = box_pairs(points);
+    std::cout << points << ", " << truth.size() << " pairs" << std::endl;
+    const lab::Scene scene = lab::scene_of(points);
+    for(const Column& column : lab::all_columns()) {
+      const Outcome outcome = find_often(column, scene);
       const Pairs_difference wrong
-        = status == "ok" ? compare(truth, lab::reported(found)) : Pairs_difference();
-      csv.row(scene.name, scene.points.size(), truth.size(), method.name, method.group, status,
-              found.seconds, wrong.missing.size(), wrong.extra.size());
+        = outcome.is_ok() ? compare(truth, reported(outcome.found)) : Pairs_difference();
+      csv.row(scene.name, scene.size(), truth.size(), column.name, column.group, outcome.status,
+              outcome.seconds, wrong.missing.size(), wrong.extra.size());
     }
   }
 }

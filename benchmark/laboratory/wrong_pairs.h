@@ -9,6 +9,8 @@
 #include "columns.h"
 #include "run_in_child.h"
 
+#include "measuring/timing.h"
+
 #include "support/point_generators.h"
 
 #include <algorithm>
@@ -26,24 +28,33 @@ struct Wrong_pairs
   double seconds = 0;
 };
 
-// Runs a method in a process of its own.
-inline Child_result<Pair> find_in_child(const Method& method, const Point_scene& scene,
-                                        unsigned int seconds, Found& found)
+// What came of a run in a process of its own.
+struct Outcome
+{
+  std::string status;
+  Found found;
+  double seconds = 0; // from the points in the method's own type to the last pair
+
+  bool is_ok() const { return status == "ok"; }
+};
+
+inline Outcome find_in_child(const Column& column, const Scene& scene, unsigned int limit)
 {
   // What is not a pair travels as one, at the end.
   const auto send = [&] {
-    Found result = method.find(scene);
-    result.pairs.emplace_back(result.is_directed, static_cast<std::size_t>(result.seconds * 1e9));
-    return result.pairs;
+    const Run<Found> run = column.prepare(scene);
+    Found found;
+    const double seconds = seconds_of([&] { found = run(); });
+    found.pairs.emplace_back(found.is_directed, static_cast<std::size_t>(seconds * 1e9));
+    return found.pairs;
   };
-  Child_result<Pair> result = run_in_child(seconds, send);
-  if(result.is_ok()) {
-    found.is_directed = result.values.back().first != 0;
-    found.seconds = 1e-9 * static_cast<double>(result.values.back().second);
-    result.values.pop_back();
-    found.pairs = std::move(result.values);
-  }
-  return result;
+  Child_result<Pair> result = run_in_child(limit, send);
+  if(!result.is_ok())
+    return {result.status, {}};
+  const Pair last = result.values.back();
+  result.values.pop_back();
+  return {result.status, {std::move(result.values), last.first != 0},
+          1e-9 * static_cast<double>(last.second)};
 }
 
 inline std::size_t size_of_difference(const Pairs& a, const Pairs& b)
@@ -76,52 +87,49 @@ inline std::size_t count_asymmetric(const Found& found)
 }
 
 // The same points in another order, and where each of them was.
-inline Point_scene reordered(const Point_scene& scene, std::vector<std::size_t>& positions)
+inline Scene reordered(const Scene& scene, std::vector<std::size_t>& positions)
 {
-  test_support::Random random(scene.points.size());
-  positions.resize(scene.points.size());
+  test_support::Random random(scene.size());
+  positions.resize(scene.size());
   std::iota(positions.begin(), positions.end(), std::size_t(0));
   for(std::size_t i = positions.size(); i > 1; --i)
     std::swap(positions[i - 1], positions[random.below(i)]);
-  Point_scene result = scene;
-  for(std::size_t i = 0; i < positions.size(); ++i)
-    result.points[i] = scene.points[positions[i]];
+  Scene result = scene;
+  result.coordinates.clear();
+  for(std::size_t i : positions)
+    result.coordinates.insert(result.coordinates.end(), scene.point(i),
+                              scene.point(i) + scene.dimension);
   return result;
 }
 
 // Counts the pairs that are answered differently when the input is in another order.
-inline std::size_t count_order_dependent(const Method& method, const Point_scene& scene,
-                                         unsigned int seconds)
+inline std::size_t count_order_dependent(const Column& column, const Scene& scene,
+                                         unsigned int limit)
 {
-  Found in_order, found;
   std::vector<std::size_t> positions;
-  const Point_scene other = reordered(scene, positions);
-  if(!find_in_child(method, scene, seconds, in_order).is_ok()
-     || !find_in_child(method, other, seconds, found).is_ok())
+  const Scene other = reordered(scene, positions);
+  const Outcome in_order = find_in_child(column, scene, limit);
+  Outcome outcome = find_in_child(column, other, limit);
+  if(!in_order.is_ok() || !outcome.is_ok())
     return 0;
-  for(Pair& pair : found.pairs) {
+  for(Pair& pair : outcome.found.pairs) {
     const std::size_t i = positions[pair.first], j = positions[pair.second];
-    pair = found.is_directed ? Pair(i, j) : Pair(std::minmax(i, j));
+    pair = outcome.found.is_directed ? Pair(i, j) : Pair(std::minmax(i, j));
   }
-  return size_of_difference(reported(in_order), reported(found));
+  return size_of_difference(reported(in_order.found), reported(outcome.found));
 }
 
 // Compares what a method finds with the sorted true pairs.
-inline Wrong_pairs count_wrong_pairs(const Method& method, const Point_scene& scene,
-                                     const Pairs& truth, unsigned int seconds)
+inline Wrong_pairs count_wrong_pairs(const Column& column, const Scene& scene, const Pairs& truth,
+                                     unsigned int limit)
 {
-  Wrong_pairs wrong;
-  Found found;
-  wrong.status = find_in_child(method, scene, seconds, found).status;
-  if(wrong.status != "ok")
-    return wrong;
-  const Pairs pairs = reported(found);
-  const test_support::Pairs_difference difference = test_support::compare(truth, pairs);
-  wrong.missing = difference.missing.size();
-  wrong.extra = difference.extra.size();
-  wrong.asymmetric = count_asymmetric(found);
-  wrong.seconds = found.seconds;
-  return wrong;
+  const Outcome outcome = find_in_child(column, scene, limit);
+  if(!outcome.is_ok())
+    return {outcome.status};
+  const test_support::Pairs_difference wrong
+    = test_support::compare(truth, reported(outcome.found));
+  return {outcome.status, wrong.missing.size(), wrong.extra.size(),
+          count_asymmetric(outcome.found), outcome.seconds};
 }
 
 } // namespace lab

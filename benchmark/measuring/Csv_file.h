@@ -7,33 +7,26 @@
 #ifndef THICK_INTERSECTION_BENCHMARK_MEASURING_CSV_FILE_H
 #define THICK_INTERSECTION_BENCHMARK_MEASURING_CSV_FILE_H
 
+#include "processor.h"
+
 #include <CGAL/version.h>
 
 #include <fstream>
 #include <stdexcept>
 #include <string>
 
-namespace lab {
-
-// The model of the processor, as Linux tells it.
-inline std::string processor()
-{
-  std::ifstream info("/proc/cpuinfo");
-  for(std::string line; std::getline(info, line);)
-    if(line.rfind("model name", 0) == 0)
-      return line.substr(line.find(':') + 2);
-  return "unknown processor";
-}
+namespace thick_benchmark {
 
 class Csv_file
 {
 public:
-  // `truth` says how the right answers were found, and in which file that is done.
-  Csv_file(const std::string& path, const std::string& truth, const std::string& columns)
-    : out_(path)
+  // In a folder. `truth` says how the right answers were found, and in which file that is done.
+  Csv_file(const std::string& folder, const std::string& name, const std::string& truth,
+           const std::string& columns)
+    : out_(folder + "/" + name)
   {
     if(!out_)
-      throw std::runtime_error("cannot write " + path);
+      throw std::runtime_error("cannot write " + name + " in " + folder);
     out_ << "# truth: " << truth << '\n'
          << "# machine: " << processor() << "; compiler " << __VERSION__ << "; CGAL "
          << CGAL_VERSION_STR << '\n'
@@ -61,6 +54,6 @@ private:
   std::ofstream out_;
 };
 
-} // namespace lab
+} // namespace thick_benchmark
 
 #endif // THICK_INTERSECTION_BENCHMARK_MEASURING_CSV_FILE_H

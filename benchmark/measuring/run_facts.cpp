@@ -3,6 +3,8 @@
 
 #include "run_facts.h"
 
+#include "processor.h"
+
 #include <thick_benchmark_commit.h> // written by the build
 
 #include <CGAL/version.h>
@@ -13,22 +15,11 @@
 
 #include <chrono>
 #include <ctime>
-#include <fstream>
 #include <thread>
 
 namespace thick_benchmark {
 
 namespace {
-
-// As Linux tells it.
-std::string processor()
-{
-  std::ifstream in("/proc/cpuinfo");
-  for(std::string line; std::getline(in, line);)
-    if(line.rfind("model name", 0) == 0)
-      return line.substr(line.find(':') + 2);
-  return "unknown";
-}
 
 std::string memory()
 {

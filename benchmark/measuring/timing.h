@@ -18,13 +18,22 @@ namespace thick_benchmark {
 
 using Seconds = std::vector<double>; // of each job in one round
 
+// Tells the time since it was made.
+class Stopwatch
+{
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start_ = Clock::now();
+
+public:
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+};
+
 template <class Function>
 double seconds_of(const Function& function)
 {
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point start = Clock::now();
+  const Stopwatch watch;
   function();
-  return std::chrono::duration<double>(Clock::now() - start).count();
+  return watch.seconds();
 }
 
 // Those that the processor spent on this thread: the same on a machine that does nothing else, and
@@ -59,10 +68,11 @@ Job timed_by_the_clock(const Function& function)
 }
 
 // Runs every job once per round, one after the other, after a round that is not counted.
-inline std::vector<Seconds> time_in_turns(const std::vector<Job>& jobs, int rounds)
+inline std::vector<Seconds> time_in_turns(const std::vector<Job>& jobs, int rounds,
+                                          int uncounted_rounds = 1)
 {
   std::vector<Seconds> times;
-  for(int round = -1; round < rounds; ++round) {
+  for(int round = -uncounted_rounds; round < rounds; ++round) {
     Seconds seconds;
     for(const Job& job : jobs)
       seconds.push_back(job());

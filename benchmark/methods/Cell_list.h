@@ -1,34 +1,36 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The textbook grid for near pairs: cells as wide as the radius, and pairs of points in equal and
+// The textbook method for near pairs: cells as wide as the radius, and pairs of points in equal and
 // in neighbouring cells as candidates. How the cell of a coordinate is computed is up to the user,
 // and so are the pairs that it loses.
 
 #ifndef THICK_INTERSECTION_BENCHMARK_METHODS_CELL_LIST_H
 #define THICK_INTERSECTION_BENCHMARK_METHODS_CELL_LIST_H
 
-#include "distance_forms.h"
+#include "all_pairs.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <vector>
 
-namespace lab {
+namespace thick_benchmark {
 
-template <std::size_t Dimension>
+template <int Dimension>
 class Cell_list
 {
-public:
-  using Point = Array_point<Dimension>;
+  using Cell = std::array<double, Dimension>;
 
+public:
   // cell_of(x) is the index of the cell of a coordinate, an integer as a double. A point for which
   // it is NaN is in no cell.
-  template <class Cell_of>
+  template <class Point, class Cell_of>
   Cell_list(const std::vector<Point>& points, const Cell_of& cell_of)
   {
     for(std::size_t i = 0; i < points.size(); ++i) {
       Entry entry{{}, i};
-      for(std::size_t axis = 0; axis < Dimension; ++axis)
+      for(int axis = 0; axis < Dimension; ++axis)
         entry.cell[axis] = cell_of(points[i][axis]);
       if(std::none_of(entry.cell.begin(), entry.cell.end(), [](double c) { return c != c; }))
         entries_.push_back(entry);
@@ -53,7 +55,7 @@ public:
 private:
   struct Entry
   {
-    Point cell;
+    Cell cell;
     std::size_t position;
   };
   struct Less
@@ -65,7 +67,7 @@ private:
   // Fixes the cell of a neighbour axis by axis, and visits it if it comes later: if the first axis
   // along which it differs goes up.
   template <class Function>
-  void visit_later_neighbours(Iterator first, Iterator last, Point cell, std::size_t axis,
+  void visit_later_neighbours(Iterator first, Iterator last, Cell cell, int axis,
                               bool is_later, const Function& f) const
   {
     if(axis == Dimension) {
@@ -88,21 +90,20 @@ private:
   std::vector<Entry> entries_;
 };
 
+template <class Point, class Cell_of>
+Cell_list(const std::vector<Point>&, const Cell_of&) -> Cell_list<dimension_of<Point>>;
+
 // Small scenes are searched pair by pair, so that only the predicate is to blame for what is
 // wrong; large ones by cells, whose division loses no pair.
-template <std::size_t Dimension, class Function>
-void for_each_candidate(const std::vector<Array_point<Dimension>>& points, double r,
-                        const Function& f)
+template <class Point, class Function>
+void for_each_candidate(const std::vector<Point>& points, double r, const Function& f)
 {
-  if(points.size() > 2000 && r > 0) {
-    Cell_list<Dimension>(points, [r](double x) { return std::floor(x / r); }).for_each_candidate(f);
-    return;
-  }
-  for(std::size_t i = 0; i < points.size(); ++i)
-    for(std::size_t j = i + 1; j < points.size(); ++j)
-      f(i, j);
+  if(points.size() > 2000 && r > 0)
+    Cell_list(points, [r](double x) { return std::floor(x / r); }).for_each_candidate(f);
+  else
+    all_pairs(points.size(), [](std::size_t, std::size_t) { return true; }, f);
 }
 
-} // namespace lab
+} // namespace thick_benchmark
 
 #endif // THICK_INTERSECTION_BENCHMARK_METHODS_CELL_LIST_H

@@ -9,12 +9,15 @@
 
 #include <CGAL/Thick_point_traits_d.h>
 
+#include <array>
 #include <vector>
 
 namespace thick_benchmark {
 
 template <class Point>
 constexpr int dimension_of = CGAL::Ambient_dimension<Point>::value;
+template <std::size_t Dimension>
+constexpr int dimension_of<std::array<double, Dimension>> = static_cast<int>(Dimension);
 
 // Returns whether the points at two positions are within r, as a function object.
 template <class Point>

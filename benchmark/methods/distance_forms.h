@@ -9,8 +9,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
 
-namespace lab {
+namespace thick_benchmark {
 
 template <std::size_t Dimension>
 using Array_point = std::array<double, Dimension>;
@@ -30,8 +33,8 @@ Float squared_distance_in(const Array_point<Dimension>& p, const Array_point<Dim
 template <class Float>
 struct Squared_in
 {
-  template <class Point>
-  static bool is_near(const Point& p, const Point& q, double r)
+  template <std::size_t Dimension>
+  static bool is_near(const Array_point<Dimension>& p, const Array_point<Dimension>& q, double r)
   {
     const Float radius = static_cast<Float>(r);
     return squared_distance_in<Float>(p, q) <= radius * radius;
@@ -41,8 +44,8 @@ struct Squared_in
 // As compilers contract the sum on machines with fused multiplication.
 struct Squared_with_fma
 {
-  template <class Point>
-  static bool is_near(const Point& p, const Point& q, double r)
+  template <std::size_t Dimension>
+  static bool is_near(const Array_point<Dimension>& p, const Array_point<Dimension>& q, double r)
   {
     const double first = p[0] - q[0];
     double sum = first * first;
@@ -56,8 +59,8 @@ struct Squared_with_fma
 
 struct With_square_root
 {
-  template <class Point>
-  static bool is_near(const Point& p, const Point& q, double r)
+  template <std::size_t Dimension>
+  static bool is_near(const Array_point<Dimension>& p, const Array_point<Dimension>& q, double r)
   {
     return std::sqrt(squared_distance_in<double>(p, q)) <= r;
   }
@@ -65,21 +68,21 @@ struct With_square_root
 
 struct With_hypot
 {
-  static bool is_near(const Array_point<2>& p, const Array_point<2>& q, double r)
+  template <std::size_t Dimension>
+  static bool is_near(const Array_point<Dimension>& p, const Array_point<Dimension>& q, double r)
   {
-    return std::hypot(p[0] - q[0], p[1] - q[1]) <= r;
-  }
-  static bool is_near(const Array_point<3>& p, const Array_point<3>& q, double r)
-  {
-    return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) <= r;
+    if constexpr(Dimension == 2)
+      return std::hypot(p[0] - q[0], p[1] - q[1]) <= r;
+    else
+      return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) <= r;
   }
 };
 
 // |p|^2 + |q|^2 - 2 p.q, by which matrix products compute distances.
 struct Expanded
 {
-  template <class Point>
-  static bool is_near(const Point& p, const Point& q, double r)
+  template <std::size_t Dimension>
+  static bool is_near(const Array_point<Dimension>& p, const Array_point<Dimension>& q, double r)
   {
     double pp = 0, qq = 0, pq = 0;
     for(std::size_t i = 0; i < p.size(); ++i) {
@@ -91,6 +94,27 @@ struct Expanded
   }
 };
 
-} // namespace lab
+// A form by its name.
+template <std::size_t Dimension>
+struct Named_form
+{
+  using Point = Array_point<Dimension>;
+
+  std::string name;
+  std::function<bool(const Point&, const Point&, double)> is_near;
+};
+
+// Those that the tables of the laboratory have in common.
+template <std::size_t Dimension>
+std::vector<Named_form<Dimension>> common_forms()
+{
+  return {{"double", Squared_in<double>::is_near<Dimension>},
+          {"double, sqrt", With_square_root::is_near<Dimension>},
+          {"double, hypot", With_hypot::is_near<Dimension>},
+          {"double, expanded", Expanded::is_near<Dimension>},
+          {"float", Squared_in<float>::is_near<Dimension>}};
+}
+
+} // namespace thick_benchmark
 
 #endif // THICK_INTERSECTION_BENCHMARK_METHODS_DISTANCE_FORMS_H

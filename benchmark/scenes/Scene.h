@@ -6,6 +6,7 @@
 #ifndef THICK_INTERSECTION_BENCHMARK_SCENES_SCENE_H
 #define THICK_INTERSECTION_BENCHMARK_SCENES_SCENE_H
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <type_traits>
@@ -33,17 +34,26 @@ template <class Kernel, int Dimension>
 using Point_t = std::conditional_t<Dimension == 2, typename Kernel::Point_2,
                                    typename Kernel::Point_3>;
 
+// Stands for a kernel where none is needed.
+struct Arrays
+{
+  using FT = double;
+  using Point_2 = std::array<double, 2>;
+  using Point_3 = std::array<double, 3>;
+};
+
 template <class Kernel, int Dimension>
 std::vector<Point_t<Kernel, Dimension>> make_points(const Scene& scene)
 {
   using FT = typename Kernel::FT;
-  std::vector<Point_t<Kernel, Dimension>> points;
+  using Point = Point_t<Kernel, Dimension>;
+  std::vector<Point> points;
   points.reserve(scene.size());
   for(const double* x = scene.coordinates.data(); points.size() < scene.size(); x += Dimension)
     if constexpr(Dimension == 2)
-      points.emplace_back(FT(x[0]), FT(x[1]));
+      points.push_back(Point{FT(x[0]), FT(x[1])});
     else
-      points.emplace_back(FT(x[0]), FT(x[1]), FT(x[2]));
+      points.push_back(Point{FT(x[0]), FT(x[1]), FT(x[2])});
   return points;
 }
 

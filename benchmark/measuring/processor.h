@@ -1,0 +1,25 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The model of the processor, as Linux tells it.
+
+#ifndef THICK_INTERSECTION_BENCHMARK_MEASURING_PROCESSOR_H
+#define THICK_INTERSECTION_BENCHMARK_MEASURING_PROCESSOR_H
+
+#include <fstream>
+#include <string>
+
+namespace thick_benchmark {
+
+inline std::string processor()
+{
+  std::ifstream in("/proc/cpuinfo");
+  for(std::string line; std::getline(in, line);)
+    if(line.rfind("model name", 0) == 0)
+      return line.substr(line.find(':') + 2);
+  return "unknown";
+}
+
+} // namespace thick_benchmark
+
+#endif // THICK_INTERSECTION_BENCHMARK_MEASURING_PROCESSOR_H
