@@ -29,10 +29,12 @@ int main(int, char** arguments)
       const test_support::Truth truth = test_support::brute_force(family.points, family.radius);
       const Scene scene = scene_of(family);
       for(const Column& column : all_columns()) {
-        const Wrong_pairs wrong = count_wrong_pairs(column, scene, truth.pairs, seconds);
+        const Outcome outcome = find_in_child(column, scene, seconds);
+        const auto wrong = wrong_pairs(outcome, truth.pairs);
         csv.row(dimension, scene.name, truth.pairs.size(), truth.boundary, column.name,
-                column.group, wrong.status, wrong.missing, wrong.extra, wrong.asymmetric,
-                count_order_dependent(column, scene, seconds), wrong.seconds);
+                column.group, outcome.status, wrong.missing.size(), wrong.extra.size(),
+                count_asymmetric(outcome.found), count_order_dependent(column, scene, seconds),
+                outcome.seconds);
       }
     }
 }

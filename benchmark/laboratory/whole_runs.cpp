@@ -57,8 +57,7 @@ int main(int, char** arguments)
     const lab::Scene scene = lab::scene_of(points);
     for(const Column& column : lab::all_columns()) {
       const Outcome outcome = find_often(column, scene);
-      const Pairs_difference wrong
-        = outcome.is_ok() ? compare(truth, reported(outcome.found)) : Pairs_difference();
+      const Pairs_difference wrong = wrong_pairs(outcome, truth);
       csv.row(scene.name, scene.size(), truth.size(), column.name, column.group, outcome.status,
               outcome.seconds, wrong.missing.size(), wrong.extra.size());
     }

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// What is wrong with what a method found.
+// What is wrong with what a method finds.
 
 #ifndef THICK_INTERSECTION_BENCHMARK_LABORATORY_WRONG_PAIRS_H
 #define THICK_INTERSECTION_BENCHMARK_LABORATORY_WRONG_PAIRS_H
@@ -18,15 +18,6 @@
 #include <numeric>
 
 namespace lab {
-
-struct Wrong_pairs
-{
-  std::string status = "ok"; // or how the method ended; then the numbers mean nothing
-  std::size_t missing = 0;
-  std::size_t extra = 0; // with pairs that are reported twice
-  std::size_t asymmetric = 0; // j is found from i, but i is not found from j
-  double seconds = 0;
-};
 
 // What came of a run in a process of its own.
 struct Outcome
@@ -75,6 +66,7 @@ inline Pairs reported(const Found& found)
   return test_support::sorted(std::move(pairs));
 }
 
+// Pairs of which j is found from i, but i is not found from j, or the other way.
 inline std::size_t count_asymmetric(const Found& found)
 {
   if(!found.is_directed)
@@ -119,17 +111,11 @@ inline std::size_t count_order_dependent(const Column& column, const Scene& scen
   return size_of_difference(reported(in_order.found), reported(outcome.found));
 }
 
-// Compares what a method finds with the sorted true pairs.
-inline Wrong_pairs count_wrong_pairs(const Column& column, const Scene& scene, const Pairs& truth,
-                                     unsigned int limit)
+// Compares what a method has found with the sorted true pairs.
+inline test_support::Pairs_difference wrong_pairs(const Outcome& outcome, const Pairs& truth)
 {
-  const Outcome outcome = find_in_child(column, scene, limit);
-  if(!outcome.is_ok())
-    return {outcome.status};
-  const test_support::Pairs_difference wrong
-    = test_support::compare(truth, reported(outcome.found));
-  return {outcome.status, wrong.missing.size(), wrong.extra.size(),
-          count_asymmetric(outcome.found), outcome.seconds};
+  return outcome.is_ok() ? test_support::compare(truth, reported(outcome.found))
+                         : test_support::Pairs_difference();
 }
 
 } // namespace lab

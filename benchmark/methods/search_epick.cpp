@@ -8,21 +8,7 @@
 
 namespace thick_benchmark {
 
-namespace {
-
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
-template <int Dimension>
-std::uint64_t count_pairs_d(const Scene& scene, std::uint64_t limit)
-{
-  std::uint64_t count = 0;
-  const auto count_up = [&](std::size_t, std::size_t) { return ++count <= limit; };
-  CGAL::fixed_radius_near_neighbors(make_points<Kernel, Dimension>(scene),
-                                    CGAL::within_distance(scene.r), count_up);
-  return count;
-}
-
-} // namespace
 
 Search search_epick(const Scene& scene)
 {
@@ -31,7 +17,12 @@ Search search_epick(const Scene& scene)
 
 std::uint64_t count_pairs(const Scene& scene, std::uint64_t limit)
 {
-  return scene.dimension == 2 ? count_pairs_d<2>(scene, limit) : count_pairs_d<3>(scene, limit);
+  const auto search = [limit](const auto& points, double r, std::uint64_t& count) {
+    count = 0;
+    const auto count_up = [&](std::size_t, std::size_t) { return ++count <= limit; };
+    CGAL::fixed_radius_near_neighbors(points, CGAL::within_distance(r), count_up);
+  };
+  return on_points<std::uint64_t, Kernel>(search)(scene)();
 }
 
 Run<Tally> naive_double_loop(const Scene& scene)

@@ -8,6 +8,8 @@
 #include "methods/ours.h"
 #include "scenes/generators.h"
 
+#include "support/counting_allocator.h"
+
 #include <cmath>
 #include <filesystem>
 #include <sstream>
@@ -33,20 +35,6 @@ void check_equal(const std::string& name, const Tally& expected, const Tally& fo
     throw std::runtime_error(message.str());
 }
 
-// The pairs of a scene, after all ways of the search have found the same.
-Tally agreed_pairs(const Scene& scene, const Search& search, const Tally& expected)
-{
-  check_equal(scene.name, expected, search.sequential());
-  if(search.parallel)
-    check_equal(scene.name + " in parallel", expected, search.parallel());
-  return expected;
-}
-
-Tally agreed_pairs(const Scene& scene, const Search& search)
-{
-  return agreed_pairs(scene, search, tally_by_recursive_route(scene));
-}
-
 // A search whose pairs have been checked, and where its times are compared with.
 struct Subject
 {
@@ -56,10 +44,20 @@ struct Subject
   Search search;
 };
 
-Subject make_subject(const Scene& scene, const std::string& name)
+// After all ways of the search have found the same pairs.
+Subject make_subject(const std::string& name, const Scene& scene, const Search& search,
+                     const Tally& expected)
 {
-  const Search search = search_epick(scene);
-  return {name, scene.size(), agreed_pairs(scene, search).pairs, search};
+  check_equal(scene.name, expected, search.sequential());
+  if(search.parallel)
+    check_equal(scene.name + " in parallel", expected, search.parallel());
+  return {name, scene.size(), expected.pairs, search};
+}
+
+Subject make_subject(const std::string& name, const Scene& scene,
+                     Search (*search)(const Scene&) = search_epick)
+{
+  return make_subject(name, scene, search(scene), tally_by_recursive_route(scene));
 }
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -130,14 +128,14 @@ const Uniform_scene uniform_scenes[] = {{2, 0.5, at_most(0.45, 0.30)},
 Rows measure_uniform(const std::string& name, const Uniform_scene& u, std::size_t n)
 {
   const Scene scene = u.make(n);
-  return measure(make_subject(scene, name), "time / std::sort", u.goal, {sort_of_x(scene)},
+  return measure(make_subject(name, scene), "time / std::sort", u.goal, {sort_of_x(scene)},
                  of_first_other);
 }
 
 // Lists of neighbours, against counting the pairs.
-Rows measure_lists(const std::string& name, const Scene& scene)
+Rows measure_lists(const std::string& name, const Uniform_scene& u, std::size_t n)
 {
-  const Subject subject = make_subject(scene, name);
+  const Subject subject = make_subject(name, u.make(n));
   if(subject.search.lists() != subject.k)
     throw std::runtime_error(name + ": the lists have other pairs");
   const std::vector<Seconds> times
@@ -151,52 +149,41 @@ Rows measure_growth(const std::string& name, const Uniform_scene& u, std::size_t
 {
   const Scene few = u.make(n);
   const Scene many = u.make(10 * n);
-  return measure(make_subject(many, name), "time / std::sort, / that of n", at_most(1.15, 1.0),
+  return measure(make_subject(name, many), "time / std::sort, / that of n", at_most(1.15, 1.0),
                  {sort_of_x(many), timed(search_epick(few).sequential), sort_of_x(few)},
                  [](const Seconds& s) { return (s[0] / s[1]) / (s[2] / s[3]); });
 }
 
 // ---- other kernels ------------------------------------------------------------------------------
 
-struct Kernel
+Rows measure_kernel(const std::string& name, Search (*search)(const Scene&), double target,
+                    const Uniform_scene& u, std::size_t n)
 {
-  std::string name;
-  Search (*search)(const Scene&);
-};
-
-const Kernel double_kernel = {"Cartesian<double>", search_double};
-const Kernel epeck = {"EPECK", search_epeck};
-const Kernel exact_kernel = {"Cartesian<rational>", search_exact};
-
-Rows measure_kernel(const std::string& name, const Kernel& kernel, const Goal& goal,
-                    const Scene& scene)
-{
-  const Search search = kernel.search(scene);
-  const Search epick = search_epick(scene);
-  const Subject subject = {name, scene.size(), agreed_pairs(scene, search).pairs, search};
-  return measure(subject, "time / EPICK", goal, {timed(epick.sequential)}, of_first_other);
+  const Scene scene = u.make(n);
+  return measure(make_subject(name, scene, search), "time / EPICK", at_most(target),
+                 {timed(search_epick(scene).sequential)}, of_first_other);
 }
 
 // Against reading the coordinates once and searching their doubles.
-Rows measure_exact_kernel(const std::string& name, const Scene& scene)
+Rows measure_exact_kernel(const std::string& name, const Uniform_scene& u, std::size_t n)
 {
-  const Search search = exact_kernel.search(scene);
-  const Search epick = search_epick(scene);
-  const Subject subject = {name, scene.size(), agreed_pairs(scene, search).pairs, search};
+  const Scene scene = u.make(n);
+  const Subject subject = make_subject(name, scene, search_exact);
   return measure(subject, "time / (to_interval + EPICK)", at_most(1.3),
-                 {timed(search.sum_of_intervals), timed(epick.sequential)},
+                 {timed(subject.search.sum_of_intervals), timed(search_epick(scene).sequential)},
                  [](const Seconds& s) { return s[0] / (s[1] + s[2]); });
 }
 
 // ---- against uniform points ---------------------------------------------------------------------
 
 // The time per n + k in that of uniform points with as many pairs.
-Rows measure_against_uniform(const std::string& name, const Scene& scene, const Goal& goal)
+Rows measure_against_uniform(const std::string& name, const Goal& goal,
+                             const std::function<Scene()>& make_scene)
 {
-  const Subject subject = make_subject(scene, name);
-  const double k = static_cast<double>(subject.k);
-  const Scene even = uniform(scene.dimension, scene.size(), k);
-  const Subject reference = make_subject(even, name + ": uniform points");
+  const Scene scene = make_scene();
+  const Subject subject = make_subject(name, scene);
+  const Scene even = uniform(scene.dimension, scene.size(), static_cast<double>(subject.k));
+  const Subject reference = make_subject(name + ": uniform points", even);
   const double work = static_cast<double>(subject.n + subject.k)
                       / static_cast<double>(reference.n + reference.k);
   return measure(subject, "time / (n + k), / uniform", goal, {timed(reference.search.sequential)},
@@ -214,13 +201,21 @@ Rows measure_dense(const std::string& name, int dimension, std::size_t n)
 {
   const Scene scene = dense(dimension, n);
   const Run<Tally> naive = naive_double_loop(scene);
-  const Search search = search_epick(scene);
-  const Subject subject = {name, n, agreed_pairs(scene, search, naive()).pairs, search};
-  return measure(subject, "time / naive double loop", at_most(1.0, 0.6), {timed(naive)},
-                 of_first_other);
+  return measure(make_subject(name, scene, search_epick(scene), naive()),
+                 "time / naive double loop", at_most(1.0, 0.6), {timed(naive)}, of_first_other);
 }
 
-Rows measure_memory(const std::string& name, int dimension, std::size_t n, double neighbours)
+// The most bytes allocated during `job` beyond those before it.
+template <class Job>
+std::size_t peak_bytes_of(const Job& job)
+{
+  const std::size_t before = test_support::current_bytes();
+  test_support::reset_peak();
+  job();
+  return test_support::peak_bytes() - before;
+}
+
+Rows measure_memory(const std::string& name, int dimension, double neighbours, std::size_t n)
 {
   const Scene scene = uniform(dimension, n, neighbours * static_cast<double>(n));
   const Search search = search_epick(scene);
@@ -244,9 +239,8 @@ Rows measure_huge(const std::string& name, std::size_t n)
   const Search few = search_epick(uniform(2, n, 0.5 * static_cast<double>(n)));
   const Scene scene = uniform(2, 100 * n, 50 * static_cast<double>(n));
   const Search search = search_epick(scene);
-  const Tally tally = agreed_pairs(scene, search, search.sequential());
-  const Subject subject = {name, scene.size(), tally.pairs, search};
-  return measure(subject, "time / point, / that of n", at_most(2), {timed(few.sequential)},
+  return measure(make_subject(name, scene, search, search.sequential()),
+                 "time / point, / that of n", at_most(2), {timed(few.sequential)},
                  [](const Seconds& s) { return s[0] / s[1] / 100; });
 }
 
@@ -257,57 +251,44 @@ class Experiments
 public:
   explicit Experiments(const Settings& settings) : n_(settings.n) {}
 
-  // `measurement` is told its name.
-  void add(const std::string& name, const std::function<Rows(const std::string&)>& measurement)
-  {
-    all_.push_back({name, [=] { return measurement(name); }});
-  }
-
   void add_uniform()
   {
     for(const Uniform_scene& u : uniform_scenes)
-      add(u.name(), [=, n = n_](const std::string& name) { return measure_uniform(name, u, n); });
+      add(u.name(), measure_uniform, u, n_);
     for(const Uniform_scene& u : uniform_scenes)
-      add(u.name() + ", 10 times the points",
-          [=, n = n_](const std::string& name) { return measure_growth(name, u, n); });
+      add(u.name() + ", 10 times the points", measure_growth, u, n_);
   }
 
   void add_lists()
   {
     for(const Uniform_scene& u : uniform_scenes)
       if(u.neighbours > 1)
-        add(u.name() + ", lists of neighbours", [=, n = n_](const std::string& name) {
-          return measure_lists(name, u.make(n));
-        });
+        add(u.name() + ", lists of neighbours", measure_lists, u, n_);
   }
 
   void add_kernels()
   {
     for(const Uniform_scene& u : uniform_scenes) {
-      const auto add_kernel = [&](const Kernel& kernel, const Goal& goal) {
-        add(u.name() + ", " + kernel.name, [=, n = n_](const std::string& name) {
-          return measure_kernel(name, kernel, goal, u.make(n));
-        });
-      };
-      add_kernel(double_kernel, at_most(1.0));
-      add_kernel(epeck, at_most(2.5));
-      add(u.name() + ", " + exact_kernel.name, [=, n = n_](const std::string& name) {
-        return measure_exact_kernel(name, u.make(n));
-      });
+      add(u.name() + ", Cartesian<double>", measure_kernel, search_double, 1.0, u, n_);
+      add(u.name() + ", EPECK", measure_kernel, search_epeck, 2.5, u, n_);
+      add(u.name() + ", Cartesian<rational>", measure_exact_kernel, u, n_);
     }
   }
 
   void add_lattices(const std::string& extra_data)
   {
+    const Goal goal = at_most(1.3, 1.0);
     for(int dimension : {2, 3})
-      for(double unit : {1., 0.1})
-        add_scene(std::to_string(dimension) + "D lattice, r = unit = " + (unit == 1 ? "1" : "0.1"),
-                  ties_, [=, n = n_] {
-                    return lattice(dimension, side_of_lattice(dimension, n), unit);
-                  });
+      for(double unit : {1., 0.1}) {
+        const std::string name
+          = std::to_string(dimension) + "D lattice, r = unit = " + (unit == 1 ? "1" : "0.1");
+        add(name, measure_against_uniform, goal, [=, n = n_] {
+          return lattice(dimension, side_of_lattice(dimension, n), unit);
+        });
+      }
     const std::string file = extra_data + "/pba38478.tsp";
     if(!extra_data.empty() && std::filesystem::exists(file))
-      add_scene("2D pba38478, tiled", ties_, [=, n = n_] {
+      add("2D pba38478, tiled", measure_against_uniform, goal, [=, n = n_] {
         return with_fitting_integer_distance(tiled(file, n), count_pairs);
       });
   }
@@ -315,30 +296,23 @@ public:
   void add_skewed()
   {
     const std::size_t n = n_;
-    for(int dimension : {2, 3}) {
-      const std::string prefix = std::to_string(dimension) + "D ";
-      add_scene(prefix + "clusters", skew_,
-                [=] { return with_fitting_distance(clusters(dimension, n), count_pairs); });
-      add_scene(prefix + "Levy flight", skew_,
-                [=] { return with_fitting_distance(levy_flight(dimension, n), count_pairs); });
-      add_scene(prefix + "outlier at 10^15 r", skew_, [=] {
-        return with_outlier(uniform(dimension, n, 2 * static_cast<double>(n)));
-      });
-      add_scene(prefix + "90 % identical", skew_,
-                [=] { return mostly_identical(dimension, n / 50); });
+    for(int d : {2, 3}) {
+      const std::string prefix = std::to_string(d) + "D ";
+      add_fitted(prefix + "clusters", [=] { return clusters(d, n); });
+      add_fitted(prefix + "Levy flight", [=] { return levy_flight(d, n); });
+      add(prefix + "outlier at 10^15 r", measure_against_uniform, skew_,
+          [=] { return with_outlier(uniform(d, n, 2 * static_cast<double>(n))); });
+      add(prefix + "90 % identical", measure_against_uniform, skew_,
+          [=] { return mostly_identical(d, n / 50); });
     }
-    add_scene("3D oblique plane", skew_,
-              [=] { return with_fitting_distance(oblique_plane(n), count_pairs); });
-    add_scene("3D oblique line", skew_,
-              [=] { return with_fitting_distance(oblique_line(n), count_pairs); });
+    add_fitted("3D oblique plane", [=] { return oblique_plane(n); });
+    add_fitted("3D oblique line", [=] { return oblique_line(n); });
   }
 
   void add_dense()
   {
     for(int dimension : {2, 3})
-      add(std::to_string(dimension) + "D dense, all pairs", [=, n = n_](const std::string& name) {
-        return measure_dense(name, dimension, n / 50);
-      });
+      add(std::to_string(dimension) + "D dense, all pairs", measure_dense, dimension, n_ / 50);
   }
 
   void add_memory()
@@ -347,26 +321,28 @@ public:
       for(double neighbours : {0.5, 10., 100.})
         add(std::to_string(dimension) + "D uniform, memory, k ~ "
               + (neighbours < 1 ? "n/2" : neighbours < 100 ? "10 n" : "100 n"),
-            [=, n = n_](const std::string& name) {
-              return measure_memory(name, dimension, n, neighbours);
-            });
+            measure_memory, dimension, neighbours, n_);
   }
 
-  void add_huge()
-  {
-    add("2D uniform, k ~ n/2, 100 times the points",
-        [n = n_](const std::string& name) { return measure_huge(name, n); });
-  }
+  void add_huge() { add("2D uniform, k ~ n/2, 100 times the points", measure_huge, n_); }
 
   std::vector<Experiment> all() const { return all_; }
 
 private:
-  void add_scene(const std::string& name, const Goal& goal, const std::function<Scene()>& make)
+  template <class Measurement, class... Arguments>
+  void add(const std::string& name, const Measurement& measurement, const Arguments&... arguments)
   {
-    add(name, [=](const std::string& name) { return measure_against_uniform(name, make(), goal); });
+    all_.push_back({name, [=] { return measurement(name, arguments...); }});
   }
 
-  const Goal ties_ = at_most(1.3, 1.0);
+  // At a distance that gives between n and 4 n pairs.
+  template <class Make_scene>
+  void add_fitted(const std::string& name, const Make_scene& make_scene)
+  {
+    add(name, measure_against_uniform, skew_,
+        [=] { return with_fitting_distance(make_scene(), count_pairs); });
+  }
+
   const Goal skew_ = at_most(2, 1.2);
   const std::size_t n_;
   std::vector<Experiment> all_;

@@ -60,9 +60,6 @@ struct Experiment
 
 std::vector<Experiment> experiments(const Settings& settings);
 
-// The most bytes allocated during `job` beyond those before it.
-std::size_t peak_bytes_of(const std::function<void()>& job);
-
 } // namespace thick_benchmark
 
 #endif // THICK_INTERSECTION_BENCHMARK_TABLE_ROWS_H
