@@ -43,7 +43,8 @@ auto on_epick(const Search& search)
 void add_ours(Contestants& all);
 void add_recursive_routes(Contestants& all);
 void add_boxes(Contestants& all);
-void add_delaunay(Contestants& all);
+void add_delaunay_epick(Contestants& all);
+void add_delaunay_epeck(Contestants& all);
 void add_trees(Contestants& all);
 
 } // namespace thick_benchmark

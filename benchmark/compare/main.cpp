@@ -142,7 +142,8 @@ Contestants all_contestants()
   add_ours(all);
   add_recursive_routes(all);
   add_boxes(all);
-  add_delaunay(all);
+  add_delaunay_epick(all);
+  add_delaunay_epeck(all);
   add_trees(all);
   return all;
 }
