@@ -179,26 +179,24 @@ Scene levy_flight(int dimension, std::size_t n)
 
 Scene oblique_plane(std::size_t n)
 {
-  Scene scene = empty_scene("oblique plane", 3, n);
   Random random(5);
-  while(scene.size() < n) {
+  Points points;
+  while(points.size() < n) {
     const double s = random.uniform(), t = random.uniform();
-    for(const double x : {0.6 * s + 0.2 * t, 0.7 * t - 0.3 * s, 0.5 * s + 0.4 * t})
-      scene.coordinates.push_back(x);
+    points.push_back({0.6 * s + 0.2 * t, 0.7 * t - 0.3 * s, 0.5 * s + 0.4 * t});
   }
-  return scene;
+  return scene_of("3D oblique plane", points, 0, 3);
 }
 
 Scene oblique_line(std::size_t n)
 {
-  Scene scene = empty_scene("oblique line", 3, n);
   Random random(6);
-  while(scene.size() < n) {
+  Points points;
+  while(points.size() < n) {
     const double t = random.uniform();
-    for(const double x : {0.6 * t, -0.3 * t, 0.7 * t})
-      scene.coordinates.push_back(x);
+    points.push_back({0.6 * t, -0.3 * t, 0.7 * t});
   }
-  return scene;
+  return scene_of("3D oblique line", points, 0, 3);
 }
 
 Scene with_fitting_distance(Scene scene, const Count& count)

@@ -77,15 +77,18 @@ std::string quoted(const std::string& text)
   return result + "\"";
 }
 
-// A number in full, or null.
-std::string json(const std::optional<double>& value)
+// A number in full, or `missing`.
+std::string in_full(const std::optional<double>& value, const char* missing)
 {
   std::ostringstream text;
   text << std::setprecision(10);
   if(value)
     text << *value;
-  return value ? text.str() : "null";
+  return value ? text.str() : missing;
 }
+
+std::string json(const std::optional<double>& value) { return in_full(value, "null"); }
+std::string csv(const std::optional<double>& value) { return in_full(value, ""); }
 
 void write_json_row(std::ostream& out, const Row& row)
 {
@@ -127,24 +130,10 @@ void write_csv(const std::string& file, const std::vector<Row>& rows)
   for(const Run_fact& fact : run_facts())
     out << "# " << fact.name << ": " << fact.value << '\n';
   out << "name,n,k,milliseconds,quantity,measured,target,good,verdict,machine_speed_up\n";
-  out << std::setprecision(10);
-  const auto write = [&](const std::optional<double>& value) {
-    if(value)
-      out << *value;
-  };
-  for(const Row& row : rows) {
-    out << quoted(row.name) << ',' << row.n << ',' << row.k << ',';
-    write(row.milliseconds);
-    out << ',' << quoted(row.quantity) << ',';
-    write(row.measured);
-    out << ',';
-    write(row.goal.target);
-    out << ',';
-    write(row.goal.good);
-    out << ',' << verdict(row) << ',';
-    write(row.machine_speed_up);
-    out << '\n';
-  }
+  for(const Row& row : rows)
+    out << quoted(row.name) << ',' << row.n << ',' << row.k << ',' << csv(row.milliseconds) << ','
+        << quoted(row.quantity) << ',' << csv(row.measured) << ',' << csv(row.goal.target) << ','
+        << csv(row.goal.good) << ',' << verdict(row) << ',' << csv(row.machine_speed_up) << '\n';
 }
 
 void write_markdown(const std::string& file, const std::vector<Row>& rows)
