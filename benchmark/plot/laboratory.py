@@ -248,8 +248,8 @@ def draw_chart(rows, time_of, time_label, name):
     """Time against wrong pairs, a marker per method."""
     kinds = defaultdict(list)
     for method, group in {r["method"]: r["group"] for r in rows}.items():
-        kinds[GROUP_COLOURS[group], group].append(method)
-    styles = {method: (colour, marker, "none") for (colour, _), methods in kinds.items()
+        kinds[GROUP_COLOURS[group]].append(method)
+    styles = {method: (colour, marker, "none") for colour, methods in kinds.items()
               for method, marker in zip(methods, MARKERS)}
     sets, methods = in_order(rows, "set"), in_order(rows, "method")
     figure, (grid,) = panels(1, len(sets), (11, 6.6), sharey=True)
