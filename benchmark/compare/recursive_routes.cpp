@@ -16,7 +16,7 @@ auto by_recursive_route(Pivot pivot, Base_case base_case)
 {
   return on_epick([=](const auto& points, double r, Tally& tally) {
     const Traits_of<std::decay_t<decltype(points)>> traits(CGAL::within_distance(r));
-    recursive_route(points, traits, {pivot, base_case, 0}, tally);
+    search_by_variant(points, traits, {pivot, base_case, 0}, tally);
   });
 }
 
@@ -37,7 +37,8 @@ void add_recursive_routes(Contestants& all)
               by_recursive_route(Pivot::RANDOM, Base_case::DIMENSION_ZERO));
   add_variant("reach 2D", on_epick([](const auto& points, double r, Tally& tally) {
                 using Point = typename std::decay_t<decltype(points)>::value_type;
-                recursive_route(points, Literal_reach_traits<Point>(r), Recursion_options(), tally);
+                search_by_variant(points, Literal_reach_traits<Point>(r), Recursion_variant(),
+                                  tally);
               }));
 }
 

@@ -150,8 +150,7 @@ void write_work(int dimension, std::size_t n, Csv_file& csv)
     Calls calls;
     const Lattice_traits traits(dimension, distance, reach, calls);
     Tally tally;
-    thick_benchmark::recursive_route(sites, traits, {thick_benchmark::Pivot::MEDIAN, base_case, 0},
-                                     tally);
+    search_by_variant(sites, traits, {Pivot::MEDIAN, base_case, 0}, tally);
     k = tally.pairs;
     write(method, calls.do_intersect);
   };

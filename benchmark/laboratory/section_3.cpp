@@ -137,8 +137,8 @@ private:
     const lab::Paper_point_traits<Double_kernel::Point_2, 2> traits(scene_.r);
     write_on_points<Double_kernel>("[V03] as in its section 3, in double", 2,
                                    [traits](const auto& points, Tally& tally) {
-                                     recursive_route(points, traits,
-                                                     {Pivot::RANDOM, Base_case::WALK, 1}, tally);
+                                     search_by_variant(points, traits,
+                                                       {Pivot::RANDOM, Base_case::WALK, 1}, tally);
                                    });
   }
 

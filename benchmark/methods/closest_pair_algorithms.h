@@ -22,7 +22,7 @@ namespace internal = CGAL::Thick_intersection_d::internal;
 template <int Dimension, class Point>
 class Closest_pair_algorithms
 {
-  using Elements = internal::Elements<std::vector<Point>>;
+  using Elements = internal::Numbered_elements<std::vector<Point>>;
   using Minimum = internal::Pair_minimum<Elements>;
 
 public:
@@ -30,13 +30,13 @@ public:
 
   explicit Closest_pair_algorithms(const std::vector<Point>& points)
     : elements_(points), n_(points.size()),
-      profile_(CGAL::profile_scene(points, CGAL::within_distance(0)))
+      scene_(internal::scan_points<CGAL::Sequential_tag>(elements_, "point"))
   {}
 
   Positions by_division() const
   {
-    Minimum minimum(elements_, profile_);
-    internal::No_progress progress;
+    Minimum minimum(elements_, scene_);
+    internal::Unwatched_progress progress;
     internal::divide_and_conquer<CGAL::Sequential_tag>(n_, Dimension, minimum, progress);
     return minimum.pair();
   }
@@ -45,10 +45,10 @@ public:
   {
     std::vector<std::uint32_t> positions(n_);
     std::iota(positions.begin(), positions.end(), 0);
-    Minimum minimum(elements_, profile_);
-    internal::No_progress progress;
-    internal::Closest_pair_grid<Dimension, Elements>(elements_, std::move(positions), Dimension, 0,
-                                                     1).search(minimum, progress);
+    Minimum minimum(elements_, scene_);
+    internal::Unwatched_progress progress;
+    internal::Closest_pair_cells<Dimension, Elements>(elements_, std::move(positions), scene_, 1)
+      .search(minimum, progress);
     return minimum.pair();
   }
 
@@ -56,19 +56,20 @@ public:
   // sorted order.
   bool has_pair_in_cells(const CGAL::Distance_bound<double>& bound, bool by_hashing) const
   {
-    using Exact = internal::Exact_number_t<double>;
+    const internal::Is_within_distance<Point> is_within(
+      internal::Squared_bound<internal::Exact_number_t<double>>(bound), Dimension);
     const auto access = by_hashing ? internal::Bucket_access::HASHING
                                    : internal::Bucket_access::SORTED_ORDER;
-    internal::No_progress progress;
-    return internal::Close_pair_grid<CGAL::Sequential_tag, Elements>(
-             elements_, internal::Squared_bound<Exact>(bound), profile_, 0, access)
+    internal::Unwatched_progress progress;
+    return internal::Close_pair_buckets<CGAL::Sequential_tag, Elements>(
+             elements_, scene_, is_within, access)
       .find(internal::All_positions(n_), progress).has_value();
   }
 
 private:
   const Elements elements_;
   const std::size_t n_;
-  const CGAL::Scene_profile profile_;
+  const internal::Scene scene_;
 };
 
 } // namespace thick_benchmark

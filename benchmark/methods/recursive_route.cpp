@@ -15,7 +15,7 @@ Tally tally_by_recursive_route(const Scene& scene)
     [](const auto& points, double r, Tally& tally) {
       using Point = typename std::decay_t<decltype(points)>::value_type;
       const CGAL::Thick_point_traits_d<Point> traits(CGAL::within_distance(r));
-      recursive_route(points, traits, Recursion_options(), tally);
+      search_by_variant(points, traits, Recursion_variant(), tally);
     })(scene)();
 }
 

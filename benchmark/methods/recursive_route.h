@@ -7,19 +7,16 @@
 #ifndef THICK_INTERSECTION_BENCHMARK_METHODS_RECURSIVE_ROUTE_H
 #define THICK_INTERSECTION_BENCHMARK_METHODS_RECURSIVE_ROUTE_H
 
+#include "support/recursion_variants.h"
+
 #include <CGAL/Thick_point_traits_d.h>
-
-#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
-#include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
-#include <CGAL/Thick_intersection_d/internal/recursion/Recursive_route.h>
-
-#include <optional>
 
 namespace thick_benchmark {
 
-using CGAL::Thick_intersection_d::internal::Base_case;
-using CGAL::Thick_intersection_d::internal::Pivot;
-using Recursion_options = CGAL::Thick_intersection_d::internal::Book_options;
+using test_support::Base_case;
+using test_support::Pivot;
+using test_support::Recursion_variant;
+using test_support::search_by_variant;
 
 // The traits of points with the reach that [V03] allows for any choice of reference points: twice
 // the diameter D of the balls, where the centres of equal balls need D only.
@@ -41,18 +38,6 @@ public:
 private:
   Base wide_;
 };
-
-template <class Objects, class Traits, class Answer>
-void recursive_route(const Objects& objects, const Traits& traits,
-                     const Recursion_options& options, Answer& answer)
-{
-  namespace internal = CGAL::Thick_intersection_d::internal;
-  using Elements = internal::Elements<Objects>;
-  const Elements elements(objects);
-  const internal::Book_scene<Elements, Traits> scene(elements, std::nullopt, traits);
-  internal::No_progress progress;
-  internal::search_by_the_book<CGAL::Sequential_tag>(scene, options, answer, progress);
-}
 
 } // namespace thick_benchmark
 
