@@ -6,6 +6,8 @@
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_RECURSION_MEMBERS_H
 
 // What the recursive route sees of the input: positions, and three predicates on them.
+//
+// [V03] is cited in Recursive_route.h.
 
 #include <algorithm>
 #include <cstddef>
@@ -18,11 +20,11 @@ namespace internal {
 
 // An object on its way through the recursion.
 //
-// `sides` has a bit for each recursed side of a cut that the object is on, and one for its set. A
-// pair that shares a bit is not reported here. This is the separation rule, which replaces the
-// flags of [V03], section 2.3.1, case 2: in a strip, the members of a recursed side carry the bit
-// of that side, because the recursion reports their pairs. With two sets, pairs of one set are no
-// pairs.
+// `sides` has a bit for each recursed side of a cut that the object is on, and a bit for its set.
+// The separation rule: a search reports no pair that shares a bit. The rule replaces the flags of
+// [V03], section 2.3.1, case 2. In a strip, the members of a recursed side carry the bit of that
+// side, because the recursion reports their pairs. Between two sets, the pairs within a set are not
+// reported.
 struct Member
 {
   std::size_t position;
@@ -34,7 +36,7 @@ using Member_iterator = Members::iterator;
 
 inline bool share_a_side(const Member& a, const Member& b) { return (a.sides & b.sides) != 0; }
 
-// Axes beyond these are not cut but left to Do_intersect_d: there is a pair of bits for each.
+// At most this many axes are cut, because each takes two bits. Do_intersect_d covers the others.
 constexpr int max_cut_axes = 31;
 
 inline std::uint64_t lower_side_bit(int axis) { return std::uint64_t(1) << (2 * axis); }
@@ -77,7 +79,7 @@ public:
     return do_intersect_(elements_[a.position], elements_[b.position]);
   }
 
-  // Hands the pair to `report` in the order of the user's positions, each in its own range.
+  // Hands the pair to `report`: positions i < j, or with two sets a position in each range.
   template <class Reporter>
   bool report(const Member& a, const Member& b, Reporter& report) const
   {

@@ -5,17 +5,19 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_RECURSION_RECURSIVE_ROUTE_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_RECURSION_RECURSIVE_ROUTE_H
 
-// Divide and conquer for thick objects, on the three predicates of ThickIntersectionTraits_d only.
+// Divide and conquer for thick objects. It uses the three predicates of ThickIntersectionTraits_d
+// and nothing else.
 //
 //   [V03]  A. Vigneron. Reporting intersections among thick objects. IPL 85 (2003) 87-92.
 //
 // Cost: O(n log n + C(n + k)) time, O(n) space, for n objects, k intersecting pairs, and at most C
 //       disjoint objects within a cube of two reaches. [V03, Theorem 1]
-// Symbols: close means within a reach, the 2D of the paper; an axis is its index i, the last first.
+// Terms: objects are close if they are within a reach, the 2D of the paper. An axis is its index i.
+//        The last axis is cut first.
 //
-// The paper cuts at numbers, med(E) or min(E) + 2D; here all cuts are at objects, so that nothing
-// but Less_coordinate_d and Is_close_along_axis_d is asked, and nothing is rounded. Where we differ
-// from the paper, and why: doc/design.md.
+// The paper cuts at numbers, med(E) or min(E) + 2D. Here all cuts are at objects, so the cuts need
+// only Less_coordinate_d and Is_close_along_axis_d, and nothing is rounded. doc/design.md lists the
+// differences from the paper, with reasons.
 
 #include <CGAL/tags.h>
 
@@ -33,14 +35,14 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// What the recursion leaves open: where a range is cut, and how it ends. The experiments of [V03]
-// bring variants of this class (test/support/recursion_variants.h).
+// What the recursion leaves open: where it cuts a range, and how it ends. The experiments of [V03]
+// use variants of this class (test/support/recursion_variants.h).
 struct Median_and_sweep
 {
-  // The last axis is the first one that is cut; the base case takes those below this one.
+  // The base case takes the axes below this one.
   static constexpr int lowest_cut_axis() { return 1; }
 
-  // Returns the member of [first, last) at which the range is to be cut along an axis. Reorders it.
+  // Returns the member of [first, last) to cut the range at. Reorders the range.
   template <class Predicates>
   Member choose_pivot(const Predicates& predicates, Member_iterator first, Member_iterator last,
                       int axis) const
@@ -77,8 +79,8 @@ public:
   }
 
 private:
-  // The object at which a range is cut along an axis, and which of the two sides are recursed into.
-  // A side that is not lies within a reach of the cut.
+  // The object to cut a range at along an axis, and whether to recurse into either side. A side
+  // without recursion lies within a reach of the cut.
   struct Cut
   {
     Member at;
@@ -86,8 +88,8 @@ private:
     bool recurse_above;
   };
 
-  // Reports the intersecting pairs of [first, last) that share no side. All members are within two
-  // reaches of each other along the axes above `axis`.
+  // Reports the intersecting pairs of [first, last) that share no side. Along each axis above
+  // `axis`, all members are within two reaches of each other.
   bool search(Member_iterator first, Member_iterator last, int axis)
   {
     if(last - first < 2)
@@ -101,17 +103,17 @@ private:
     return divide(first, last, axis, cut);
   }
 
-  // Finds where to cut [first, last) along `axis`. The four cases of the paper are the answers to:
-  // is the lowest object close to a median or random one, is the highest?
+  // Finds where to cut [first, last) along `axis`. The paper has four cases: which of the lowest
+  // and the highest object are close to the pivot, a median or random object?
   //
-  //   both       Case 1: two reaches hold the range, it needs no cut, and false is returned
-  //   neither    Case 2: cut at that object, recurse on both sides
+  //   both       Case 1: two reaches hold the range, so it needs no cut. Returns false.
+  //   neither    Case 2: cut at the pivot, recurse on both sides
   //   lowest     Case 3: cut at the last object close to the lowest, recurse above
   //   highest    Case 4: cut at the first object close to the highest, recurse below
   //
-  // A side that is not recursed into is in the strip as a whole. Cases 3 and 4 do not cut at the
-  // median itself, lest an object above it be close to the next cut too, and to the one after that:
-  // it is in two strips at most. [V03, section 2.3.2]
+  // The strip holds all objects of a side without recursion. Cases 3 and 4 do not cut at the pivot,
+  // because an object above it could then be close to the next cut too, and to the cut after that.
+  // With the cuts here, an object is in at most two strips. [V03, section 2.3.2]
   bool find_cut(Member_iterator first, Member_iterator last, int axis, Cut& cut)
   {
     const auto extremes
@@ -133,7 +135,7 @@ private:
     return !predicates_.is_close(cut.at, cut.recurse_above ? highest : lowest, axis); // else Case 1
   }
 
-  // The last of the objects close to `lowest`, of which `close` is one.
+  // Returns the last object that is close to `lowest`, as `close` is.
   Member last_close_to(const Member& lowest, Member close, Member_iterator first,
                        Member_iterator last, int axis) const
   {
@@ -143,7 +145,7 @@ private:
     return close;
   }
 
-  // The first of the objects close to `highest`, of which `close` is one.
+  // Returns the first object that is close to `highest`, as `close` is.
   Member first_close_to(const Member& highest, Member close, Member_iterator first,
                         Member_iterator last, int axis) const
   {
@@ -153,12 +155,12 @@ private:
     return close;
   }
 
-  // Cuts [first, last) into the objects below, at and above the cut, searches the strip of those
-  // close to the cut in one dimension less, and recurses.
+  // Divides [first, last) into the objects below, at and above the cut. Searches the strip along
+  // the axes before this one, and recurses.
   //
-  // Each intersecting pair is met once. There is one cut where it ceases to be on one recursed
-  // side. There each of its objects is close to the cut, or on a side that is in the strip as a
-  // whole. At the cuts before, the pair shares the bit of the recursed side.
+  // The search meets each intersecting pair once. At exactly one cut the pair ceases to be on one
+  // recursed side. There the strip holds both objects: each is close to the cut, or on a side
+  // without recursion. At the cuts before, the pair shares the bit of the recursed side.
   bool divide(Member_iterator first, Member_iterator last, int axis, const Cut& cut)
   {
     const Member_iterator below_end = std::partition(
@@ -166,7 +168,7 @@ private:
     const Member_iterator above_begin = std::partition(
       below_end, last, [&](const Member& m) { return !predicates_.less(cut.at, m, axis); });
 
-    Members strip; // copied before the recursion reorders the range
+    Members strip; // a copy, made before the recursion reorders the range
     add_side(first, below_end, axis, cut, cut.recurse_below, lower_side_bit(axis), strip);
     add_side(below_end, above_begin, axis, cut, false, 0, strip);
     add_side(above_begin, last, axis, cut, cut.recurse_above, upper_side_bit(axis), strip);
@@ -175,7 +177,7 @@ private:
                                        + (cut.recurse_above ? 0 : last - above_begin);
 
     const auto search_strip = [&] {
-      Members members = std::move(strip); // released when it is done, not after the recursion
+      Members members = std::move(strip); // released after its search, before the recursion
       return (!have_pairs(members) || search(members.begin(), members.end(), axis - 1))
              && advance(left_behind, axis);
     };
@@ -189,8 +191,9 @@ private:
     return invoke_all<Sequential_tag>(search_strip, search_below, search_above);
   }
 
-  // Appends the members of one side of the cut that may intersect members of the other side: the
-  // close ones if the side is recursed into, marked as members of that side, and otherwise all.
+  // Appends the members of one side of the cut that may intersect members of the other side. If the
+  // recursion takes the side, these are the members close to the cut, and they get the bit of the
+  // side. Otherwise these are all members.
   void add_side(Member_iterator first, Member_iterator last, int axis, const Cut& cut,
                 bool is_recursed, std::uint64_t side_bit, Members& strip)
   {
@@ -201,7 +204,7 @@ private:
         strip.push_back({m->position, m->sides | side_bit});
   }
 
-  // Whether there may be two members that share no side: false if one bit is common to all.
+  // Whether two members may share no side: false if all members have a bit in common.
   static bool have_pairs(const Members& strip)
   {
     std::uint64_t common = ~std::uint64_t(0);
@@ -210,7 +213,7 @@ private:
     return common == 0;
   }
 
-  // Objects are done when the first axis that is cut is done with them.
+  // Counts objects as finished when the axis that is cut first is done with them.
   bool advance(std::ptrdiff_t finished, int axis)
   {
     if(axis == last_axis_ && !progress_.advance(static_cast<std::size_t>(finished)))
@@ -228,7 +231,8 @@ private:
   const int last_axis_;
 };
 
-// Reports the intersecting pairs of one set or of two; returns false iff the search was stopped.
+// Reports the intersecting pairs of one set, or between two sets. Returns false iff the search was
+// stopped.
 template <class ConcurrencyTag, class Predicates, class Callback, class Progress,
           class Variant = Median_and_sweep>
 bool search_recursively(const Predicates& predicates, Callback& callback, Progress& progress,

@@ -5,11 +5,11 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_RECURSION_SWEEP_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_RECURSION_SWEEP_H
 
-// How the recursion ends: with one axis left, a sweep along it.
+// The end of the recursion: a sweep along the only axis that is left.
 //
-// The sweep asks whether two members share a side before it asks the predicate. Without that
-// question it would test each close pair once, as the walk of [V03], Lemmas 1 and 2, does: O(C(n +
-// k)) tests.
+// The sweep asks whether two members share a side before it asks the predicate. Without the first
+// question it would test each close pair once, as the walk of [V03], Lemmas 1 and 2, does. So it
+// makes O(C(n + k)) tests. [V03] is cited in Recursive_route.h.
 
 #include <CGAL/Thick_intersection_d/internal/recursion/Members.h>
 
@@ -25,7 +25,7 @@ bool test_pair(const Predicates& predicates, const Member& a, const Member& b, R
   return share_a_side(a, b) || !predicates.do_intersect(a, b) || predicates.report(a, b, report);
 }
 
-// Moves the members of the first set to the front; returns where those of the second begin.
+// Moves the members of the first set to the front. Returns where the second set begins.
 inline Member_iterator separate_sets(Member_iterator first, Member_iterator last)
 {
   return std::partition(first, last,
@@ -44,7 +44,7 @@ bool sweep_one_set(const Predicates& predicates, Member_iterator first, Member_i
   return true;
 }
 
-// Sweeps the first set over the second, so that pairs within a set are not even enumerated.
+// Sweeps the first set over the second, and does not enumerate the pairs within a set.
 template <class Predicates, class Reporter>
 bool sweep_two_sets(const Predicates& predicates, Member_iterator first, Member_iterator last,
                     Reporter& report)
@@ -53,7 +53,7 @@ bool sweep_two_sets(const Predicates& predicates, Member_iterator first, Member_
   std::sort(first, second, Less_along_axis<Predicates>{predicates, 0});
   std::sort(second, last, Less_along_axis<Predicates>{predicates, 0});
 
-  // Invariant: all members of the second set before `begin` are before a, and too far from it.
+  // Invariant: the members of the second set before `begin` are before a, and not close to a.
   Member_iterator begin = second;
   for(Member_iterator a = first; a != second; ++a) {
     while(begin != last && predicates.less(*begin, *a, 0) && !predicates.is_close(*begin, *a, 0))
@@ -64,14 +64,13 @@ bool sweep_two_sets(const Predicates& predicates, Member_iterator first, Member_
           return false;
       }
       else if(predicates.less(*a, *b, 0))
-        break; // else b is before a: is_close may be true too often, and was for begin
+        break; // otherwise b is before a: is_close() may be true too often, and was for `begin`
     }
   }
   return true;
 }
 
-// Reports the intersecting pairs of [first, last) that share no side. Returns false iff the search
-// is to stop.
+// Reports the intersecting pairs of [first, last) that share no side. Returns false to stop.
 template <class Predicates, class Reporter>
 bool sweep(const Predicates& predicates, Member_iterator first, Member_iterator last,
            Reporter& report)
