@@ -5,10 +5,10 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_ARRAYS_CHUNKED_LISTS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_ARRAYS_CHUNKED_LISTS_H
 
-// Many lists of small items, when nobody knows beforehand how long each list will be.
+// Many lists of small items, whose lengths are not known beforehand.
 //
-// A list grows by chunks that stay where they are; a vector would copy all items to grow. Chunks
-// are cut from large blocks of memory, because each block costs an allocation.
+// A list grows by chunks that stay in place. A vector would copy all items to grow. Large blocks of
+// memory hold many chunks, because each block costs an allocation.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 
@@ -23,14 +23,14 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// A copy shares the items of the original; copies are made while there are none.
+// A copy shares the items of the original. So copy lists only while they are empty.
 template <class Item, std::size_t chunk_size>
 class Chunked_lists
 {
 public:
   explicit Chunked_lists(std::size_t list_count = 0) : lists_(list_count) {}
 
-  // If memory runs out, this throws and leaves all lists as they were.
+  // Throws if memory runs out, and leaves all lists as they were.
   void append(std::size_t list, const Item& item)
   {
     List& l = lists_[list];
@@ -46,7 +46,7 @@ public:
   }
 
   // Calls task(item) for the items of a list in order, until the task returns false. Returns
-  // whether it never did.
+  // whether the task never returned false.
   template <class Task>
   bool for_each(std::size_t list, const Task& task) const
   {
@@ -70,7 +70,7 @@ private:
     Item* end = nullptr;  // of the last chunk
   };
 
-  // Not inline: loops that append stay short.
+  // Not inline, so that loops that append stay short.
   BOOST_NOINLINE void extend(List& list)
   {
     if(chunks_left_ == 0) {

@@ -15,17 +15,17 @@ namespace Thick_intersection_d {
 namespace internal {
 
 // Returns the hash of the sequence so far with one more integer. The factor is 2^64 over the golden
-// ratio. The best bits of a product are the upper ones, so those are folded in first.
+// ratio. The upper bits of a product are the best, so they are folded into the lower bits first.
 inline std::uint64_t add_to_hash(std::uint64_t hash, std::uint64_t number)
 {
   return (hash ^ (hash >> 32) ^ number) * 0x9e3779b97f4a7c15;
 }
 
-// Returns the hash of the whole sequence, all bits of which may be used.
+// Returns the hash of the whole sequence. All bits of the result may be used.
 inline std::uint64_t finish_hash(std::uint64_t hash) { return hash ^ (hash >> 32); }
 
-// Returns the number of slots of a hash table for `size` entries: a power of two, so that the table
-// is at most half full.
+// Returns the number of slots of a hash table for `size` entries. It is a power of two, and the
+// table is at most half full.
 inline std::size_t hash_table_size(std::size_t size)
 {
   std::size_t slot_count = 16;

@@ -5,7 +5,7 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_ARRAYS_PREFIX_SUMS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_ARRAYS_PREFIX_SUMS_H
 
-// The step between counting elements by bucket and moving them there.
+// The step of a counting sort between counting the elements of buckets and moving the elements.
 
 #include <utility>
 
@@ -15,8 +15,8 @@ namespace internal {
 
 // Replaces each count by the sum of the counts before it, and returns the sum of all counts.
 //
-// The sums are where the elements of each bucket begin. A loop that then writes each element to
-// next[bucket]++ leaves behind where the elements of each bucket end.
+// If the counts are of buckets, each sum is the place where its bucket begins. A loop that writes
+// each element to next[bucket]++ turns the sums into the places where the buckets end.
 template <class Count>
 Count replace_by_prefix_sums(Count* first, Count* last)
 {

@@ -5,7 +5,8 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_ARRAYS_RADIX_SORT_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_ARRAYS_RADIX_SORT_H
 
-// Radix sort of integers, and of doubles by way of integers in the same order: linear time [L].
+// Radix sort of integers, and of doubles as integers in the same order. It takes linear time. [L],
+// see doc/design.md
 
 #include <CGAL/Thick_intersection_d/internal/arrays/prefix_sums.h>
 
@@ -25,8 +26,8 @@ struct Keyed_value
   std::uint32_t value;
 };
 
-// Returns an integer for a number that is not NaN, in the order of the numbers. -0 and 0 have the
-// same one.
+// Returns an integer for a number that is not NaN. The integers have the order of the numbers; -0
+// and 0 have the same integer.
 inline std::uint64_t radix_key(double x)
 {
   if(x == 0)
@@ -37,12 +38,13 @@ inline std::uint64_t radix_key(double x)
   return (bits & sign) != 0 ? ~bits : bits | sign;
 }
 
-// Sorts by the keys; values of equal keys keep their order. A pass per digit in which keys differ.
+// Sorts by the keys, with one pass per digit in which keys differ. Values of equal keys keep their
+// order.
 inline void radix_sort(std::vector<Keyed_value>& items)
 {
   constexpr int digit_bits = 11;
   constexpr std::size_t digit_count = std::size_t(1) << digit_bits;
-  if(items.size() < digit_count / 8) { // less than the counters of a pass
+  if(items.size() < digit_count / 8) { // a pass would spend its time on the counters
     std::stable_sort(items.begin(), items.end(),
                      [](const Keyed_value& a, const Keyed_value& b) { return a.key < b.key; });
     return;

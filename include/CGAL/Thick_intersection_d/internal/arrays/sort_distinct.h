@@ -15,18 +15,19 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Sorts distinct numbers. Of not many, the rank of each is counted, `lane_count` at a time, in
-// loops without branches that compilers turn into vector instructions.
+// Sorts distinct numbers. A short sequence is sorted by rank: the rank of a number is the count of
+// smaller numbers. `lane_count` ranks are counted at a time, in loops without branches, which
+// compilers turn into vector instructions.
 inline void sort_distinct(std::uint32_t* first, std::uint32_t* last)
 {
   constexpr std::ptrdiff_t lane_count = 8;
-  constexpr std::ptrdiff_t max_size = 256; // above, the order of squares tells
+  constexpr std::ptrdiff_t max_size = 256; // counting ranks takes quadratic time
   const std::ptrdiff_t size = last - first;
   if(size > max_size) {
     std::sort(first, last);
     return;
   }
-  // Instructions compare numbers with signs: these are in the same order.
+  // Vector instructions compare signed numbers. Flipping the top bit keeps the order.
   std::int32_t numbers[max_size];
   for(std::ptrdiff_t i = 0; i < size; ++i)
     numbers[i] = static_cast<std::int32_t>(first[i] ^ 0x80000000u);

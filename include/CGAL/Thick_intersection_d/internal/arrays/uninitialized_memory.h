@@ -5,7 +5,7 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_ARRAYS_UNINITIALIZED_MEMORY_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_ARRAYS_UNINITIALIZED_MEMORY_H
 
-// Memory for what is written before it is read.
+// Memory that the program writes before it reads it.
 
 #include <CGAL/Thick_intersection_d/internal/machine/huge_pages.h>
 
@@ -24,16 +24,16 @@ std::unique_ptr<T[]> make_uninitialized(std::size_t size)
   return memory;
 }
 
-// Memory that is used again and again, for as much as is asked for.
+// Memory that is used again and again, and grows when more is required.
 template <class T>
 class Buffer
 {
 public:
-  // Returns memory for `size` elements; what was there before may be lost.
+  // Returns memory for `size` elements. Elements that were there before may be lost.
   T* require(std::size_t size)
   {
     if(!data_ || size > size_) { // moved from, or too small
-      data_.reset(); // first, so that both are never held at once
+      data_.reset(); // before the allocation, so that only one array exists at a time
       size_ = size + size / 64; // sizes of slabs differ a little
       data_ = make_uninitialized<T>(size_);
     }

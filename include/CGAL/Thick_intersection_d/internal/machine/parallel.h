@@ -5,7 +5,7 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_MACHINE_PARALLEL_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_MACHINE_PARALLEL_H
 
-// Independent tasks, in turn or at the same time. The only file that knows of oneTBB.
+// Runs independent tasks in turn or at the same time. Only this file knows oneTBB.
 
 #include <CGAL/tags.h>
 
@@ -34,8 +34,8 @@ constexpr bool has_tbb = true;
 constexpr bool has_tbb = false;
 #endif
 
-// Runs the tasks, which return whether to go on; returns whether all of them said so. In sequence,
-// a task that says no is the last one to run.
+// Runs the tasks. Each task returns whether to go on. Returns whether all tasks returned true. In
+// sequence, no task runs after a task that returned false.
 template <class ConcurrencyTag, class Task1, class Task2, class Task3>
 bool invoke_all(const Task1& task1, const Task2& task2, const Task3& task3)
 {
@@ -43,7 +43,7 @@ bool invoke_all(const Task1& task1, const Task2& task2, const Task3& task3)
                 "Parallel_tag is enabled but TBB is unavailable.");
 #ifdef CGAL_LINKED_WITH_TBB
   if constexpr(is_parallel_v<ConcurrencyTag>) {
-    // Tasks are left out when another task around them throws.
+    // A task that oneTBB skips, because another task throws, leaves false.
     bool go_on[3] = {false, false, false};
     tbb::parallel_invoke([&] { go_on[0] = task1(); },
                          [&] { go_on[1] = task2(); },
@@ -55,8 +55,8 @@ bool invoke_all(const Task1& task1, const Task2& task2, const Task3& task3)
     return task1() && task2() && task3();
 }
 
-// Calls task(first, last) on blocks that cover the indices [0, count): on one block in sequence, on
-// several at the same time in parallel.
+// Calls task(first, last) on blocks that cover the indices [0, count): one block in sequence,
+// several blocks at the same time in parallel.
 template <class ConcurrencyTag, class Task>
 void for_each_block(std::size_t count, const Task& task)
 {
@@ -72,8 +72,9 @@ void for_each_block(std::size_t count, const Task& task)
     task(std::size_t(0), count);
 }
 
-// How many blocks elements are divided into when each block is some work of its own: few, but with
-// more than one per thread the threads finish at about the same time.
+// Returns the number of blocks to divide elements into, when each block costs some work of its own.
+// So there are few blocks, but more than one per thread: then the threads finish at about the same
+// time.
 template <class ConcurrencyTag>
 std::size_t block_count()
 {
@@ -95,7 +96,7 @@ void for_each_numbered_block(std::size_t blocks, std::size_t count, const Task& 
   });
 }
 
-// A value for each thread that asks for one: a copy of the first.
+// A value for each thread that asks for it: a copy of `first`.
 template <class ConcurrencyTag, class T>
 class Per_thread
 {
