@@ -135,7 +135,7 @@ private:
     return !predicates_.is_close(cut.at, cut.recurse_above ? highest : lowest, axis); // else Case 1
   }
 
-  // Returns the last object that is close to `lowest`, as `close` is.
+  // Returns the last object that is close to `lowest`. `close` is one of these objects.
   Member last_close_to(const Member& lowest, Member close, Member_iterator first,
                        Member_iterator last, int axis) const
   {
@@ -145,7 +145,7 @@ private:
     return close;
   }
 
-  // Returns the first object that is close to `highest`, as `close` is.
+  // Returns the first object that is close to `highest`. `close` is one of these objects.
   Member first_close_to(const Member& highest, Member close, Member_iterator first,
                         Member_iterator last, int axis) const
   {
@@ -158,9 +158,10 @@ private:
   // Divides [first, last) into the objects below, at and above the cut. Searches the strip along
   // the axes before this one, and recurses.
   //
-  // The search meets each intersecting pair once. At exactly one cut the pair ceases to be on one
-  // recursed side. There the strip holds both objects: each is close to the cut, or on a side
-  // without recursion. At the cuts before, the pair shares the bit of the recursed side.
+  // The search meets each intersecting pair once. Unless the range of the pair ends without a cut,
+  // there is one cut where the pair ceases to be on one recursed side. There the strip holds both
+  // objects: each is close to the cut, or on a side without recursion. At the cuts before, the pair
+  // shares the bit of the recursed side.
   bool divide(Member_iterator first, Member_iterator last, int axis, const Cut& cut)
   {
     const Member_iterator below_end = std::partition(
