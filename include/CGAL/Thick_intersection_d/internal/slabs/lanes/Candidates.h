@@ -5,7 +5,7 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_CANDIDATES_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_CANDIDATES_H
 
-// Pairs that lanes have found, on the way to those who decide and report them.
+// Pairs that lanes have found, and that Pair_sweep decides and reports.
 
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// The point at place i of one run and that at place j of the same or another.
+// The point at place i of one run, and the point at place j of the same run or another run.
 struct Candidate
 {
   Place i;
@@ -28,8 +28,8 @@ struct Candidates
   static constexpr Place capacity = 1024;
 
   Place count = 0;
-  bool is_any_undecided = false; // by the filter
-  std::array<Candidate, capacity + lanes> pairs; // so many may come before the next look
+  bool is_any_undecided = false; // whether the filter left a pair undecided
+  std::array<Candidate, capacity + lanes> pairs; // `lanes` more before a look at count
 };
 
 } // namespace internal

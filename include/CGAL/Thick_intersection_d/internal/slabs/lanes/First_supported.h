@@ -5,15 +5,14 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_FIRST_SUPPORTED_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_FIRST_SUPPORTED_H
 
-// The choice among instruction sets, while the program runs.
+// Chooses the instruction set while the program runs.
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Collects candidates by the first of some kinds of lanes that the processor supports. All kinds
-// collect the same pairs in the same order, but for pairs that the filter does not decide: those
-// beyond the bound may be left out.
+// Collects candidates by the first kind of lanes that the processor supports. All kinds collect the
+// same pairs in the same order, but a kind may leave out near ties that are beyond the bound.
 template <class First, class... Others>
 struct First_supported
 {

@@ -5,7 +5,7 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_NEAR_QUESTION_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_NEAR_QUESTION_H
 
-// What lanes ask of two points.
+// The question that lanes ask about two points.
 
 #include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
 

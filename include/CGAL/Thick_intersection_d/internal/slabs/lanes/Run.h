@@ -5,7 +5,7 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_RUN_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_RUN_H
 
-// Points in the order of axis 0, as columns: what lanes sweep.
+// Points in the order of axis 0, as columns, for lanes to sweep.
 
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 
@@ -20,8 +20,8 @@ namespace internal {
 // How many pairs are computed at once.
 constexpr Place lanes = 8;
 
-// Behind the last point there are `lanes` points with the coordinate NaN along axis 0, which are
-// not near anything: they end all loops.
+// Behind the last point there are `lanes` points whose coordinate along axis 0 is NaN. They are not
+// near any point, so they end all loops.
 template <int Dimension>
 struct Run
 {
@@ -29,8 +29,8 @@ struct Run
   const Place* positions;
   Place size;
 
-  // Returns one of `count` blocks of the run, whose points a sweep starts with: it meets the points
-  // behind them as well.
+  // Returns one of `count` blocks of the run. A sweep starts from the points of the block, and
+  // meets the points behind the block as well.
   Run block(Place index, Place count) const
   {
     const std::uint64_t groups = (size + lanes - 1) / lanes;

@@ -6,7 +6,7 @@
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_NEAR_POINTS_H
 
 // Near pairs of points, by the best instructions that the processor has. Each instruction set has a
-// file of its own; a new one is listed here.
+// file of its own. List a new instruction set here.
 
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/First_supported.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/near_points_avx512.h>

@@ -5,9 +5,9 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_NEAR_POINTS_AVX512_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_NEAR_POINTS_AVX512_H
 
-// Near pairs of points with AVX-512, whose instructions compress the near ones of eight lanes into
-// consecutive memory at once. Many pairs in space are reported twice as fast by them
-// (doc/design.md). The loops are those of near_points_plain.h, which explains them.
+// Near pairs of points with AVX-512. One instruction compresses the near pairs of eight lanes into
+// consecutive memory. This reports many pairs in space twice as fast (doc/design.md).
+// near_points_plain.h has the same loops, and explains them.
 
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
@@ -51,7 +51,7 @@ public:
   }
 
   // Appends the pairs whose squared distance is not certainly beyond the bound, and goes on to the
-  // next j. Returns false if flush() says to stop.
+  // next j. Returns false if flush() returns false.
   template <class Flush>
   CGAL_THICK_INTERSECTION_D_AVX512 bool append(__m512d squared_distances, const Flush& flush)
   {
@@ -156,7 +156,7 @@ struct Near_points_avx512
 
 #undef CGAL_THICK_INTERSECTION_D_AVX512
 
-#else // no compiler or processor that has them
+#else // other compilers and processors
 
 namespace CGAL {
 namespace Thick_intersection_d {

@@ -5,7 +5,8 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_NEAR_POINTS_PLAIN_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_NEAR_POINTS_PLAIN_H
 
-// Near pairs of points by plain loops over lanes, which compilers turn into vector instructions.
+// Near pairs of points, by plain loops over lanes. Compilers turn the loops into vector
+// instructions.
 //
 // The branch on whether a pair is near cannot be predicted. So every pair is stored, and the
 // counter advances only for near ones.
@@ -27,10 +28,10 @@ struct Near_points_plain
   static bool is_supported() { return true; }
 
   // Collects the pairs of a run that are within reach along axis 0 and not certainly beyond the
-  // bound. Calls flush(), which returns false to stop, when there are many.
+  // bound. Calls flush() when there are many pairs. It returns false to stop.
   //
-  // Lanes are consecutive points i, each with the point that is as many places behind it, as long
-  // as one of these is within reach.
+  // The lanes are consecutive points i. Each lane takes the point that is some places behind its
+  // own, the same number for all lanes. The number grows until no lane is within reach.
   template <int Dimension, class Flush>
   static void collect_within(const Run<Dimension>& run, Near_question near,
                              Candidates& candidates, const Flush& flush)
@@ -58,16 +59,16 @@ struct Near_points_plain
     }
   }
 
-  // Collects the pairs of a point of run a and one of run b, likewise. Lanes are consecutive points
-  // of a, each with the same point of b.
+  // Collects such pairs of a point of run a and a point of run b. The lanes are consecutive points
+  // of a. All lanes take the same point of b.
   template <int Dimension, class Flush>
   static void collect_between(const Run<Dimension>& a, const Run<Dimension>& b,
                               Near_question near, Candidates& candidates,
                               const Flush& flush)
   {
-    Place first = 0; // points of b before it are too low for all points of a to come
+    Place first = 0; // points of b before it are too low for all later points of a
     for(Place i = 0; i < a.size; i += lanes) {
-      const double low = a.x[0][i] - near.reach; // not above any coordinate within reach
+      const double low = a.x[0][i] - near.reach; // no coordinate within reach is below
       while(b.x[0][first] < low)
         ++first;
       const double high = a.x[0][(std::min)(i + lanes, a.size) - 1] + near.reach;
