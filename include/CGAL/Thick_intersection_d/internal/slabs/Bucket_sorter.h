@@ -5,8 +5,8 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_BUCKET_SORTER_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_BUCKET_SORTER_H
 
-// Sorts points along an axis: in linear time if they are spread evenly, and by buckets of buckets
-// if not; in O(n log n) time in the worst case.
+// Sorts points along an axis by buckets, and by buckets of buckets where the points are not spread
+// evenly. It takes linear time for evenly spread points, and O(n log n) time in the worst case.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/prefix_sums.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
@@ -39,7 +39,7 @@ void insertion_sort(Point* first, Point* last)
   }
 }
 
-// Sorts a few points by counting for each how many are before it, without branches.
+// Sorts a few points without branches. The rank of a point is the number of points before it.
 template <int axis, class Point>
 void rank_sort(Point* first, Point* last)
 {
@@ -57,8 +57,8 @@ void rank_sort(Point* first, Point* last)
     first[rank[i]] = points[i];
 }
 
-// Sorts points by comparisons: where they crowd beyond all buckets. The axis is no template
-// parameter, because std::sort is long to compile.
+// Sorts points that are too crowded for buckets. The axis is no template parameter, because
+// std::sort takes long to compile.
 template <class Point>
 void comparison_sort(Point* first, Point* last, int axis)
 {
@@ -69,7 +69,7 @@ template <class Point>
 class Bucket_sorter
 {
 public:
-  // Whether so few points need no buckets.
+  // Whether `count` points are so few that they need no buckets.
   static bool are_few(std::ptrdiff_t count) { return count <= few_points; }
 
   template <int axis>
@@ -79,7 +79,7 @@ public:
   }
 
 private:
-  // Sorts points into as many buckets as there are points, and those with many points again.
+  // Sorts points into as many buckets as there are points. Sorts buckets with many points again.
   template <int axis>
   void sort(Point* first, Point* last, int depth)
   {
@@ -103,7 +103,7 @@ private:
     insertion_sort<axis>(first, last);
   }
 
-  // Moves points to their buckets, and leaves in `ends` where the buckets end.
+  // Moves points to their buckets. Sets `ends` to the places where the buckets end.
   template <int axis>
   void distribute(Point* first, Point* last, const Equal_cut& cut, Place* ends)
   {

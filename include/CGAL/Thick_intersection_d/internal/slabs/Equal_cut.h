@@ -18,21 +18,21 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Numbers the pieces by a monotone function of the coordinate, so that pieces follow each other
-// along their axis. Nothing else is asked of its rounding: a sweep relies on the coordinates that
-// pieces are found to have, not on those that they should have.
+// Numbers the pieces by a monotone function of the coordinate, so pieces follow each other along
+// their axis. The function may round as it likes: a sweep compares the coordinates that the pieces
+// really have, not the computed limits.
 class Equal_cut
 {
 public:
   Equal_cut() = default; // one piece
 
-  // Cuts an interval into `count` pieces; into one if that cannot be computed. Coordinates outside
-  // belong to the first or to the last piece.
+  // Cuts an interval into `count` pieces, or into one piece if it cannot compute them. Coordinates
+  // outside the interval belong to the first or the last piece.
   Equal_cut(const Interval& interval, double count)
   {
     const double scale = std::floor(count) / interval.length();
     if(!(count >= 2) || !(scale > 0) || !std::isfinite(scale))
-      return; // Case 1 of [V03]: not cut
+      return; // not cut, as in case 1 of [V03]
     interval_ = interval;
     scale_ = scale;
     last_ = static_cast<Place>(count) - 1;
@@ -40,7 +40,8 @@ public:
 
   Place count() const { return last_ + 1; }
 
-  // Compiled to minima and maxima: a branch would often be guessed wrong in pieces of few points.
+  // Compilers make minima and maxima of this. Among few points, the processor would often
+  // mispredict a branch.
   Place operator()(double x) const
   {
     const double inside = (std::min)((std::max)(x, interval_.low), interval_.high);

@@ -5,8 +5,8 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_NEAR_POINTS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_NEAR_POINTS_H
 
-// Points within a distance, as the slab route sees them: what is moved into slabs, which lanes find
-// candidates, and what decides them.
+// Points within a distance, as the slab route sees them: the points that it moves into slabs, the
+// lanes that find candidates, and the test that decides candidates.
 
 #include <CGAL/Arithmetic_tier.h>
 
@@ -32,8 +32,8 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Returns the axes of a search: those along which the points differ, at most `Dimension`, and as
-// many others as are missing to that number, in ascending order.
+// Returns `Dimension` axes to search along, in ascending order: all axes along which the points
+// differ, and others to fill up.
 template <int Dimension>
 std::array<int, Dimension> searched_axes(const Scene& scene)
 {
@@ -46,13 +46,13 @@ std::array<int, Dimension> searched_axes(const Scene& scene)
   return axes;
 }
 
-// The points are searched along `Dimension` axes, which suffice to distinguish them.
+// The search takes `Dimension` axes. Points that differ do so along one of these axes.
 template <int Dimension, class Elements>
 class Near_points
 {
   using Element = typename Elements::value_type;
 
-  // Along all axes, if the type of the points says that these are no more.
+  // Whether the search takes all axes of the points, by their type.
   static constexpr bool takes_all_axes = dimension_or<Element>(0) == Dimension;
   using All_doubles = Doubles<Elements>;
   using Some_doubles = std::conditional_t<takes_all_axes, const All_doubles&,
@@ -72,7 +72,7 @@ public:
   std::size_t size() const { return points_.size(); }
   double reach() const { return near_.reach; }
 
-  // Along the axes that are searched.
+  // An axis here is an index among the axes that are searched.
   Interval interval(int axis) const { return scene_.box[axes_[axis]]; }
   double coordinate(std::size_t position, int axis) const { return doubles_.at(position, axis); }
   Point point(std::size_t position) const
@@ -80,7 +80,7 @@ public:
     return {doubles_.template at<Dimension>(position), static_cast<Place>(position)};
   }
 
-  // Whether no two points of the scene are farther apart than the bound, for sure.
+  // Whether all pairs of points of the scene are certainly within the bound.
   bool are_all_pairs() const
   {
     double s = 0;
@@ -102,10 +102,10 @@ public:
     Near_points_lanes::collect_between(a, b, near_, candidates, flush);
   }
 
-  // Whether a candidate is within the bound. Its doubles are in the cache, the points are not.
+  // Whether a candidate is within the bound. The runs are in the cache, the user's points are not.
   bool is_pair(const Run& a, const Run& b, Candidate pair, Decision_counts& counts) const
   {
-    if(squared_distance(a, b, pair) <= near_.filter.inside) { // as lanes have found, not kept
+    if(squared_distance(a, b, pair) <= near_.filter.inside) { // the lanes found this, and forgot it
       counts.add(Arithmetic_tier::DOUBLE);
       return true;
     }

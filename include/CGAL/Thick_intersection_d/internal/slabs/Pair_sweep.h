@@ -6,7 +6,7 @@
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_PAIR_SWEEP_H
 
 // Sweeps one or two sorted runs: collects candidates by lanes, decides them, and reports the pairs.
-// It does not know where the runs come from, nor what makes two elements a pair.
+// It knows neither where the runs come from nor what makes two elements a pair.
 
 #include <CGAL/Arithmetic_tier.h>
 
@@ -22,14 +22,14 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// `Test` brings its runs and knows what a pair is. It has
+// `Test` has a type of runs, and decides what a pair is. It has
 //
-//   Run                                               columns of elements that are sorted, with
-//                                                     positions and block()
-//   collect_within(run, candidates, flush)            the candidates of a run, by lanes
-//   collect_between(a, b, candidates, flush)          those between two runs
-//   is_pair(a, b, candidate, counts)                  the decision about a candidate, in case the
-//                                                     lanes have left any undecided
+//   Run                                               sorted elements in columns, with positions
+//                                                     and block()
+//   collect_within(run, candidates, flush)            collects the candidates in a run, by lanes
+//   collect_between(a, b, candidates, flush)          collects the candidates between two runs
+//   is_pair(a, b, candidate, counts)                  decides about a candidate; called if lanes
+//                                                     left any candidate undecided
 //
 // `Report` takes two positions, returns false to stop, and has is_stopped().
 template <class Test, class Report>
@@ -40,7 +40,7 @@ class Pair_sweep
 public:
   Pair_sweep(const Test& test, Report& report) : test_(test), report_(report) {}
 
-  // Takes only this one of `count` blocks of each run from now on.
+  // From now on, starts from the elements of one of `count` blocks of each run only.
   void take_block(Place index, Place count)
   {
     block_index_ = index;
@@ -49,7 +49,7 @@ public:
 
   bool is_stopped() const { return is_stopped_; }
 
-  // Which arithmetic has decided the pairs so far.
+  // How many pairs each arithmetic has decided so far.
   const Decision_counts& counts() const { return counts_; }
 
   // Reports the pairs of a run.
@@ -74,8 +74,8 @@ private:
     return block_count_ == 1 ? run : run.block(block_index_, block_count_);
   }
 
-  // Reports the candidates that are pairs. Returns false to stop. Not inline: the loops of lanes,
-  // which call it once per thousand candidates, stay short.
+  // Reports the candidates that are pairs. Returns false to stop. Not inline, so that the loops of
+  // lanes stay short. They call this function once per thousand candidates.
   BOOST_NOINLINE bool flush(const Run& a, const Run& b)
   {
     const Place count = candidates_.count;
@@ -92,7 +92,7 @@ private:
     return !is_stopped_;
   }
 
-  // A loop without stores of its own, which short callbacks profit from.
+  // If all candidates are decided, the loop itself stores nothing. This makes short callbacks fast.
   template <bool is_any_undecided>
   bool report_pairs(const Run& a, const Run& b, Place count)
   {

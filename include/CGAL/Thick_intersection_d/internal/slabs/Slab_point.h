@@ -16,18 +16,18 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Its coordinates as doubles, along the axes that are searched, and its position.
+// The coordinates of a point as doubles, along the axes that are searched, and its position.
 template <int Dimension>
 struct Slab_point
 {
   static constexpr int dimension = Dimension;
-  static constexpr int slab_axis = Dimension - 1; // that slabs are cut along
+  static constexpr int slab_axis = Dimension - 1; // the axis that slabs are cut along
 
   std::array<double, Dimension> x;
   Place position;
 };
 
-// The intervals of some coordinates along all axes.
+// The intervals of the coordinates of some points, one per axis.
 template <int Dimension>
 using Box = std::array<Interval, Dimension>;
 

@@ -5,9 +5,9 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_SLAB_ROUTE_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_SLAB_ROUTE_H
 
-// The fast route: elements are moved into slabs, one slab after another is made ready, and swept
-// with those within reach. Only candidates that doubles do not decide are looked up in the user's
-// range.
+// The fast route. It moves the elements into slabs. Then it makes one slab after another ready, and
+// sweeps it with the slabs within reach. It looks up only those candidates in the user's range that
+// doubles and integers do not decide.
 
 #include <CGAL/Arithmetic_tier.h>
 
@@ -31,8 +31,8 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// `Test` is what Slabs asks of a source and Pair_sweep of a test, with size(), reach(),
-// are_all_pairs() and publish(counts): see Near_points.
+// `Test` is a source for Slabs and a test for Pair_sweep. It also has the functions size(),
+// reach(), are_all_pairs() and publish(counts), as Near_points does.
 template <class ConcurrencyTag, class Test>
 class Slab_route
 {
@@ -73,7 +73,7 @@ private:
     return Slabs<Point>(ConcurrencyTag(), test_, first, last, reach_, tuning_);
   }
 
-  // Sweeps blocks of slabs, which may be swept at the same time.
+  // Sweeps all slabs, in blocks that threads may sweep at the same time.
   template <class Report, class Progress>
   void sweep_all_slabs(const Slabs<Point>& slabs, const Slabs<Point>* others, Report& report,
                        Progress& progress) const
@@ -88,8 +88,8 @@ private:
     });
   }
 
-  // Sweeps the slabs [first, last) with those within reach: of the other set, if there is one, and
-  // otherwise with themselves and those behind them.
+  // Sweeps the slabs [first, last) with the slabs of the other set within reach. If there is no
+  // other set, sweeps each slab with itself and with the slabs within reach behind it.
   template <class Report, class Progress>
   void sweep_slabs(const Slabs<Point>& slabs, Place first, Place last, const Slabs<Point>* others,
                    Report& report, Progress& progress) const
@@ -115,8 +115,8 @@ private:
     test_.publish(pair_sweep.counts());
   }
 
-  // Sweeps a slab with those nearby: in blocks, if there are very many candidates. Blocks may be
-  // swept at the same time, and the search can be stopped after each.
+  // Sweeps a slab with the slabs nearby. If there are very many candidates, it sweeps in blocks.
+  // Threads may sweep the blocks at the same time. The search can stop after each block.
   template <class Sweep, class Report, class Progress>
   void sweep_slab(const Strips<Point>& slab, const Slabs_nearby& nearby, Sweep& sweep,
                   Report& report, Progress& progress) const
@@ -148,7 +148,7 @@ private:
     return static_cast<Place>((std::min)(count, max_block_count)) + 1;
   }
 
-  // Reports each element before `end` with all elements that are behind it and not before `first`.
+  // Reports each element before `end` with all elements that are behind it, from `first` on.
   template <class Report, class Progress>
   bool report_all(std::size_t end, std::size_t first, Report& report, Progress& progress) const
   {

@@ -5,7 +5,7 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_SLAB_STREAM_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_SLAB_STREAM_H
 
-// Makes one slab after another ready to be swept, and cuts those again that are large or crowded.
+// Makes one slab after another ready for the sweep. Cuts large or crowded slabs again.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/prefix_sums.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
@@ -36,15 +36,15 @@ public:
     : slabs_(slabs), reach_(reach), tuning_(tuning), next_slab_(first), maker_(reach, tuning)
   {}
 
-  // The number of the slab that the last strips belong to.
+  // Returns the number of the slab that the last strips belong to.
   Place slab() const { return next_slab_ - 1; }
 
-  // Sets `strips` to those of the next slab, or of the next lower slab that one was cut into;
-  // returns false if there is none.
+  // Sets `strips` to the strips of the next slab. A slab that was cut gives several slabs. Returns
+  // false if there is no further slab.
   //
-  // Slabs of sparse points are higher than usual. If the points in one turn out to crowd along axis
-  // 0, as on a line across the slabs or in clusters, it is cut into lower slabs after all: then
-  // sweeps look at no more than O(C(n + k)) pairs.
+  // A slab of sparse points is higher than usual. Its points may be crowded along axis 0, if they
+  // form clusters, or a line across the slabs. Then the slab is cut into lower ones, so that sweeps
+  // look at O(C(n + k)) pairs. A high slab with too many points for the cache is cut as well.
   bool next(Strips<Point>& strips)
   {
     for(;;) {
@@ -87,8 +87,8 @@ private:
     return true;
   }
 
-  // Cuts a slab into lower ones, which come next: of equal height, or if that was tried before,
-  // where the points are.
+  // Cuts a slab into lower ones, which come next. They have equal heights, unless equal cuts were
+  // tried max_cut_depth times, or are impossible. Then the slab is cut where the points are.
   void cut(const Slab& slab, const Interval& interval)
   {
     const Equal_cut cut(interval, piece_count(interval.length(), slab.size(), reach_,
@@ -130,8 +130,8 @@ private:
   const double reach_;
   const Slab_tuning tuning_;
   Place next_slab_;
-  std::vector<Slab> pending_; // the last one comes first
-  std::array<Buffer<Point>, max_cut_depth + 1> scratch_; // the points of cut slabs, by cuts
+  std::vector<Slab> pending_; // a stack: the last slab comes first
+  std::array<Buffer<Point>, max_cut_depth + 1> scratch_; // the points of cut slabs, by Slab::cuts
   Strips_maker<Point> maker_;
   Bucket_sorter<Point> sorter_;
 };

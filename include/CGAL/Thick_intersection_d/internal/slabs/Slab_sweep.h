@@ -5,9 +5,9 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_SLAB_SWEEP_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_SLAB_SWEEP_H
 
-// Chooses the runs to sweep: each strip of a slab with itself and with those behind it within
-// reach, and the strips of two slabs within reach. Each two strips meet once, so no pair is
-// reported twice.
+// Chooses the runs to sweep. Each strip of a slab meets itself, and the strips within reach behind
+// it. The strips of two slabs meet if they are within reach. Each two strips meet once, so no pair
+// is reported twice.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// `Sweep` has within(run), between(a, b) and is_stopped() of Pair_sweep.
+// `Sweep` has the functions within(run), between(a, b) and is_stopped() of Pair_sweep.
 template <class Point, class Sweep>
 class Slab_sweep
 {
@@ -56,13 +56,13 @@ public:
     }
   }
 
-  // Sweeps one slab with another. Only their borders are looked at: the points of one slab that are
-  // within reach of the other.
+  // Sweeps one slab with another slab. Only their borders meet: the points of either slab that are
+  // within reach of the other slab.
   void between(const Strips<Point>& a, const Strips<Point>& b)
   {
     collect_border(a, a.strips(), slab_axis, reachable(b.interval(slab_axis)), slab_border_a_);
     collect_border(b, b.strips(), slab_axis, reachable(a.interval(slab_axis)), slab_border_b_);
-    auto first = slab_border_b_.strips().begin(); // strips before are too low for all p to come
+    auto first = slab_border_b_.strips().begin(); // strips before it are too low for later p
     const auto last = slab_border_b_.strips().end();
     for(const Strip_of_points& p : slab_border_a_.strips()) {
       while(first != last && p.box[1].low - first->box[1].high > reach_)
@@ -78,13 +78,14 @@ public:
 private:
   static constexpr int slab_axis = Point::slab_axis;
 
-  // The coordinates within reach of an interval. One rounding does not lose any: it is monotone.
+  // Returns the coordinates within reach of an interval. One rounding is monotone, so it loses none
+  // of them.
   Interval reachable(const Interval& interval) const
   {
     return {interval.low - reach_, interval.high + reach_};
   }
 
-  // Sets `border` to the points of some strips of a slab whose coordinates are in `interval`.
+  // Sets `border` to the points of `strips` whose coordinate along `axis` is in `interval`.
   template <class Some_strips>
   void collect_border(const Strips<Point>& slab, const Some_strips& strips, int axis,
                       const Interval& interval, Strips<Point>& border)
@@ -101,7 +102,7 @@ private:
       border.append_border(slab, strip, axis, interval, places);
   }
 
-  // Sweeps the points of strip p and of strip q that are within reach of the other strip.
+  // Sweeps the borders of strips p and q: the points that are within reach of the other strip.
   void sweep_borders(const Strips<Point>& a, const Strip_of_points& p, const Strips<Point>& b,
                      const Strip_of_points& q)
   {

@@ -5,8 +5,8 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_SLAB_WINDOW_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_SLAB_WINDOW_H
 
-// The slabs near the one that is being swept. Only these are ready at a time, so that they are
-// swept while they are in the cache.
+// The slabs within reach of the slab that is being swept. Only these slabs are ready at a time, so
+// the sweep finds them in the cache.
 
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_stream.h>
@@ -37,7 +37,8 @@ public:
   // Returns the first slab in the window, or nullptr if there is none.
   const Strips<Point>* front() { return at(0); }
 
-  // The number of the slab that the first strips belong to, or that of slabs if there are none.
+  // Returns the number of the slab that the first strips in the window belong to. Returns the
+  // number of all slabs if the window is empty.
   Place slab() { return front() ? ready_.front().slab : end_; }
 
   void pop()
@@ -53,8 +54,8 @@ public:
       pop();
   }
 
-  // Sets `slabs` to those that are not beyond reach above `high`. Slabs follow each other, so the
-  // last of them may show that the next one need not be made ready.
+  // Sets `slabs` to the slabs in the window that are not beyond reach above `high`. Slabs follow
+  // each other. So the next slab is not made ready if the last one ends beyond reach.
   void find_within_reach(double high, Slabs_nearby& slabs)
   {
     slabs.clear();
@@ -92,7 +93,7 @@ private:
   const double reach_;
   const Place end_;
   std::deque<Ready_slab> ready_;
-  Ready_slab spare_; // whose memory is used again
+  Ready_slab spare_; // its memory is used again
 };
 
 } // namespace internal

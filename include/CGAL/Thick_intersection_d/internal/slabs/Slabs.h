@@ -5,8 +5,8 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_SLABS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_SLABS_H
 
-// The points of one set, in the order of the slabs that they are in: the divide step of [V03], made
-// multiway.
+// The points of one set in the order of their slabs: the divide step of [V03], made multiway. [V03]
+// is cited in Recursive_route.h.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
@@ -30,7 +30,7 @@ template <class Point>
 class Slabs
 {
 public:
-  // Takes the points of `source` at the positions [first, last), which has the functions
+  // Takes the points at the positions [first, last) of `source`. The source has the functions
   // interval(axis), coordinate(position, axis) and point(position).
   template <class ConcurrencyTag, class Source>
   Slabs(ConcurrencyTag, const Source& source, std::size_t first, std::size_t last, double reach,
@@ -49,7 +49,7 @@ public:
   const Point* end(Place slab) const { return begin(slab + 1); }
   Place size() const { return begins_.back(); }
 
-  // Returns the slabs [first, last) of one of `count` blocks, which have about as many points each.
+  // Returns the slabs [first, last) of one of `count` blocks with about equal numbers of points.
   std::pair<Place, Place> block(std::size_t index, std::size_t count) const
   {
     const auto first_behind = [&](std::size_t points) {
@@ -59,14 +59,14 @@ public:
     return {first_behind(index * size() / count), first_behind((index + 1) * size() / count)};
   }
 
-  // No point whose coordinate is at least x is in a slab before this one.
+  // Returns the slab of coordinate x. No point in a slab before it has a coordinate of x or more.
   Place slab_of(double x) const { return cut_(x); }
 
 private:
   static constexpr int axis = Point::slab_axis;
 
-  // Counting sort by slabs. Each block of points has its own counts, which become the places that
-  // the block writes to.
+  // Sorts the points by slabs, by counting. Each block of points has its own counts, which become
+  // the places that the block writes to.
   template <class ConcurrencyTag, class Source>
   void distribute(const Source& source, std::size_t first, Place size)
   {
@@ -94,8 +94,8 @@ private:
       });
   }
 
-  // Returns the interval of the coordinates without ends in which hardly any of the points are, if
-  // that makes it much shorter.
+  // Returns the interval of the coordinates. Leaves out ends that hold hardly any points, if the
+  // interval is much shorter without them.
   template <class Source>
   static Interval trim(const Source& source, std::size_t first, Place size)
   {

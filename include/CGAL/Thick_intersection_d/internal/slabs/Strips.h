@@ -5,8 +5,8 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_STRIPS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_STRIPS_H
 
-// A slab ready to be swept: strips of points, each of them sorted along axis 0. In the plane a slab
-// is one strip; in space it is cut along axis 1.
+// A slab that is ready for the sweep: strips of points, each sorted along axis 0. In the plane a
+// slab is one strip. In space it is cut along axis 1.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
@@ -24,7 +24,8 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// The places [begin, end) of columns, and the intervals of the coordinates of the points there.
+// The places [begin, end) of columns, and a box that holds the points there. For a border, it is
+// the box of the strip that the border belongs to.
 template <int Dimension>
 struct Strip
 {
@@ -47,7 +48,7 @@ public:
   Place size() const { return size_; }
   const Interval& interval(int axis) const { return box_[axis]; }
 
-  // About how many pairs of the points are candidates: in one strip, within a reach along axis 0.
+  // The estimated number of candidates: pairs in one strip that are within a reach along axis 0.
   double candidates() const { return candidates_; }
   void set_candidates(double candidates) { candidates_ = candidates; }
 
@@ -61,7 +62,7 @@ public:
     return run;
   }
 
-  // Makes room for `size` points in `count` strips, and forgets all strips.
+  // Removes all strips, and makes room for `size` points in `count` strips.
   void reset(Place size, Place count)
   {
     const std::size_t places = size + static_cast<std::size_t>(count) * lanes;
@@ -74,7 +75,7 @@ public:
     box_ = {};
   }
 
-  // Appends a strip of points that are sorted along axis 0.
+  // Appends a strip of the points [first, last), which are sorted along axis 0.
   template <class Iterator>
   void append(Iterator first, Iterator last)
   {
@@ -90,8 +91,8 @@ public:
     close(strip);
   }
 
-  // Appends the border of a strip of another slab: the points whose coordinate along `axis` is in
-  // `interval`. `kept` is room for as many places as there are points in the strip.
+  // Appends the border of a strip of `other`: the points whose coordinate along `axis` is in
+  // `interval`. `kept` has room for a place per point of the strip.
   void append_border(const Strips& other, const Strip_of_points& strip, int axis,
                      const Interval& interval, Place* kept)
   {
@@ -113,12 +114,12 @@ public:
   }
 
 private:
-  // Puts the end of a run behind a strip, and keeps the strip unless it is empty.
+  // Writes the lanes that end a run behind a strip. Keeps the strip unless it is empty.
   void close(const Strip_of_points& strip)
   {
     for(Place lane = 0; lane < lanes; ++lane)
       columns_[0].data()[strip.end + lane] = std::numeric_limits<double>::quiet_NaN();
-    for(int axis = 1; axis < dimension; ++axis) // not used, but read
+    for(int axis = 1; axis < dimension; ++axis) // the sweep reads these, but does not use them
       for(Place lane = 0; lane < lanes; ++lane)
         columns_[axis].data()[strip.end + lane] = 0;
     end_ = strip.end + lanes;
@@ -136,7 +137,7 @@ private:
   Box<dimension> box_;
   double candidates_ = 0;
   Place size_ = 0;
-  Place end_ = 0; // of the places used
+  Place end_ = 0; // the end of the used places
 };
 
 } // namespace internal

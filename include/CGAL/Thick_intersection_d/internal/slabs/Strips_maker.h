@@ -5,7 +5,7 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_STRIPS_MAKER_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_STRIPS_MAKER_H
 
-// Makes a slab ready to be swept: counts its points by strips and buckets, then sorts them.
+// Makes a slab ready for the sweep: counts its points by strips and buckets, then sorts them.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/prefix_sums.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
@@ -25,8 +25,8 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Calls task(first, last) for pieces of points that are sorted along an axis: each no longer than
-// `length`, or of no more than `few` points.
+// Divides points that are sorted along an axis into pieces, and calls task(first, last) for each
+// piece. A piece is at most `length` long, or has at most `few` points.
 template <int axis, class Point, class Task>
 void for_each_sorted_piece(Point* first, Point* last, double length, Place few, const Task& task)
 {
@@ -48,8 +48,8 @@ class Strips_maker
 public:
   Strips_maker(double reach, const Slab_tuning& tuning) : reach_(reach), tuning_(tuning) {}
 
-  // Looks at the points [first, last), of which there are some, and counts them by strips and by
-  // buckets along axis 0.
+  // Takes the points [first, last), at least one. Counts them by strips, and by buckets along axis
+  // 0.
   void count(const Point* first, const Point* last)
   {
     first_ = first;
@@ -78,7 +78,7 @@ public:
 private:
   Place size() const { return static_cast<Place>(last_ - first_); }
 
-  // Whether strips are so high that points far from each other may crowd in them.
+  // Whether strips are so high that points in them may be crowded and yet far from each other.
   bool are_strips_high() const
   {
     return box_[1].length() > max_height * reach_ * across_.count();
@@ -94,8 +94,8 @@ private:
 
   Place bucket_count() const { return across_.count() * along_.count(); }
 
-  // Cuts the slab into strips, in the plane into one, and each strip into buckets, of which there
-  // are as many as points.
+  // Cuts the slab into strips, in the plane into one strip. Cuts each strip into buckets. There are
+  // about as many buckets as points.
   void count_buckets()
   {
     across_ = is_in_plane ? Equal_cut()
@@ -108,8 +108,8 @@ private:
       ++counts[bucket(*p)];
   }
 
-  // A point is within a reach along axis 0 of the points in its own bucket, and in as many buckets
-  // behind it as a reach covers.
+  // The candidates of a point are the points in its own bucket, and in as many buckets behind it as
+  // a reach covers. The estimate takes these buckets to be equally full.
   void estimate_candidates()
   {
     const Place* const counts = counts_.data();
@@ -128,7 +128,7 @@ private:
   // Sorts the points into buckets, and then the points of each bucket.
   void make_counted_strips(Strips<Point>& strips)
   {
-    Place* const ends = counts_.data(); // of the buckets, once all points are in
+    Place* const ends = counts_.data(); // the ends of the buckets, once these hold all points
     Point* const sorted = sorted_.require(size());
     replace_by_prefix_sums(ends, ends + bucket_count());
     for(const Point* p = first_; p != last_; ++p)
@@ -147,7 +147,7 @@ private:
     }
   }
 
-  // Sorts the points along axis 1, and cuts them into strips where they are.
+  // Sorts the points along axis 1, and cuts the strips where the points are.
   void make_sorted_strips(Strips<Point>& strips)
   {
     Point* const sorted = sorted_.require(size());
@@ -171,10 +171,10 @@ private:
   const Point* first_ = nullptr;
   const Point* last_ = nullptr;
   Box<Point::dimension> box_;
-  Equal_cut across_;      // the slab into strips
-  Equal_cut along_;       // a strip into buckets
+  Equal_cut across_;      // cuts the slab into strips
+  Equal_cut along_;       // cuts a strip into buckets
   Place longest_ = 0;     // the size of the largest bucket
-  double candidates_ = 0; // their estimated number
+  double candidates_ = 0; // the estimated number of candidates
   Buffer<Place> counts_;
   Buffer<Point> sorted_;
   Bucket_sorter<Point> sorter_;
