@@ -38,8 +38,8 @@ struct Double_parts
   int exponent;
 };
 
-// Returns x / 2^e modulo 2^64, where x is a multiple of 2^e. Of other numbers it drops what is
-// below 2^e, so that equal ones have equal results.
+// Returns x / 2^e modulo 2^64, if x is a multiple of 2^e. Otherwise drops the bits below 2^e, so
+// equal numbers have equal results.
 inline std::uint64_t steps_modulo_2_64(double x, int e)
 {
   const Double_parts parts(x);
@@ -53,8 +53,8 @@ inline std::uint64_t steps_modulo_2_64(double x, int e)
 class Double_grid
 {
 public:
-  // Refines the grid until it holds the finite number x. Without branches but for zero, since the
-  // number of zeros at the end of a mantissa is anybody's guess.
+  // Refines the grid until it holds the finite number x. Only zero takes a branch: the number of
+  // zeros at the end of a mantissa cannot be predicted.
   void add(double x)
   {
     const Double_parts parts(x);
@@ -64,14 +64,14 @@ public:
     exponent_ = (std::min)(exponent_, parts.exponent + logarithm(lowest_bit));
   }
 
-  // Refines the grid until it holds all that the other one holds.
+  // Refines the grid until it holds all numbers of another grid.
   void add(const Double_grid& other) { exponent_ = (std::min)(exponent_, other.exponent_); }
 
   // Returns e, or 0 if no number but zero was added.
   int exponent() const { return exponent_ == none ? 0 : exponent_; }
 
 private:
-  // The exponent of a power of two, which a double holds.
+  // Returns the exponent of a power of two, read from the bits of a double.
   static int logarithm(std::uint64_t power)
   {
     return static_cast<int>(bits_of(static_cast<double>(static_cast<std::int64_t>(power))) >> 52)

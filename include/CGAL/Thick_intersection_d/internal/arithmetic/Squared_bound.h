@@ -5,7 +5,7 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_ARITHMETIC_SQUARED_BOUND_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_ARITHMETIC_SQUARED_BOUND_H
 
-// A distance bound, checked, and in the forms that searches need: its square as an exact number and
+// A checked distance bound in the forms that searches need: its square as an exact number and
 // between two doubles, and the reach along an axis.
 
 #include <CGAL/Distance_bound.h>
@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Sets `numerator / denominator`, two numbers of an exact type, to the rational r2.
+// Sets the fraction `numerator / denominator` of an exact type to the rational r2.
 template <class Exact>
 void decompose(const Exact_rational& r2, Exact& numerator, Exact& denominator)
 {
@@ -41,7 +41,7 @@ void decompose(const Exact_rational& r2, Exact& numerator, Exact& denominator)
   }
 }
 
-// The bound |pq|^2 <= r^2, or < if open, where |pq|^2 is of the type Exact.
+// The bound |pq|^2 <= r^2, or |pq|^2 < r^2 if it is open. |pq|^2 has the type Exact.
 template <class Exact>
 class Squared_bound
 {
@@ -88,14 +88,14 @@ public:
     return open_ ? scaled < numerator_ : scaled <= numerator_;
   }
 
-  // Returns r^2 - x, rounded a few times; for a double x near r^2, and types whose conversion to
-  // double is precise: not for lazy ones.
+  // Returns r^2 - x, rounded a few times. x is to be a double near r^2, and the conversion of Exact
+  // to double is to be precise. The conversion of lazy types is not.
   double excess(double x) const
   {
     return CGAL::to_double(numerator_ - Exact(x) * denominator_) / CGAL::to_double(denominator_);
   }
 
-  // Returns the largest double that is within the bound as a squared distance.
+  // Returns the largest squared distance within the bound that is a double.
   double largest_double() const
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -108,8 +108,8 @@ public:
     return threshold;
   }
 
-  // Returns the least integer s, below 2^bits, for which s 4^e is not within the bound as a squared
-  // distance: by long division of r^2 by 4^e.
+  // Returns the least integer s, below 2^bits, such that the squared distance s 4^e is not within
+  // the bound. Divides r^2 by 4^e, bit by bit.
   template <class Integer>
   Integer first_beyond(int e, int bits) const
   {
@@ -134,7 +134,7 @@ private:
     return is_squared ? value : Number(value * value);
   }
 
-  // Computes with one rounding, to either side, so the neighbouring doubles enclose the results.
+  // Computes with one rounding, to either side. So the neighboring doubles enclose the results.
   void set_doubles(const std::pair<double, double>& value, bool is_squared)
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -5,8 +5,8 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_ARITHMETIC_EXACT_NUMBER_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_ARITHMETIC_EXACT_NUMBER_H
 
-// Numbers without error: from whatever number type the user has to one in which squared distances
-// are computed and compared exactly, and to doubles that enclose it.
+// Numbers without error. Converts each number type of the user to a type that computes and compares
+// squared distances exactly, and to doubles that enclose the number.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Fraction_traits.h>
@@ -29,7 +29,7 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Numbers whose values are doubles, without rounding.
+// Whether all values of a number type are doubles, without rounding.
 template <class NT>
 constexpr bool is_held_by_double_v
   = std::is_same_v<NT, double> || std::is_same_v<NT, float>
@@ -45,7 +45,8 @@ struct Is_quotient : std::false_type {};
 template <class Integer>
 struct Is_quotient<Quotient<Integer>> : std::true_type {};
 
-// Floating numbers of any precision: built in, or found by argument-dependent lookup.
+// Finds floating-point numbers of any precision by their functions: those of the standard library,
+// or by argument-dependent lookup.
 namespace floating {
 using std::frexp;
 using std::ldexp;
@@ -65,8 +66,8 @@ NT mantissa(const NT& x, int& exponent)
 }
 } // namespace floating
 
-// Returns the rational value of a finite floating number of any precision: peels off the leading
-// 53 bits of the mantissa until none is left, which rounds nowhere.
+// Returns the rational value of a finite floating-point number of any precision. Takes the leading
+// 53 bits off the mantissa until no bits are left. Nothing is rounded.
 template <class NT>
 Exact_rational rational_of_floating(const NT& x)
 {
@@ -101,7 +102,7 @@ Exact_rational rational_of_integer(Integer x)
   }
 }
 
-// Returns the exact value of x, whose value is a rational number.
+// Returns the exact value of x. It is to be a rational number.
 template <class NT>
 Exact_rational to_exact_rational(const NT& x)
 {
@@ -120,7 +121,7 @@ Exact_rational to_exact_rational(const NT& x)
   else if constexpr(std::is_constructible_v<Exact_rational, const NT&>)
     return Exact_rational(x);
   else {
-    // All big integers and rationals have their decimal text in common.
+    // All big integers and rationals can be written and read as decimal text.
     std::stringstream text;
     text << x;
     Exact_rational value;
@@ -129,9 +130,9 @@ Exact_rational to_exact_rational(const NT& x)
   }
 }
 
-// The type in which squared distances of points with coordinates of type FT are computed without
-// error: FT itself if it is exact, and for floats and doubles a type without the cost of fractions.
-// Not a quotient of integers without common divisors taken out, which would grow with each sum.
+// The type that computes squared distances of points with coordinates of type FT without error. It
+// is FT itself if FT is exact. For floats and doubles it is a type without the cost of fractions.
+// It is not Quotient, which keeps common divisors and so grows with each sum.
 template <class FT>
 struct Exact_number
 {
@@ -168,12 +169,12 @@ decltype(auto) to_exact_number(const NT& x)
     return Exact(static_cast<double>(x));
 }
 
-// Returns the big integer x in another exact type. Integer types of different libraries have only
-// their decimal text in common.
+// Returns the big integer x in another exact type. Integer types of different libraries share
+// nothing but decimal text.
 template <class Number, class Integer>
 Number convert_integer(const Integer& x)
 {
-  if(x == 0) // for which the conversion of big integers to Mpzf is not made
+  if(x == 0) // the conversion of big integers to Mpzf does not take zero
     return Number(0);
   if constexpr(std::is_constructible_v<Number, const Integer&>)
     return Number(x);
@@ -203,15 +204,15 @@ std::pair<double, double> bounds(const NT& x)
   }
   else {
     const std::pair<double, double> interval = CGAL::to_interval(x);
-    if constexpr(Is_quotient<NT>::value) // which is widened to infinity by parts beyond the doubles
+    if constexpr(Is_quotient<NT>::value) // infinite if its parts are beyond the doubles
       if(std::isinf(interval.second) || std::isinf(interval.first))
         return CGAL::to_interval(to_exact_rational(x));
     return interval;
   }
 }
 
-// Whether a number with these bounds is neither NaN nor infinite. A number too large for a double
-// has the largest double below it, an infinite one has not.
+// Whether a number with these bounds is neither NaN nor infinite. If a number is too large for a
+// double, its lower bound is the largest double. The lower bound of infinity is infinity.
 inline bool are_bounds_of_finite(const std::pair<double, double>& b)
 {
   return b.first <= (std::numeric_limits<double>::max)()

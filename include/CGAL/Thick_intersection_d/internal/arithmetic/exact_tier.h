@@ -5,10 +5,11 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_ARITHMETIC_EXACT_TIER_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_ARITHMETIC_EXACT_TIER_H
 
-// Which arithmetic is exact for the squared distances of points on a grid 2^e Z.
+// Chooses the arithmetic that is exact for the squared distances of points on a grid 2^e Z.
 //
-// Only differences up to the reach matter: farther points are beyond the bound, and each arithmetic
-// finds that out safely. Such a difference is a number of at most U = floor(reach / 2^e) steps.
+// Only differences up to the reach matter: points farther apart are beyond the bound, and each
+// arithmetic finds this out safely. A difference up to the reach has at most
+// U = floor(reach / 2^e) steps.
 
 #include <CGAL/Arithmetic_tier.h>
 
@@ -32,20 +33,21 @@ __extension__ typedef unsigned __int128 Uint128;
 using Uint128 = boost::multiprecision::uint128_t;
 #endif
 
-// Returns U, or infinity if that is no double.
+// Returns U, or infinity if U is no double.
 inline double steps_within(double reach, int grid_exponent)
 {
   return std::floor(std::ldexp(reach, -grid_exponent));
 }
 
-// A sum of one square is treated as one of two, so that the square of U + 1 is exact as well.
+// Returns how many squares a sum counts as: at least 2, so the square of U + 1 is exact as well.
 inline int square_terms(int axis_count) { return (std::max)(axis_count, 2); }
 
-// The certificate: whether doubles compute all squared distances up to the reach without error.
+// The certificate: returns whether doubles compute all squared distances up to the reach without
+// error.
 //
-// A sum of `axis_count` squares of U steps has at most 53 bits, and does not underflow or overflow.
-// A longer difference, of at least U + 1 steps, has a square beyond the bound; rounding is
-// monotone, so its sum comes out beyond the bound as well (doc/design.md).
+// If so, a sum of `axis_count` squares of U steps has at most 53 bits, and does not underflow or
+// overflow. A longer difference has at least U + 1 steps, and its square is beyond the bound.
+// Rounding is monotone, so the computed sum is beyond the bound as well (doc/design.md).
 inline bool are_squares_exact_in_double(double reach, int grid_exponent, int axis_count)
 {
   const double steps = steps_within(reach, grid_exponent);
@@ -62,7 +64,7 @@ inline bool are_squares_at_most(const Uint128& max_sum, double steps, int axis_c
   return u * u <= max_sum / static_cast<unsigned int>((std::max)(axis_count, 1));
 }
 
-// Whether sums of squares fit into integers of 64 bits; even signed ones would do.
+// Whether sums of squares fit into integers of 64 bits, even into signed ones.
 inline bool fits_int64(double steps, int axis_count)
 {
   return are_squares_at_most((std::numeric_limits<std::int64_t>::max)(), steps, axis_count);
@@ -73,8 +75,8 @@ inline bool fits_int128(double steps, int axis_count)
   return are_squares_at_most(~Uint128(0), steps, axis_count);
 }
 
-// Returns the first tier that is exact for points that differ along `axis_count` axes. Without a
-// grid, or with a reach so large that differences may overflow, it is the last tier.
+// Returns the first tier that is exact for points that differ along `axis_count` axes. It is the
+// last tier if there is no grid, or if the reach is so large that differences may overflow.
 inline Arithmetic_tier first_exact_tier(double reach, const std::optional<int>& grid_exponent,
                                         int axis_count)
 {

@@ -5,7 +5,7 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_ARITHMETIC_SQUARED_SUMS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_ARITHMETIC_SQUARED_SUMS_H
 
-// How far a sum of squares that doubles compute is from the true one.
+// Bounds the error of a sum of squares that doubles compute.
 
 #include <algorithm>
 #include <cmath>
@@ -15,20 +15,20 @@ namespace Thick_intersection_d {
 namespace internal {
 
 // Squares below the first constant lose bits to underflow: at most d 2^-1022 in a sum of d squares.
-// A computed sum above the second constant is more than that.
+// If a computed sum is above the second constant, the true sum is above the first.
 constexpr double min_safe_square = 0x1p-960;
 constexpr double min_safe_threshold = 0x1p-950;
 
 // Sums of squares beyond this constant may overflow.
 constexpr double max_safe_square = 0x1p1020;
 
-// Returns a bound c on the relative error of the computed squared distance of two points, and on
-// that of comparing it with a rounded threshold. It holds in every rounding mode, with and without
-// fused multiplication.
+// Returns a bound c on the relative error of the computed squared distance of two points. It covers
+// the comparison with a rounded threshold as well. It holds in every rounding mode, with and
+// without fused multiplication.
 //
 // Let u be 2^-53 for rounding to nearest and 2^-52 for the directed modes. Each difference has the
-// relative error u, its square 2u + u, and the at most d-1 additions of non-negative terms (d-1)u.
-// The threshold and its product with 1 -+ c have 3u. Together these are (d+5)u to first order, and
+// relative error u, and its square 2u + u. At most d-1 additions of non-negative terms have (d-1)u.
+// The threshold and its product with 1 -+ c have 3u. Together this is (d+5)u to first order, and
 // 2^-49 for d <= 3 in the worst case.
 inline double relative_error(int dimension)
 {

@@ -5,8 +5,8 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_BALL_CENTERS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_BALL_CENTERS_H
 
-// Balls of one radius intersect if their centers are within twice that radius: then the search
-// needs the centers alone.
+// Balls of one radius intersect if their centers are within twice the radius. So the search needs
+// only the centers.
 
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 
@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// The centers of balls, which are pairs of a point and a radius.
+// The centers of balls. A ball is a pair of a point and a radius.
 template <class Balls>
 class Ball_centers
 {
@@ -34,7 +34,7 @@ public:
   Element_iterator<Ball_centers> begin() const { return {*this, 0}; }
   Element_iterator<Ball_centers> end() const { return {*this, size()}; }
 
-  // A reference to the point of a ball, unless the ball was made for the occasion.
+  // Returns a reference to the center of a ball, or a copy if the ball is a temporary object.
   std::conditional_t<std::is_reference_v<Ball>, const value_type&, value_type>
   operator[](std::size_t position) const
   {

@@ -6,7 +6,7 @@
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_NUMBERED_ELEMENTS_H
 
 // The elements of the user's range or ranges by their positions. The input is neither copied nor
-// reordered; ranges without random access get a table of iterators.
+// reordered. A range without random access gets a table of iterators.
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/property_map.h>
@@ -24,7 +24,7 @@ namespace internal {
 // The identity, for ranges whose elements are the objects themselves.
 struct No_map {};
 
-// Goes through elements in a range-based for loop.
+// Iterates over elements in a range-based for loop.
 template <class Elements>
 class Element_iterator
 {
@@ -99,7 +99,7 @@ private:
   Map map_;
 };
 
-// The elements of two ranges in one numbering, those of the first before those of the second.
+// The elements of two ranges in one numbering. The first range comes first.
 template <class First, class Second>
 class Joined_elements
 {
@@ -124,7 +124,7 @@ private:
   const Second& second_;
 };
 
-// Returns the elements of `range`, seen through the point map of the named parameters, if any.
+// Returns the elements of `range`. Applies the point map of the named parameters, if there is one.
 template <class Range, class NamedParameters>
 auto make_elements(const Range& range, const NamedParameters& np)
 {

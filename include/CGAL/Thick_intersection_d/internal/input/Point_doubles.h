@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// The doubles of points whose coordinates are doubles: read where they are.
+// The coordinates of points, if they are doubles: read where they are.
 template <class Elements>
 class Held_doubles
 {
@@ -53,8 +53,8 @@ private:
   const Elements& points_;
 };
 
-// Lower bounds of other coordinates, computed once, a column per axis. Empty if the points are not
-// for the slab route.
+// Lower bounds of coordinates of other types, computed once, with a column per axis. There are no
+// columns if the dimension is not for the slab route.
 template <class Elements>
 class Copied_doubles
 {

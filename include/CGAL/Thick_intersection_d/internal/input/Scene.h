@@ -5,7 +5,7 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_SCENE_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_SCENE_H
 
-// What one pass over the coordinates of some points finds: the scene, as all wings see it.
+// The scene, as all wings see it. One pass over the coordinates finds it.
 
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 
@@ -22,17 +22,17 @@ struct Scene
   std::size_t size = 0;      // the number of points
   std::vector<Interval> box; // of the coordinates along each axis, rounded outwards
 
-  // The two doubles around a coordinate are at most this far apart. It is zero if and only if all
-  // coordinates are doubles, whatever their type.
+  // The bounds of a coordinate are at most this far apart. If it is zero, the bounds are equal, so
+  // all coordinates are doubles, whatever their type.
   double error = 0;
 
   // The exponent of the coarsest grid 2^e Z that holds all coordinates along the axes along which
-  // the points differ. There is none unless all coordinates are doubles.
+  // the points differ. There is a grid if and only if the error is zero.
   std::optional<int> grid_exponent;
 
   int dimension() const { return static_cast<int>(box.size()); }
 
-  // Whether the points differ along an axis; if not, all their coordinates are the same double.
+  // Whether the points differ along an axis. If not, all coordinates along it are the same double.
   bool is_extended_along(int axis) const
   {
     const Interval& interval = box[static_cast<std::size_t>(axis)];

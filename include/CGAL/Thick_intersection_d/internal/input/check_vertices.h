@@ -5,8 +5,8 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_CHECK_VERTICES_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_CHECK_VERTICES_H
 
-// Which kernel objects have vertices, how many, and that these are finite. A bounding box does not
-// tell: the minimum of NaN and 1 may be 1.
+// Checks that the vertices of kernel objects are finite. Bounding boxes do not show this, because
+// the minimum of NaN and 1 may be 1.
 
 #include <CGAL/Circle_2.h>
 #include <CGAL/Iso_cuboid_3.h>

@@ -5,8 +5,9 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_COORDINATES_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_COORDINATES_H
 
-// The one way in which the package reads points, for `Point_2`, `Point_3` and `Point_d` of every
-// kernel: Cartesian coordinates, double bounds of their differences, exact squared distances.
+// Reads points, for `Point_2`, `Point_3` and `Point_d` of every kernel: Cartesian coordinates,
+// double bounds of their differences, exact squared distances. The package reads coordinates by
+// these functions only.
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 
@@ -35,14 +36,14 @@ using Coordinate_t = std::decay_t<decltype(coordinate(std::declval<const Point&>
 template <class Point>
 using Approximate_coordinate_t = decltype(std::declval<const Point&>().approx().cartesian(0));
 
-// Points of lazy kernels, which hold intervals of their coordinates.
+// Whether points hold intervals of their coordinates, as points of lazy kernels do.
 template <class Point, class = void>
 struct Has_approximation : std::false_type {};
 template <class Point>
 struct Has_approximation<Point, std::void_t<Approximate_coordinate_t<Point>>> : std::true_type {};
 
-// Returns doubles that enclose coordinate i of p. Those of a lazy point are in its approximation;
-// its coordinate would first have to be made, a lazy number with memory of its own.
+// Returns doubles that enclose coordinate i of p. A lazy point has them in its approximation. Its
+// coordinate would be a new lazy number, with memory of its own.
 template <class Point>
 std::pair<double, double> coordinate_bounds(const Point& p, int i)
 {
@@ -54,8 +55,8 @@ std::pair<double, double> coordinate_bounds(const Point& p, int i)
     return bounds(coordinate(p, i));
 }
 
-// Doubles between which the distance of two numbers lies. Each is one rounded subtraction away from
-// the bounds of the numbers, hence has a relative error of at most one unit in the last place.
+// Doubles that enclose the distance of two numbers. Each results from the bounds of the numbers by
+// one rounded subtraction, so its relative error is at most one unit in the last place.
 struct Gap
 {
   double inf;
@@ -79,7 +80,7 @@ Gap gap(const NT& x, const NT& y)
     return gap(bounds(x), bounds(y));
 }
 
-// Doubles between which the distance of two points along axis i lies.
+// Returns doubles that enclose the distance of two points along axis i.
 template <class Point>
 Gap gap_along(const Point& p, const Point& q, int i)
 {
@@ -89,7 +90,7 @@ Gap gap_along(const Point& p, const Point& q, int i)
     return gap(coordinate_bounds(p, i), coordinate_bounds(q, i));
 }
 
-// Doubles between which |pq|^2 lies, up to relative_error().
+// Returns doubles that enclose |pq|^2, up to relative_error().
 template <class Point>
 Gap squared_distance_bounds(const Point& p, const Point& q, int dimension)
 {
@@ -102,8 +103,8 @@ Gap squared_distance_bounds(const Point& p, const Point& q, int dimension)
   return sum;
 }
 
-// Whether |x - y| <= reach, or too often true. One rounded subtraction never makes it false for
-// numbers within reach: rounding is monotone, and fixes the reach.
+// Returns true if |x - y| <= reach. May return true for other numbers too. One rounded subtraction
+// never makes it false for numbers within reach: rounding is monotone, and fixes the reach.
 template <class NT>
 bool is_within_reach(const NT& x, const NT& y, double reach)
 {

@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// The dimension of a type of points, or `fallback` if only the points themselves know theirs.
+// Returns the dimension of a type of points, or `fallback` if only the points know their dimension.
 template <class Point>
 constexpr int dimension_or(int fallback)
 {
@@ -26,8 +26,8 @@ constexpr int dimension_or(int fallback)
     return Dimension::value;
 }
 
-// Calls f(std::integral_constant<int, D>()) for the dimension D of the points if it is 2 or 3, and
-// otherwise() if not.
+// If the dimension D of the points is 2 or 3, calls f(std::integral_constant<int, D>()). Otherwise
+// calls otherwise().
 template <class Point, class Function, class Otherwise>
 auto for_plane_and_space(int dimension, const Function& f, const Otherwise& otherwise)
 {

@@ -39,7 +39,7 @@ private:
   std::size_t size_;
 };
 
-// Throws if there are more points than places, one of which stands for none.
+// Throws if there are too many points for places. One place is taken: it stands for no point.
 inline void check_size(std::size_t size)
 {
   if(size >= max_place)

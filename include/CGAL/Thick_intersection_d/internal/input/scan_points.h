@@ -5,7 +5,7 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_SCAN_POINTS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_SCAN_POINTS_H
 
-// One pass over the coordinates of all points, by blocks: checks them and makes the scene.
+// Checks the coordinates of all points and makes the scene, in one pass, by blocks.
 
 #include <CGAL/tags.h>
 
@@ -28,7 +28,7 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// What is found of some of the points.
+// What a scan has found about some of the points.
 class Scene_scan
 {
 public:
@@ -65,7 +65,7 @@ public:
     }
   }
 
-  // Adds what is found of other points.
+  // Adds what another scan has found about other points.
   void add(const Scene_scan& other)
   {
     for(std::size_t axis = 0; axis < box_.size(); ++axis) {
@@ -76,7 +76,7 @@ public:
     first_bad_ = (std::min)(first_bad_, other.first_bad_);
   }
 
-  // Returns the scene of the points, of which there are `size`.
+  // Returns the scene of the points. `size` is their number.
   Scene scene(std::size_t size) const
   {
     Scene scene;
@@ -102,8 +102,8 @@ private:
 };
 
 // Returns the scene of the points, and calls store(position, axis, lower bound) for each
-// coordinate. Throws if a point, called `name` in the message, has a NaN or infinite coordinate or
-// another dimension than the first point, or if denormal numbers are flushed to zero.
+// coordinate. Throws if a coordinate is NaN or infinite, or if a point has another dimension than
+// the first point; messages call a point `name`. Throws if denormal numbers are flushed to zero.
 template <class ConcurrencyTag, class Elements, class Store>
 Scene scan_points(const Elements& points, const std::string& name, const Store& store)
 {
