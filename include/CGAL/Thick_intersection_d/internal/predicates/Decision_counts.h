@@ -7,8 +7,8 @@
 
 // How many pairs each arithmetic has decided.
 //
-// Pairs that doubles put beyond the bound are not counted: sweeps pass over these by lanes, and
-// nobody knows how many there are.
+// Pairs that the first filter finds beyond the bound are not counted, because lanes pass over them
+// without a count.
 
 #include <CGAL/Arithmetic_tier.h>
 
@@ -53,7 +53,7 @@ public:
     counts_.add(counts);
   }
 
-  // Not while others add.
+  // Call this when no thread adds counts any more.
   const Decision_counts& total() const { return counts_; }
 
 private:

@@ -5,13 +5,13 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_DISTANCE_FILTER_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_DISTANCE_FILTER_H
 
-// A filter in doubles for the question whether a squared distance s is within a squared bound:
+// A filter in doubles. It decides whether a squared distance s is within a squared bound:
 //
 //   s <= inside   the distance is certainly within the bound
 //   s > outside   the distance is certainly beyond the bound
 //   else          undecided
 //
-// A sum of squares of differences has a relative error only, because nothing cancels after the
+// The error of a sum of squares of differences is relative, because nothing cancels after the
 // subtractions. So the two constants depend on the bound alone, not on the points.
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
@@ -35,8 +35,8 @@ struct Distance_filter
 //
 // Underflow: for a bound below min_safe_square the filter never says "inside", and it says
 // "outside" only above min_safe_threshold. Overflow: for a bound above max_safe_square the filter
-// never says "outside", because an infinite sum may come from a distance within the bound, and it
-// says "inside" only for sums below half of that.
+// never says "outside", because the sum of a distance within the bound may be infinite. It says
+// "inside" only for sums of at most half of max_safe_square.
 inline Distance_filter make_distance_filter(double low, double high, int dimension)
 {
   Distance_filter filter;
@@ -57,9 +57,9 @@ Distance_filter make_distance_filter(const Squared_bound<Exact>& bound, int dime
   return make_distance_filter(bound.squared().first, bound.squared().second, dimension);
 }
 
-// Returns the filter for scenes in which doubles compute all squared distances up to the bound
-// without error. It decides every pair: with s exact, s <= r^2 is equivalent to s <= T, where T is
-// r^2 rounded down.
+// Returns the filter for scenes where doubles compute all squared distances up to the bound without
+// error. It decides every pair: s is exact, so s <= r^2 is equivalent to s <= T, where T is r^2
+// rounded down.
 template <class Exact>
 Distance_filter make_certified_filter(const Squared_bound<Exact>& bound)
 {
@@ -67,8 +67,8 @@ Distance_filter make_certified_filter(const Squared_bound<Exact>& bound)
   return {threshold, threshold};
 }
 
-// Returns `filter` for doubles that differ from the coordinates by up to `error`, in up to three
-// dimensions. Then distances are off by less than twice the error.
+// Returns `filter`, widened for doubles that differ from the coordinates by up to `error`, in up to
+// three dimensions. The distances of such doubles are off by less than twice the error.
 template <class Exact>
 Distance_filter widen(const Distance_filter& filter, const Squared_bound<Exact>& bound,
                       double error)

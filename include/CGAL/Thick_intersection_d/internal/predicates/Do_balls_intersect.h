@@ -5,7 +5,7 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_DO_BALLS_INTERSECT_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_DO_BALLS_INTERSECT_H
 
-// Is |pq| <= r + s? The predicate of balls with a radius each: degree 2, exact for every kernel.
+// Decides whether |pq| <= r + s, for balls with individual radii. Degree 2, exact for every kernel.
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/squared_sums.h>
@@ -40,8 +40,8 @@ public:
     const double max_square = max_sum * max_sum;
     const Gap square = squared_distance_bounds(a.first, b.first, dimension_);
 
-    // The sums of radii and their squares have an error of their own, three roundings: less than
-    // relative_error(). Underflow and overflow leave the decision to the exact numbers.
+    // The sum of the radii and its square add the error of three roundings, which is less than
+    // relative_error(). Exact numbers decide if there may be underflow or overflow.
     if(min_square > min_safe_square && max_square < max_safe_square) {
       if(square.sup <= min_square * (1 - error_))
         return true;

@@ -5,22 +5,23 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_INTEGER_DISTANCE_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_INTEGER_DISTANCE_H
 
-// Decides |pq|^2 <= r^2 in integers, for coordinates that are doubles and multiples of 2^e.
+// Decides whether |pq|^2 <= r^2 in integers, for coordinates that are doubles and multiples of 2^e.
 //
 // Let U = floor(reach / 2^e), where the reach is at most 2^1022. Points that differ by more than U
-// steps along an axis are not within the bound. The others have differences and squares that
-// integers hold. The sum is compared with the number of squared steps in r^2, which is formed once
-// from the exact r^2:
+// steps along an axis are not within the bound. For all other points, integers hold the differences
+// and their squares. The sum of the squares is compared with the number of squared steps in r^2,
+// which is computed once, from the exact r^2:
 //
-// 1. If fl(|x - y|) > reach, for one rounded subtraction, then |x - y| > reach, since rounding is
-//    monotone and fixes the reach (Lemma M, doc/design.md). Otherwise let T = |x - y| / 2^e.
-// 2. If U < 2^53, then (U + 1) 2^e is a double beyond the reach, so T <= U, once more by Lemma M.
-//    So |x - y| has at most 53 bits: the subtraction was exact, and so is the product with 2^-e.
-// 3. If 2^53 <= U < 2^63, then T 2^e is below the double after the reach, so T < 2^63. It is the
-//    difference of x / 2^e and y / 2^e modulo 2^64, however large these are, and is compared with U
-//    as an integer.
+// 1. Let fl(|x - y|) be the result of one rounded subtraction. If it is above the reach, then
+//    |x - y| is above the reach, because rounding is monotone and fixes the reach (Lemma M,
+//    doc/design.md). Otherwise let T = |x - y| / 2^e.
+// 2. If U < 2^53, then (U + 1) 2^e is a double beyond the reach, so T <= U, again by Lemma M. So
+//    |x - y| has at most 53 bits. The subtraction was exact, and the product with 2^-e is exact.
+// 3. If 2^53 <= U < 2^63, then T 2^e is below the double after the reach, so T < 2^63. T is the
+//    difference of x / 2^e and y / 2^e modulo 2^64, however large these quotients are. Integers
+//    compare T with U.
 //
-// So nothing depends on the rounding mode, on the filter before, or on how far away the scene is.
+// So the decision does not depend on the rounding mode, on a filter, or on the place of the scene.
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Double_grid.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
@@ -38,7 +39,7 @@ template <class Square>
 class Integer_distance
 {
 public:
-  // The reach is a number of steps that fits in the integers: see fits_int64() and fits_int128().
+  // The reach is to be a number of steps that fits_int64() or fits_int128() holds for.
   template <class Exact>
   Integer_distance(const Squared_bound<Exact>& bound, int exponent)
     : reach_(bound.reach()), max_steps_(static_cast<std::uint64_t>(steps_within(reach_, exponent))),
@@ -78,7 +79,7 @@ private:
   double reach_;
   std::uint64_t max_steps_; // U
   int exponent_;
-  double scale_[2]; // 2^-e, which may be no double
+  double scale_[2]; // the product is 2^-e, which itself may be no double
   Square beyond_;   // the least squared distance beyond the bound, in squares of a step
 };
 

@@ -5,8 +5,9 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_IS_WITHIN_DISTANCE_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_IS_WITHIN_DISTANCE_H
 
-// Is |pq| <= r? The one object that answers this question for points: it is made once, and asks a
-// filter in doubles, integers or twofold doubles, and exact numbers, in this order. Degree 2.
+// Decides whether |pq| <= r. Each search of points within a bound makes this object once. It asks a
+// filter in doubles, integers or doubles of twice the precision, and exact numbers, in this order.
+// Degree 2.
 
 #include <CGAL/Arithmetic_tier.h>
 
@@ -44,8 +45,8 @@ public:
       near_tie_ = Near_tie_test(bound, dimension);
   }
 
-  // For the points of a scene, and no others: by the arithmetic of `tier`, which is exact for the
-  // scene. Adds to `counts` which arithmetic decides, unless that is null.
+  // For the points of a scene, and no other points. Uses the arithmetic of `tier`, which is to be
+  // exact for the scene. Counts in `counts` which arithmetic decides, unless `counts` is null.
   Is_within_distance(const Bound& bound, const Scene& scene, Arithmetic_tier tier,
                      Shared_decision_counts* counts = nullptr)
     : bound_(bound), dimension_(scene.dimension()),
@@ -61,7 +62,7 @@ public:
   // An upper bound on the distance along an axis of points within the bound.
   double reach() const { return bound_.reach(); }
 
-  // For coordinates, or doubles around them.
+  // The filter for coordinates, or for bounds of coordinates.
   const Distance_filter& filter() const { return filter_; }
 
   // The whole question.
@@ -86,13 +87,13 @@ public:
     return bound_.holds_for(Exact(difference * difference));
   }
 
-  // The first question, for those who hold doubles of the points of the scene. Each double is at
-  // most its coordinate, and is off by at most the error of the scene.
+  // The first question, for searches that hold the points of the scene as doubles. Each double is
+  // at most its coordinate, and is off by at most the error of the scene.
   double reach_of_doubles() const { return reach_of_doubles_; }
   const Distance_filter& filter_of_doubles() const { return filter_of_doubles_; }
 
-  // The second question: whether points whose doubles are x(i) and y(i), for i < `axes`, are within
-  // the bound, or nothing if that takes a look at the points.
+  // The second question: returns whether points with the doubles x(i) and y(i), for i < `axes`, are
+  // within the bound. Returns nothing if only the points themselves can show this.
   template <class X, class Y>
   std::optional<bool> decide_near_tie(const X& x, const Y& y, int axes,
                                       Decision_counts& counts) const
@@ -100,8 +101,8 @@ public:
     return near_tie_.decide(x, y, axes, counts);
   }
 
-  // The last question, about points that the two before have left undecided. The doubles around
-  // the coordinates of two points are often closer than the error of the scene.
+  // The last question, for points that the first two questions left undecided. It asks the filter
+  // again, because the bounds of these coordinates are often closer than the error of the scene.
   bool decide_undecided(const Point& p, const Point& q, Decision_counts& counts) const
   {
     if(!are_doubles_exact_)
@@ -110,7 +111,7 @@ public:
     return decide_exactly(p, q, counts);
   }
 
-  // Adds counts to those that all threads share, if there are any.
+  // Adds counts to the counts that all threads share, if there are such counts.
   void publish(const Decision_counts& counts) const
   {
     if(shared_counts_ != nullptr)
@@ -122,7 +123,7 @@ private:
   {
     if(const std::optional<bool> is_within = decide_by_filter(p, q, counts))
       return *is_within;
-    // A near tie is decided only if the coordinates are doubles; their bounds are the same then.
+    // A near tie is decided only if the coordinates are doubles, so their bounds are equal.
     const auto x = [&](int i) { return coordinate_bounds(p, i).first; };
     const auto y = [&](int i) { return coordinate_bounds(q, i).first; };
     if(const std::optional<bool> is_within = near_tie_.decide(x, y, dimension_, counts))
@@ -149,7 +150,7 @@ private:
     return bound_.holds_for(exact_squared_distance(p, q, dimension_));
   }
 
-  // Doubles that are off by up to `error`, in one direction, differ by that much more.
+  // Doubles that are off by up to `error`, all in one direction, differ by up to `error` more.
   static double padded(double reach, double error)
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -5,9 +5,9 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_NEAR_TIE_TEST_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_NEAR_TIE_TEST_H
 
-// Decides most of what the filter leaves undecided, without looking at the points' own number type:
-// in integers where the grid of the scene allows it. Elsewhere doubles of twice the precision
-// decide all near ties but the exact ones.
+// Decides most near ties without the number type of the points. Integers decide all of them where
+// the grid of the scene allows it. Elsewhere doubles of twice the precision decide all near ties
+// except exact ties.
 
 #include <CGAL/Arithmetic_tier.h>
 
@@ -30,12 +30,12 @@ class Near_tie_test
 public:
   Near_tie_test() = default; // decides nothing
 
-  // For points of any coordinates of a type that a double holds.
+  // For points of any coordinates, if doubles hold their type.
   template <class Exact>
   Near_tie_test(const Squared_bound<Exact>& bound, int dimension) : twofold_(bound, dimension)
   {}
 
-  // For the points of a scene, and no others. Decides nothing if the scene has no grid.
+  // For the points of a scene, and no other points. Decides nothing if the scene has no grid.
   template <class Exact>
   Near_tie_test(const Squared_bound<Exact>& bound, const Scene& scene, Arithmetic_tier tier)
   {
@@ -49,8 +49,8 @@ public:
       twofold_ = Twofold_filter(bound, scene.dimension());
   }
 
-  // Returns whether points with coordinates x(i) and y(i) are within the bound, or nothing if that
-  // remains undecided.
+  // Returns whether points with coordinates x(i) and y(i) are within the bound. Returns nothing if
+  // this remains undecided.
   template <class X, class Y>
   std::optional<bool> decide(const X& x, const Y& y, int dimension, Decision_counts& counts) const
   {

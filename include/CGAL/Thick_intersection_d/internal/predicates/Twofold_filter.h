@@ -5,8 +5,8 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_TWOFOLD_FILTER_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_TWOFOLD_FILTER_H
 
-// A second filter for coordinates that are doubles: computes with twice their precision, as sums of
-// two doubles. It decides what looks like a tie but is none, as points of a lattice of step 0.1.
+// A second filter for coordinates that are doubles. It computes with twice the precision, in sums
+// of two doubles. It decides pairs that look like ties but are none, as in a lattice of step 0.1.
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 
@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// The unevaluated sum of two doubles, the second of which is small against the first.
+// The unevaluated sum of two doubles. The second one is small against the first one.
 struct Twofold
 {
   double value;
@@ -24,8 +24,8 @@ struct Twofold
 };
 
 // Returns a + b. In rounding to nearest the rest is exactly what rounding lost. In the directed
-// modes it is off by a few 2^-104 of the sum: if a + b rounds at all then it is at least half as
-// long as the longer one of a and b, and each operation on the rest is off by 2^-52 of the rest.
+// modes the rest is off by a few 2^-104 of the sum: if a + b is rounded at all, it is at least half
+// as long as the longer one of a and b, and each operation on the rest is off by 2^-52 of the rest.
 inline Twofold twofold_sum(double a, double b)
 {
   const double sum = a + b;
@@ -41,7 +41,7 @@ public:
   template <class Exact>
   Twofold_filter(const Squared_bound<Exact>& bound, int dimension)
   {
-    static const double least = std::ldexp(1., -800); // no part of a product underflows
+    static const double least = std::ldexp(1., -800); // above it, no part of a product underflows
     static const double greatest = std::ldexp(1., 1000);
     if(bound.squared().first > least && bound.squared().second < greatest) {
       squared_bound_ = {bound.squared().first, bound.excess(bound.squared().first)};
@@ -52,11 +52,11 @@ public:
   // Whether there is a bound that this filter can decide.
   bool is_usable() const { return slack_ > 0; }
 
-  // Returns a number that is negative if |pq| is certainly less than r, positive if it is certainly
-  // greater, and else 0. `difference(i)` is coordinate i of p - q.
+  // Returns a negative number if |pq| is certainly less than r, a positive number if |pq| is
+  // certainly greater than r, and 0 otherwise. `difference(i)` is coordinate i of p - q.
   //
-  // Per coordinate there are less than 16 operations on the rests, each of them off by a few 2^-104
-  // of the squared distance in any rounding mode; the slack has 2^-96 for each coordinate.
+  // Each coordinate takes less than 16 operations on rests. In any rounding mode, each operation is
+  // off by a few 2^-104 of the squared distance. The slack has 2^-96 for each coordinate.
   template <class Difference>
   int compare(const Difference& difference, int dimension) const
   {

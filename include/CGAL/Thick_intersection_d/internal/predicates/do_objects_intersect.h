@@ -5,8 +5,8 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_DO_OBJECTS_INTERSECT_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_DO_OBJECTS_INTERSECT_H
 
-// The intersection test of kernel objects, exact for the coordinates that they hold: the kernel's
-// own if that is exact, otherwise the one of a kernel that is.
+// The intersection test of kernel objects, exact for the coordinates that they hold. It is the test
+// of the kernel, if the kernel is exact, and otherwise the test of a kernel with exact predicates.
 
 #include <CGAL/Cartesian_converter.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -41,8 +41,8 @@ struct Convert_exactly
   }
 };
 
-// Makes the bounding box of a lazy object final: it would shrink when a predicate evaluates the
-// object exactly, in the middle of a search that has ordered objects by their boxes.
+// Makes the bounding box of a lazy object final. Otherwise the box would shrink when a predicate
+// evaluates the object exactly, in the middle of a search that has ordered objects by their boxes.
 template <class Object>
 void settle(const Object& object)
 {
