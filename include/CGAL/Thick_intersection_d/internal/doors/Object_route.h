@@ -5,7 +5,7 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_OBJECT_ROUTE_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_OBJECT_ROUTE_H
 
-// Which route objects take, by their traits.
+// Chooses the route of objects by their traits.
 
 #include <CGAL/Thick_intersection_d/internal/doors/recursive_search.h>
 
@@ -25,8 +25,8 @@ struct Has_check<Traits,
                    std::declval<const typename Traits::Object_d&>(), std::size_t()))>>
   : std::true_type {};
 
-// Lets the traits of the package look at each object. Traits of users look at their objects
-// themselves.
+// Checks each object with the traits, if they have check(), as the traits of the package do. Other
+// traits have to check their objects themselves.
 template <class Elements, class Traits>
 void check_objects(const Elements& objects, const Traits& traits)
 {
@@ -35,7 +35,7 @@ void check_objects(const Elements& objects, const Traits& traits)
       traits.check(objects[position], position);
 }
 
-// The recursive route, unless a specialization for some traits knows a faster one.
+// The recursive route. A specialization for some traits may take a faster route.
 template <class Traits>
 struct Object_route
 {

@@ -5,7 +5,8 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_BALL_PAIRS_SEARCH_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_BALL_PAIRS_SEARCH_H
 
-// Balls behind thick_self_intersection_d(): those of one radius are searched as points.
+// The search of balls behind thick_self_intersection_d() and thick_intersection_d(). It takes balls
+// of one radius as points.
 
 #include <CGAL/Distance_bound.h>
 
@@ -25,7 +26,7 @@ class Thick_ball_traits_d;
 namespace Thick_intersection_d {
 namespace internal {
 
-// Two balls of one radius intersect if their centers are within twice that radius.
+// Two balls of one radius intersect if their centers are within twice the radius.
 template <class Point>
 struct Object_route<Thick_ball_traits_d<Point>>
 {

@@ -5,7 +5,7 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_CLOSEST_PAIR_SEARCH_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_CLOSEST_PAIR_SEARCH_H
 
-// Behind closest_pair() and find_close_pair().
+// The searches behind closest_pair() and find_close_pair().
 
 #include <CGAL/Distance_bound.h>
 #include <CGAL/Named_function_parameters.h>
@@ -27,8 +27,8 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Returns the scene of the points. Throws if there are too many points, or if one is not like the
-// others or not finite.
+// Returns the scene of the points. Throws if there are too many points, if points differ in
+// dimension, or if a coordinate is not finite.
 template <class ConcurrencyTag, class Elements>
 Scene check_points(const Elements& points)
 {
@@ -41,7 +41,7 @@ Position_pair find_closest_pair(const Elements& points, const NamedParameters& n
 {
   const Scene scene = check_points<ConcurrencyTag>(points);
   if(points.size() < 2)
-    throw std::invalid_argument("The closest pair of fewer than two points is asked for.");
+    throw std::invalid_argument("There is no closest pair of fewer than two points.");
   const unsigned int seed
     = parameters::choose_parameter(parameters::get_parameter(np, internal_np::random_seed), 0u);
   auto progress = make_progress(np, points.size());

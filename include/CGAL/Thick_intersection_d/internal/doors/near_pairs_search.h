@@ -5,7 +5,8 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_NEAR_PAIRS_SEARCH_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_NEAR_PAIRS_SEARCH_H
 
-// Behind fixed_radius_near_neighbors(): the scene chooses the arithmetic and the route.
+// The search behind fixed_radius_near_neighbors(). Chooses the arithmetic and the route by the
+// scene.
 
 #include <CGAL/Distance_bound.h>
 #include <CGAL/Scene_profile.h>
@@ -55,8 +56,8 @@ public:
 
   Scene_profile& profile() { return profile_; }
 
-  // Reports the pairs. Returns false iff the search was stopped. Adds to `counts` which arithmetic
-  // decides, unless that is null.
+  // Reports the pairs. Returns false iff the search was stopped. Counts in `counts` which
+  // arithmetic decides, unless `counts` is null.
   template <class Sets, class Callback, class NamedParameters>
   bool report(const Sets& sets, Callback& callback, const NamedParameters& np,
               Shared_decision_counts* counts)
@@ -76,8 +77,8 @@ public:
   }
 
 private:
-  // Slabs take points of the plane and of space, whose coordinates are between finite doubles. They
-  // keep positions in 32 bits, one of which is room for more.
+  // Slabs take points of the plane and of space, if finite doubles enclose their coordinates.
+  // Places have 32 bits, and one bit is for the places that end runs.
   bool can_be_in_slabs() const
   {
     if(scene_.dimension() != 2 && scene_.dimension() != 3)
@@ -88,7 +89,7 @@ private:
     return points_.size() < max_place / 2;
   }
 
-  // Searches along the axes along which the points differ, at least two.
+  // Searches along at least two axes, among them all axes along which the points differ.
   template <int Dimension, class Sets, class Callback, class NamedParameters>
   bool report_by_slabs(const Is_within_distance<Point>& is_within, const Sets& sets,
                        Callback& callback, const NamedParameters& np)
@@ -126,7 +127,7 @@ bool report_near_pairs(const Elements& points, const Sets& sets,
   return search.report(sets, callback, np, nullptr);
 }
 
-// Takes the tier that is forced in `profile`, and leaves the profile of the scene there.
+// Takes the tier that is forced in `profile`, and sets `profile` to the profile of the scene.
 template <class ConcurrencyTag, class Elements, class Sets, class NT, class Callback,
           class NamedParameters>
 bool report_near_pairs(const Elements& points, const Sets& sets,

@@ -5,7 +5,7 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_NEIGHBOR_LISTS_SEARCH_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_NEIGHBOR_LISTS_SEARCH_H
 
-// Behind fixed_radius_neighbor_lists().
+// The search behind fixed_radius_neighbor_lists().
 
 #include <CGAL/Distance_bound.h>
 #include <CGAL/Neighbor_lists.h>
@@ -26,7 +26,7 @@ Neighbor_lists collect_neighbors(const Elements& points, const Distance_bound<NT
                                  const NamedParameters& np)
 {
   if(points.size() > (std::numeric_limits<Neighbor_lists::Position>::max)())
-    throw std::length_error("There are more points than a list of neighbors can tell apart.");
+    throw std::length_error("There are more points than lists of neighbors have positions for.");
   Neighbor_collector<ConcurrencyTag> collector(points.size());
   report_near_pairs<ConcurrencyTag>(points, One_set(), bound, collector, np);
   return collector.lists();

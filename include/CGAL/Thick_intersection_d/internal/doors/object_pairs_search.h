@@ -5,7 +5,7 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_OBJECT_PAIRS_SEARCH_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_OBJECT_PAIRS_SEARCH_H
 
-// Behind thick_self_intersection_d() and thick_intersection_d().
+// The searches behind thick_self_intersection_d() and thick_intersection_d().
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Thick_object_traits_d.h>
@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Returns the traits given as `geom_traits`, or else those for kernel objects.
+// Returns the traits given as `geom_traits`. Otherwise makes the traits for kernel objects.
 template <class Elements, class NamedParameters>
 decltype(auto) object_traits(const Elements& objects, const NamedParameters& np)
 {
@@ -30,7 +30,7 @@ decltype(auto) object_traits(const Elements& objects, const NamedParameters& np)
     return Thick_object_traits_d<typename Elements::value_type>(objects);
 }
 
-// Reports the pairs of objects, after a check. Returns false iff the search was stopped.
+// Checks the objects, and reports the pairs. Returns false iff the search was stopped.
 template <class ConcurrencyTag, class Elements, class Sets, class Callback, class NamedParameters>
 bool report_object_pairs(const Elements& objects, const Sets& sets, Callback& callback,
                          const NamedParameters& np)

@@ -5,7 +5,7 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_RECURSIVE_SEARCH_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_RECURSIVE_SEARCH_H
 
-// The way to the recursive route.
+// Calls the recursive route.
 
 #include <CGAL/Thick_intersection_d/internal/recursion/Members.h>
 #include <CGAL/Thick_intersection_d/internal/recursion/Recursive_route.h>
@@ -15,8 +15,7 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Reports the intersecting pairs of objects that have been checked. Returns false iff the search
-// was stopped.
+// Reports the intersecting pairs of checked objects. Returns false iff the search was stopped.
 template <class ConcurrencyTag, class Elements, class Sets, class Traits, class Callback,
           class NamedParameters>
 bool report_recursively(const Elements& objects, const Sets& sets, const Traits& traits,

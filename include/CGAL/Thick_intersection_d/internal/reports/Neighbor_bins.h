@@ -5,8 +5,8 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_NEIGHBOR_BINS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_NEIGHBOR_BINS_H
 
-// Neighbors in any order, thrown into bins by one thread. A bin is for as many consecutive points
-// as have their lists in a cache.
+// The neighbors that one thread finds, in any order, in bins. A bin takes the neighbors of
+// consecutive points, so few that a cache holds their lists.
 
 #include <CGAL/Neighbor_lists.h>
 
@@ -24,13 +24,13 @@ class Neighbor_bins
 public:
   using Position = Neighbor_lists::Position;
 
-  // The points of a bin: 16384 of them have lists of 1.3 MB for 20 neighbors each.
+  // The number of points of a bin. 16384 points with 20 neighbors each have lists of 1.3 MB.
   static constexpr std::size_t bin_size = 16384;
 
   // Makes bins for `size` points.
   explicit Neighbor_bins(std::size_t size) : bins_((size + bin_size - 1) / bin_size) {}
 
-  // Throws the neighbor of a point into the bin of that point.
+  // Puts the neighbor of the point `of` into the bin of that point.
   void add(Position of, Position neighbor)
   {
     bins_.append(of / bin_size,
@@ -41,7 +41,8 @@ public:
   // Returns the number of neighbors in a bin.
   std::size_t size(std::size_t bin) const { return bins_.size(bin); }
 
-  // Calls task(of, neighbor) for those in a bin, where `of` is counted from its first point.
+  // Calls task(of, neighbor) for each neighbor in a bin. `of` counts from the first point of the
+  // bin.
   template <class Task>
   void for_each(std::size_t bin, const Task& task) const
   {
@@ -52,7 +53,7 @@ public:
   }
 
 private:
-  // Six bytes: much of the time goes into moving neighbors.
+  // It has six bytes, because moving neighbors takes much of the time.
   struct Neighbor
   {
     std::uint16_t of;

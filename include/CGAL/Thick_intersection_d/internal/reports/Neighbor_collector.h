@@ -5,11 +5,11 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_NEIGHBOR_COLLECTOR_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_NEIGHBOR_COLLECTOR_H
 
-// Makes lists of neighbors from pairs that come in any order, by several threads at once.
+// Makes lists of neighbors from pairs. Several threads may give pairs at once, in any order.
 //
-// The lists of all points together are larger than a cache, and pairs belong to any of them. So
-// pairs are thrown into bins first, each for as many consecutive points as have their lists in a
-// cache; then the lists of one bin after another are filled and sorted.
+// The lists of all points are larger than a cache, and a pair may belong to any list. So the
+// collector first puts pairs into bins. A bin is for consecutive points, so few that a cache holds
+// their lists. Then the collector fills and sorts the lists of one bin after another.
 
 #include <CGAL/Neighbor_lists.h>
 
@@ -54,7 +54,7 @@ public:
     positions.reserve(begins_of_bins.back());
     ask_for_huge_pages(positions.data(), begins_of_bins.back() * sizeof(Position));
     if constexpr(is_parallel_v<ConcurrencyTag>)
-      positions.resize(begins_of_bins.back()); // otherwise appended: written once, not twice
+      positions.resize(begins_of_bins.back()); // in sequence, lists are appended: one write less
 
     for_each_block<ConcurrencyTag>(bin_count(), [&](std::size_t bin, std::size_t last) {
       Buffer<Position> lists;
@@ -77,7 +77,7 @@ private:
 
   std::size_t bin_count() const { return (size_ + bin_size - 1) / bin_size; }
 
-  // Returns how many neighbors the points of all bins before each have.
+  // Returns for each bin the number of neighbors in all bins before it, and then the total number.
   std::vector<std::size_t> begins_of_all_bins()
   {
     std::vector<std::size_t> begins(bin_count() + 1, 0);
@@ -96,12 +96,12 @@ private:
     bins_.for_each([&](const Neighbor_bins& bins) { bins.for_each(bin, task); });
   }
 
-  // Writes the lists of a bin, the first of which begins at `begin`, to `lists`, and where they
-  // begin to `begins`.
+  // Writes the lists of a bin to `lists`, and the places where they begin to `begins`. The first
+  // list begins at `begin`.
   void make_lists(std::size_t bin, std::size_t begin, std::vector<std::size_t>& begins,
                   Position* lists)
   {
-    std::vector<std::size_t> ends(bin_size, 0); // of the lists, once all neighbors are in
+    std::vector<std::size_t> ends(bin_size, 0); // the ends of the lists, once these are full
     for_each_neighbor(bin, [&](std::size_t of, Position) { ++ends[of]; });
     replace_by_prefix_sums(ends.data(), ends.data() + ends.size());
     for_each_neighbor(bin, [&](std::size_t of, Position position) {

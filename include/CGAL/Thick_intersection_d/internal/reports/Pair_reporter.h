@@ -5,7 +5,7 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_PAIR_REPORTER_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_PAIR_REPORTER_H
 
-// The last station of a pair: hands it to the user's callback, and remembers if that said stop.
+// Hands each pair to the user's callback, and remembers whether the callback stopped the search.
 
 #include <atomic>
 #include <cstddef>
@@ -21,9 +21,9 @@ class Pair_reporter
 public:
   explicit Pair_reporter(Callback& callback) : callback_(callback) {}
 
-  // Calls callback(i, j); returns false iff the search is to stop. A callback that returns void
-  // never stops it; one that returns bool stops it by returning false, and is then not called again
-  // by this thread.
+  // Calls callback(i, j). Returns false iff the search is to stop. A callback that returns void
+  // never stops the search. A callback that returns bool stops the search by false, and this thread
+  // does not call it again.
   bool operator()(std::size_t i, std::size_t j)
   {
     if constexpr(std::is_void_v<std::invoke_result_t<Callback&, std::size_t, std::size_t>>) {

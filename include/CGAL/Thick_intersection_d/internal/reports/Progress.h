@@ -5,7 +5,8 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_PROGRESS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_PROGRESS_H
 
-// Calls the user's functor bool(double) with the share of the work that is done; it may cancel.
+// Calls the user's functor bool(double) with the fraction of the work that is done. The functor may
+// cancel the search.
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -17,7 +18,7 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// For searches that nobody watches.
+// The progress of a search without a functor.
 struct Unwatched_progress
 {
   void restart(std::size_t) {}
@@ -33,7 +34,7 @@ class Watched_progress
 public:
   Watched_progress(const Functor& functor, std::size_t total) : functor_(functor), total_(total) {}
 
-  // Begins another part of the search: `total` objects share what is left of the progress.
+  // Begins another part of the search. Its `total` objects share the progress that is left.
   void restart(std::size_t total)
   {
     start_ = share_done();
@@ -41,7 +42,7 @@ public:
     done_ = 0;
   }
 
-  // Counts `finished` more objects as done; returns false iff the functor says to cancel.
+  // Counts `finished` more objects as done. Returns false iff the functor has cancelled the search.
   bool advance(std::size_t finished)
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -58,7 +59,7 @@ public:
     return cancelled_;
   }
 
-  // Tells that all is done, unless that was told before.
+  // Calls the functor with 1, unless this was done before.
   void finish()
   {
     if(last_ < 1)
@@ -75,7 +76,7 @@ private:
     return start_ + (1 - start_) * (static_cast<double>(done_) / static_cast<double>(total_));
   }
 
-  // Who has cancelled is not called again.
+  // A functor that has cancelled the search is not called again.
   void tell(double value)
   {
     last_ = value;
@@ -85,8 +86,8 @@ private:
   Functor functor_;
   std::size_t total_;    // of this part of the search
   std::size_t done_ = 0;
-  double start_ = 0;     // the share that was done before
-  double last_ = -step;  // what the functor was told
+  double start_ = 0;     // the fraction that was done before this part
+  double last_ = -step;  // the last value that the functor got
   bool cancelled_ = false;
   std::mutex mutex_;
 };

@@ -5,8 +5,8 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_SETS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_SETS_H
 
-// Which pairs a search reports: those of one set, or those between two. It is a type, so that only
-// one of the two searches is compiled for a call.
+// Whether a search reports the pairs in one set, or the pairs between two sets. This is a type, so
+// a call compiles only one of the two searches.
 
 #include <cstddef>
 
@@ -20,7 +20,7 @@ struct One_set
   static constexpr bool are_two = false;
 };
 
-// The first `first_size` elements, and the others.
+// The first `first_size` elements, and all other elements.
 struct Two_sets
 {
   static constexpr bool are_two = true;
