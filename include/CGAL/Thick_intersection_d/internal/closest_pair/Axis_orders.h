@@ -5,7 +5,8 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_AXIS_ORDERS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_AXIS_ORDERS_H
 
-// The orders of points along the axes, which a divide and conquer divides and merges again.
+// The orders of points along the axes. A divide and conquer divides the orders, and merges them
+// again.
 
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Cell_table.h>
 
@@ -17,25 +18,25 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-using Rank = std::size_t; // of a point in the lexicographic order
+using Rank = std::size_t; // the rank of a point in the lexicographic order
 using Ranks = std::vector<Rank>;
 
-// The points along an axis. Those with ranks [first, last) are at the places [first, last) when it
-// is their turn.
+// The points in order along an axis. When the recursion is at the ranks [first, last), these ranks
+// are at the places [first, last).
 struct Axis_order
 {
   int axis;
   Ranks ranks;
   Ranks places;                     // the place of each rank in the whole order
-  std::vector<Cell_number> numbers; // of the strip of each rank, among those that are looked at
+  std::vector<Cell_number> numbers; // by rank: the number of the strip, for ranks in the strip
 };
 
-// The orders along all axes but the first, along which the ranks themselves are the order.
+// The orders along all axes except the first. Along the first axis, the ranks are in order.
 class Axis_orders
 {
 public:
-  // Sorts `size` ranks; less(a, b, axis) compares the points of two ranks. On the line, axis 0 is
-  // the last axis as well.
+  // Sorts `size` ranks. less(a, b, axis) compares the points of two ranks. On the line, axis 0 is
+  // also the last axis.
   template <class Less>
   void sort(std::size_t size, int dimension, const Less& less)
   {
@@ -51,7 +52,7 @@ public:
   Axis_order& operator[](std::size_t i) { return orders_[i]; }
   const Axis_order& last() const { return orders_.back(); }
 
-  // In each order, moves the ranks below `middle` of [first, last) to the front, and keeps the
+  // In each order, moves the ranks [first, middle) in front of the ranks [middle, last). Keeps the
   // order on both sides.
   void divide(Rank first, Rank middle, Rank last)
   {
@@ -107,7 +108,7 @@ private:
   }
 
   std::vector<Axis_order> orders_;
-  Ranks scratch_; // threads use the places of their ranks
+  Ranks scratch_; // each thread uses the places of its ranks
 };
 
 } // namespace internal

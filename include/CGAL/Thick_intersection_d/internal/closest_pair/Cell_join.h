@@ -5,17 +5,19 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CELL_JOIN_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CELL_JOIN_H
 
-// Visits all pairs of points within a distance, and few others as long as few points have a
-// neighbour so near: the fast way to the closest pair and to a close one, in the plane and in
-// space.
+// Visits all pairs of points within a distance d. It visits few other pairs, as long as few points
+// have a neighbor that near. This is the fast way to the closest pair and to a close pair, in the
+// plane and in space.
 //
-// It is the grid of [L] with points put into more than one bucket instead of buckets compared with
-// their neighbours. Every point enters the cells that its cube of half the distance meets; the
-// cubes of two points within the distance meet, hence both are in a common cell. Cells are much
-// larger than the distance, so most points enter one only. Entries are distributed over lists by a
-// digit of the hash of their cell, as in radix sort; a list fits in the cache, and a hash table
-// finds the cells in it. No coordinate is moved, and only points in a common cell are looked at
-// again.
+// The cells are those of [L] (Closest_pair_search.h). But a point enters several cells, and cells
+// are not compared with adjacent cells. Every point enters the cells that its cube of side d meets:
+// the points within d/2 of it along each axis. The cubes of two points within d meet, so both
+// points enter a common cell. Cells are 2 to 16 d long, so points enter few cells, most points only
+// one.
+//
+// A digit of the hash of the cell distributes the entries over lists, as in radix sort. A list fits
+// in the cache, and a hash table finds the cells in it. The join moves no coordinate, and looks
+// again only at points in a common cell.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/Chunked_lists.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
@@ -38,9 +40,9 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Returns how long the cells of a join are, for `size` points of the scene: so that few pairs are
-// in a common cell if the points are uniform, but not so much longer than the distance that a
-// cluster is in one of them, and long enough for points to be in few of them.
+// Returns the length of the cells of a join, for `size` points of the scene. If the points are
+// uniform, few pairs are in a common cell. Cells are long enough for points to enter few of them.
+// They are not so long that one cell would hold a cluster.
 inline double join_cell_side(const Scene& scene, std::size_t size, double distance)
 {
   double volume = 1 / (cells_per_point * static_cast<double>(size)); // in cubes of the distance
@@ -50,28 +52,28 @@ inline double join_cell_side(const Scene& scene, std::size_t size, double distan
   return distance * (std::min)((std::max)(side, min_cell_side), max_cell_side);
 }
 
-// A point in a cell, which is known by bits of its hash.
+// A point in a cell. Bits of its hash identify the cell.
 struct Cell_entry
 {
   std::uint32_t cell;
   Place position;
 };
 
-// Chunks of a page.
+// Lists of entries, in chunks of a page.
 using Cell_entry_lists = Chunked_lists<Cell_entry, 4096 / sizeof(Cell_entry)>;
 
 template <class ConcurrencyTag, int Dimension, class Elements>
 class Cell_join
 {
 public:
-  // For pairs within `distance`, which fits Hashed_cells.
+  // Joins pairs within `distance`, for which Hashed_cells::fits() is to hold.
   Cell_join(const Elements& points, double distance, double cell_side)
     : points_(points), cells_(Dimension, distance / 2, cell_side)
   {}
 
-  // Enters the points at `positions`, and visits pairs of them. Each task has a visitor of its own,
-  // made by make_visitor(): visitor(i, j) returns whether to go on, visitor.finish() is called
-  // last. The progress is that of twice as many objects: points to enter, and points to visit.
+  // Enters the points at `positions`, and visits pairs of these points. Each task makes a visitor
+  // of its own by make_visitor(). visitor(i, j) returns whether to go on; visitor.finish() is called
+  // last. Each point is two steps of progress: to enter it, and to visit its pairs.
   template <class Positions, class Make_visitor, class Progress>
   void operator()(const Positions& positions, const Make_visitor& make_visitor,
                   Progress& progress) const
@@ -98,7 +100,7 @@ public:
 private:
   static constexpr std::size_t batch_size = 512;
 
-  // Enters all points, blocks of them at the same time.
+  // Enters all points. In parallel, enters several blocks of points at the same time.
   template <class Positions, class Progress>
   std::vector<Cell_entry_lists> enter_all(const Positions& positions, int list_bits,
                                           Progress& progress) const
@@ -113,8 +115,8 @@ private:
     return blocks;
   }
 
-  // Appends the entries of the positions [first, last). Most points have one cell, so a batch of
-  // them is looked at without branches before the others.
+  // Appends the entries of the positions [first, last). Most points have one cell. So the first
+  // cells of a batch of points come first, without branches, and then the other cells.
   template <class Positions, class Progress>
   void enter(const Positions& positions, std::size_t first, std::size_t last, int list_bits,
              Cell_entry_lists& lists, Progress& progress) const
@@ -124,7 +126,7 @@ private:
       lists.append(cell & ((std::uint32_t(1) << list_bits) - 1), {cell >> list_bits, position});
     };
     std::array<std::uint64_t, batch_size> hashes;
-    std::array<std::uint32_t, batch_size> several; // those that are in several cells
+    std::array<std::uint32_t, batch_size> several; // points that are in several cells
     for(; first < last; first += batch_size) {
       const std::size_t size = (std::min)(batch_size, last - first);
       std::size_t several_count = 0;
@@ -154,7 +156,7 @@ private:
     });
   }
 
-  // The entries of a list by the hash of their cell.
+  // A hash table of the entries of a list, by their cells.
   struct Bucket_table
   {
     struct Link
@@ -162,11 +164,11 @@ private:
       Cell_entry entry;
       std::uint32_t next;
     };
-    std::vector<std::uint32_t> heads; // 1 + a link, or 0
+    std::vector<std::uint32_t> heads; // 1 + the index of a link, or 0
     std::vector<Link> links;
   };
 
-  // Visits the pairs of a list that are in a common cell; returns false iff the visitor said so.
+  // Visits the pairs of a list that are in a common cell. Returns false iff the visitor stops.
   template <class Visitor>
   static bool join(const std::vector<Cell_entry_lists>& blocks, std::size_t list,
                    Bucket_table& table, Visitor& visitor)

@@ -5,11 +5,11 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CELL_TABLE_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CELL_TABLE_H
 
-// The buckets of [L]: members of a set by the cells of a grid that they are in, and the buckets of
-// adjacent cells, by hashing or by the sorted order.
+// The buckets of [L] (Closest_pair_search.h): the members of a set by their cells. Hashing or the
+// sorted order finds the buckets of adjacent cells.
 //
-// A cell is a number along each axis. Where the numbers come from is not asked here; they may be
-// rounded coordinates, or strips that were found by comparisons.
+// A cell has a number along each axis. The numbers may be rounded coordinates, or numbers of strips
+// that comparisons have found.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/radix_sort.h>
@@ -24,13 +24,13 @@ namespace internal {
 
 using Cell_number = std::uint32_t;
 
-// How the bucket of an adjacent cell is found.
+// How to find the bucket of an adjacent cell.
 enum class Bucket_access {
   HASHING,
   SORTED_ORDER
 };
 
-// The half of the differences between adjacent cells that are lexicographically positive: with the
+// The offsets from a cell to adjacent cells, but only the lexicographically positive half: with the
 // other half, each two buckets would meet twice.
 class Forward_offsets
 {
@@ -60,8 +60,8 @@ private:
 class Cell_table
 {
 public:
-  // The members [0, size), with number_of(member, axis) from 1 to 2^32 - 2. Members of a bucket
-  // keep their order. Linear time.
+  // Puts the members [0, size) into buckets, in linear time. number_of(member, axis) is from 1 to
+  // 2^32 - 2. Members of a bucket keep their order.
   template <class Number_of>
   Cell_table(std::size_t size, int axis_count, const Number_of& number_of)
     : axis_count_(axis_count), items_(size)
@@ -70,8 +70,8 @@ public:
       items_[i] = {0, static_cast<std::uint32_t>(i)};
     begins_ = {0, size};
 
-    // Invariant: the items are sorted by their numbers along the axes before, whose rank is in the
-    // upper half of the key.
+    // Invariant: the items are sorted by their numbers along the previous axes. The upper half of a
+    // key is the rank of these numbers.
     for(int axis = 0; axis < axis_count; ++axis) {
       for(Keyed_value& item : items_)
         item.key |= number_of(item.value, axis);
@@ -87,17 +87,17 @@ public:
   std::size_t begin(std::size_t bucket) const { return begins_[bucket]; }
   std::size_t end(std::size_t bucket) const { return begins_[bucket + 1]; }
 
-  // The member at a place between the begin and the end of a bucket.
+  // Returns the member at a place between the begin and the end of a bucket.
   std::uint32_t member(std::size_t place) const { return items_[place].value; }
 
-  // The number of a bucket's cell along an axis.
+  // Returns the number of the cell of a bucket along an axis.
   Cell_number number(std::size_t bucket, int axis) const
   {
     return numbers_[bucket * axis_count_ + axis];
   }
 
-  // Compares the cell of a bucket with that of another one shifted by an offset: negative, zero or
-  // positive as it comes before, is the same, or comes after.
+  // Compares the cell of a bucket with the cell of another bucket, shifted by an offset. Returns a
+  // negative number, zero or a positive number if the first cell is before, equal or after.
   int compare(std::size_t bucket, std::size_t other, const std::vector<int>& offset) const
   {
     for(int axis = 0; axis < axis_count_; ++axis) {
@@ -110,7 +110,8 @@ public:
   }
 
 private:
-  // Finds the buckets of the items, which are sorted, and has the keys hold their ranks.
+  // Finds the buckets of the sorted items, and sets the upper half of each key to the rank of the
+  // bucket.
   void rank_keys()
   {
     begins_.clear();
@@ -131,8 +132,8 @@ private:
   std::vector<Cell_number> numbers_;
 };
 
-// Finds buckets by the sorted order. For one and the same offset, the buckets that are asked for
-// come in order as well, so a finger per offset moves forward only: linear time for all of them.
+// Finds buckets by the sorted order. For each offset, the buckets to find come in order as well. So
+// a finger per offset moves forward only, and finding all buckets takes linear time.
 class Sorted_bucket_finder
 {
 public:
@@ -140,8 +141,8 @@ public:
     : table_(table), offsets_(offsets), fingers_(offsets.size(), 0)
   {}
 
-  // Returns the bucket at offset `i` from `bucket`, or bucket_count() if it is empty. The buckets
-  // are to be asked for in increasing order.
+  // Returns the bucket at offset `i` from `bucket`, or bucket_count() if it is empty. Calls are to
+  // pass increasing buckets.
   std::size_t operator()(std::size_t bucket, std::size_t i)
   {
     std::size_t& finger = fingers_[i];

@@ -5,26 +5,26 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CLOSE_PAIR_BUCKETS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CLOSE_PAIR_BUCKETS_H
 
-// The grid of [L] for a pair within distance r: points are put into cells of side r, and the cells
-// are radix-sorted. If a cell holds more points than packing.h allows then two of them are close.
-// Otherwise each bucket is compared with itself and with those of adjacent cells: linear time.
+// The buckets of [L] (Closest_pair_search.h) find a pair within distance r. Put the points into
+// cells of side r, and sort the cells by radix. If a cell holds more points than packing.h allows,
+// two of its points are close. Otherwise compare each bucket with itself and with the buckets of
+// adjacent cells. This takes linear time.
 //
-// Cells are asked for two properties only: points within r of each other have numbers that differ
-// by at most one along each axis, and points of one cell are within a factor of r along each axis
-// that leaves the packing lemma true. There are two ways to number them.
+// Two properties of the cells are enough. First, the cell numbers of points within r of each other
+// differ by at most one along each axis. Second, cells are larger than r only by a factor that
+// leaves the packing lemma true. There are two ways to number cells along an axis.
 //
 // Rounded: t = (x - low) * scale, cut to an integer, where 1 / scale is r (1 + 2^-16) and t is less
-// than 2^30. Each of these operations, and of those that made the scale, has a relative error of at
-// most 2^-52, so that t is off by less than 2^-19. For |x - y| <= r, t differs by less than
+// than 2^30. Each operation, here and in the computation of the scale, has a relative error of at
+// most 2^-52, so t is off by less than 2^-19. For |x - y| <= r, t differs by less than
 //   1 / (1 + 2^-16) + 2^-18 < 1,
-// and the integers by at most one. The cells are larger than r by a factor of 1 + 2^-15 at most.
-// Coordinates between doubles that are e apart add e to r, for e <= 2^-20 r.
+// and the integers differ by at most one. The cells are larger than r by a factor of at most
+// 1 + 2^-15. Coordinates between doubles that are e apart add e to r, for e <= 2^-20 r.
 //
-// By strips: the points are sorted along the axis, and a strip ends behind the last point that is
-// within r of its first one. Points in strips that are not adjacent have a whole strip between
-// them, the first point of which is more than r below the first one of the next. The comparisons
-// are exact, so this works for all r and all coordinates, with any extent; doubles are sorted by
-// radix.
+// By strips: sort the points along the axis, doubles by radix. A strip ends behind the last point
+// within r of its first point. Points in strips that are not adjacent have a whole strip between
+// them, whose first point is more than r below the first point of the next strip. The comparisons
+// are exact, so this works for all r, all coordinates and any extent.
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/radix_sort.h>
@@ -59,16 +59,15 @@ class Close_pair_buckets
   using Found = std::optional<Position_pair>;
 
 public:
-  // Of points of the scene.
+  // Takes the points of the scene.
   Close_pair_buckets(const Elements& points, const Scene& scene,
                      const Is_within_distance<Point>& is_within,
                      Bucket_access access = Bucket_access::HASHING)
     : points_(points), scene_(scene), is_within_(is_within), access_(access)
   {}
 
-  // Returns a pair of the points at `positions` within the bound, if there is one: in sequence,
-  // always the same for the same positions. The progress is that of all points once for each axis,
-  // and once more.
+  // Returns a pair of the points at `positions` within the bound, if there is one. In sequence, the
+  // same positions give the same pair. Each point is one step of progress per axis, and one more.
   template <class Positions, class Progress>
   Found find(const Positions& positions, Progress& progress) const
   {
@@ -100,14 +99,14 @@ private:
   double reach() const { return is_within_.reach(); }
   double side() const { return (reach() + scene_.error) * (1 + 0x1p-16); }
 
-  // Whether rounded numbers along an axis are exact enough, and not too large.
+  // Whether rounded numbers of cells along an axis are exact enough, and not too large.
   bool can_round(int axis) const
   {
     return reach() >= 0x1p-900 && reach() <= 0x1p900 && scene_.error <= reach() * 0x1p-20
            && scene_.box[axis].length() / side() < 0x1p30;
   }
 
-  // Returns the number of the cell of each point along an axis; the first cell has number 1.
+  // Returns the number of the cell of each point along an axis. The first cell has number 1.
   template <class Positions>
   std::vector<Cell_number> number_rounded(const Positions& positions, int axis) const
   {
@@ -156,7 +155,7 @@ private:
     return order;
   }
 
-  // The members of a bucket that has more than N are not all looked at: N + 1 have a close pair.
+  // Looks at only N + 1 members of a bucket with more than N: two of them are close.
   template <class Positions>
   Found find_in_heavy_bucket(const Cell_table& table, const Positions& positions) const
   {
@@ -167,9 +166,9 @@ private:
     return std::nullopt;
   }
 
-  // Compares each bucket with itself and with the adjacent ones ahead. `make_finder()` returns a
-  // function that is called as find(bucket, i) for increasing buckets, and returns the bucket at
-  // the offset `i`.
+  // Compares each bucket with itself and with the adjacent buckets ahead. `make_finder()` returns a
+  // function find(bucket, i), which returns the bucket at offset `i`. The search calls it for
+  // increasing buckets.
   template <class Positions, class Progress, class Make_finder>
   Found find_in_buckets(const Cell_table& table, const Positions& positions,
                         std::size_t offset_count, Progress& progress,

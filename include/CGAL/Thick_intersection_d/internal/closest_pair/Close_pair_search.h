@@ -5,8 +5,10 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CLOSE_PAIR_SEARCH_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CLOSE_PAIR_SEARCH_H
 
-// Which method finds a close pair. In the plane and in space it is a join of points in common
-// cells; where that is given up, and elsewhere, it is an algorithm of [L].
+// Chooses the method for a close pair. Beyond dimension 5 it is the divide and conquer of [L].
+// Otherwise the buckets of [L] look at a few points first. In the plane and in space, a join of
+// points in common cells follows. The buckets take all points in other dimensions, if doubles are
+// too coarse for the join, and if the join is given up. Closest_pair_search.h says what [L] is.
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
@@ -32,7 +34,7 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Tests the pairs that a join visits, until one is close.
+// Tests the pairs that a join visits, until a pair is close.
 template <class Elements>
 struct Close_pair_visitor
 {
@@ -55,7 +57,7 @@ struct Close_pair_visitor
   const Is_within_distance<typename Elements::value_type>& is_within;
   std::optional<Position_pair>& result;
   std::mutex& mutex;
-  bool& is_complete; // no visitor has given up
+  bool& is_complete; // whether no visitor has given up
   std::size_t max_count;
   std::optional<Position_pair> pair = std::nullopt;
   std::size_t count = 0;
@@ -69,7 +71,7 @@ class Close_pair_search
   using Found = std::optional<Position_pair>;
 
 public:
-  // Of the points of the scene.
+  // Takes the points of the scene.
   Close_pair_search(const Elements& points, const Squared_bound<Exact>& bound, const Scene& scene,
                     Progress& progress)
     : points_(points), all_(points.size()), scene_(scene),
@@ -82,7 +84,7 @@ public:
   // Returns a close pair, if there is one and if it was found before the search was cancelled.
   Found find() const
   {
-    if(!is_zero_within_) // nothing is closer than zero
+    if(!is_zero_within_) // no distance is less than zero
       return std::nullopt;
     if(scene_.dimension() > max_bucket_dimension)
       return test_closest_pair();
@@ -106,7 +108,7 @@ private:
     return is_within_(points_[pair.first], points_[pair.second]) ? Found(pair) : std::nullopt;
   }
 
-  // For the progress: `later` is what is left for other methods.
+  // For the progress, `later` more objects are left for other methods.
   Found find_in_buckets(const All_positions& positions, std::size_t later) const
   {
     const std::size_t rounds = static_cast<std::size_t>(scene_.dimension()) + 1;

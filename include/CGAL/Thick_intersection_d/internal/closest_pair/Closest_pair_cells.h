@@ -5,12 +5,12 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CLOSEST_PAIR_CELLS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CLOSEST_PAIR_CELLS_H
 
-// The randomised incremental algorithm: points are inserted in random order into cells about as
-// large as the distance of the closest pair so far, and compared with the points in the cells
-// around. When the distance shrinks, the cells are made anew. The k-th point is in the closest pair
-// of the first k with probability 2/k, and new cells take O(k): expected linear time, whatever the
-// points are. [Golin, Raman, Schwarz, Smid: Simple randomized algorithms for closest pair problems,
-// 1995]
+// The randomized incremental algorithm. It inserts points in random order into cells about as large
+// as the distance of the closest pair so far. It compares each point with the points in the cells
+// around. When the distance shrinks, it makes the cells anew. The k-th point is in the closest pair
+// of the first k points with probability 2/k, and new cells take O(k) time. So the expected time is
+// linear, for any points. [Golin, Raman, Schwarz, Smid: Simple randomized algorithms for closest
+// pair problems, 1995]
 
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Hashed_cells.h>
@@ -31,14 +31,14 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// `Dimension` is that of the points, or 0 if it is known at run time only.
+// `Dimension` is the dimension of the points, or 0 if it is known at run time only.
 template <int Dimension, class Elements>
 class Closest_pair_cells
 {
   using Minimum = Pair_minimum<Elements>;
 
 public:
-  // Of the points of the scene at `positions`.
+  // Takes the points of the scene at `positions`.
   Closest_pair_cells(const Elements& points, std::vector<Place> positions, const Scene& scene,
                      std::uint64_t seed)
     : points_(points), positions_(std::move(positions)), dimension_(scene.dimension()),
@@ -49,8 +49,8 @@ public:
       std::swap(positions_[i - 1], positions_[random() % i]);
   }
 
-  // Offers the closest pairs to `minimum`. Returns false if it cannot go on: if points are equal,
-  // or if cells of doubles are too coarse for the distance. The progress is that of all points.
+  // Offers the closest pairs to `minimum`. Returns false if it cannot go on, because points are
+  // equal, or because doubles are too coarse for the distance. Each point is one step of progress.
   template <class Progress>
   bool search(Minimum& minimum, Progress& progress)
   {
@@ -76,7 +76,7 @@ public:
   }
 
 private:
-  // Makes cells that fit the distance, with the first `count` points in them.
+  // Makes cells that fit the distance, and inserts the first `count` points.
   bool refine(const Minimum& minimum, std::size_t count)
   {
     if(!minimum.has_tight_reach() || !Hashed_cells<Dimension>::fits(minimum.reach(), error_))
@@ -106,8 +106,8 @@ private:
   double error_;
   double reach_ = 0;
   Hashed_cells<Dimension> cells_;
-  std::vector<Place> heads_; // 1 + the last point in cells of this hash, or 0
-  std::vector<Place> next_;  // 1 + the point before, or 0
+  std::vector<Place> heads_; // by slot: 1 + the last point in cells of this slot, or 0
+  std::vector<Place> next_;  // by point: 1 + the point before it in the slot, or 0
 };
 
 } // namespace internal

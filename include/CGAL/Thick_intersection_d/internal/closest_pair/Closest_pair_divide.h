@@ -5,32 +5,35 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CLOSEST_PAIR_DIVIDE_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CLOSEST_PAIR_DIVIDE_H
 
-// The divide and conquer of [L], in any dimension: O(n log n) comparisons of degree 2 in the worst
-// case, and nothing but comparisons, so for coordinates of any type.
+// The divide and conquer of [L], in any dimension. It takes O(n log n) comparisons of degree 2 in
+// the worst case, and only compares, so coordinates may have any type.
 //
-// The points are sorted along each axis at the beginning. A range of them along axis 0 is divided
-// at its middle; the orders along the other axes are divided with it, and are merged again behind
-// the recursion. Then the strip is scanned: the points within d of the dividing line, d being the
-// distance of the closest pair so far, in order along the last axis.
+//   [L]  Computational geometry: closest pair and close pair. Slides of a lecture on algorithms,
+//        without name or date.
 //
-// Let N be the greatest number of points with distances of d or more that a closed cube of side d
-// is known to hold, in dimension D (packing.h).
+// At the beginning, sort the points along each axis. Divide a range along axis 0 at its middle, and
+// the orders along the other axes with it. After the recursion, merge these orders again, and scan
+// the strip: the points within d of the dividing line, in order along the last axis. Here d is the
+// distance of the closest pair so far.
+//
+// In dimension D, a closed cube of side d holds at most N points with distances of d or more
+// (packing.h).
 //
 // Theorem. In the plane, a point of the strip is compared with at most 2 N - 1 = 7 points behind it
-// [L]: they lie in two squares of side d, left and right of the line, with the point itself. This
-// holds for closed squares, so pairs at distance d are looked at too, and ties are found.
+// [L]. They lie, with the point itself, in two squares of side d, left and right of the line. The
+// squares are closed, so the scan looks at pairs at distance d too, and finds ties.
 //
-// In higher dimension the strip is a slab, and scanning it along one axis would not do. It is cut
-// along each axis between the first and the last: a strip ends behind the last point that is within
-// d of its first one, found by comparisons. Then points within d of each other are in the same cell
-// or in adjacent ones. Along axis 0 a cell lies within d of the line, on either side. A point is
-// compared, in its own cell, with at most 2 N - 1 points behind it, and in each of the (3^(D-2) -
-// 1) / 2 cells ahead with at most 4 N points, which lie within d of it along the last axis.
-// Together 2 N 3^(D-2) - 1, which is 47 in space. Cells are found in linear time by Cell_table, so
-// that T(n) = 2 T(n/2) + O(n) in any fixed dimension.
+// In higher dimension, a scan along one axis is not enough. Further strips cut the strip along each
+// axis between the first and the last. A strip ends behind the last point within d of its first
+// point, which comparisons find. So points within d of each other are in one cell or in adjacent
+// cells. Along axis 0 a cell lies within d of the line, on either side. A point is compared with at
+// most 2 N - 1 points behind it in its own cell. It is compared with at most 4 N points in each of
+// the (3^(D-2) - 1) / 2 cells ahead: these points lie within d of it along the last axis. Together
+// this is 2 N 3^(D-2) - 1, which is 47 in space. Cell_table finds cells in linear time, so T(n) =
+// 2 T(n/2) + O(n) in any fixed dimension.
 //
-// Both rely on distinct points, so that d > 0: equal points are neighbours in the lexicographic
-// order, and are found before the first division.
+// Both bounds need distinct points, so that d > 0. Equal points are neighbors in the lexicographic
+// order, so they are found before the first division.
 
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Axis_orders.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Cell_table.h>
@@ -50,7 +53,7 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Returns with how many points of a strip each of them is compared at most.
+// Returns the bound above on the number of points that a point of the strip is compared with.
 inline std::size_t max_candidate_count(int dimension)
 {
   const double cells = std::pow(3., (std::max)(dimension - 2, 0));
@@ -58,18 +61,18 @@ inline std::size_t max_candidate_count(int dimension)
     (std::min)(2 * static_cast<double>(max_points_per_cell(dimension)) * cells - 1, 1e9));
 }
 
-// `Minimum` has the functions less(), is_beyond(), offer(), offer_pair_of(), has_pair() of
-// Pair_minimum, and can be copied.
+// `Minimum` can be copied, and has the functions less(), is_beyond(), offer(), offer_pair_of() and
+// has_pair() of Pair_minimum.
 template <class ConcurrencyTag, class Minimum>
 class Closest_pair_divide
 {
 public:
-  // Of the points at `positions`.
+  // Takes the points at `positions`.
   Closest_pair_divide(std::vector<std::size_t> positions, int dimension)
     : positions_(std::move(positions)), dimension_(dimension)
   {}
 
-  // Offers the closest pairs to `minimum`, all of them or the lexicographically smallest.
+  // Offers pairs to `minimum`, among them the lexicographically smallest closest pair.
   template <class Progress>
   void search(Minimum& minimum, Progress& progress)
   {
@@ -106,11 +109,11 @@ private:
     return true;
   }
 
-  // Of points that are equal, the two of smallest position are the first in the order.
+  // Offers the first two points of each set of equal points. They have the smallest positions.
   bool offer_equal_points(Minimum& minimum) const
   {
     bool are_any = false;
-    bool is_with_previous = false; // point k is equal to the one before
+    bool is_with_previous = false; // point k is equal to point k - 1
     for(std::size_t k = 0; k + 1 < positions_.size(); ++k) {
       const bool is_with_next = are_equal(positions_[k], positions_[k + 1], minimum);
       if(is_with_next && !is_with_previous)
@@ -121,7 +124,7 @@ private:
     return are_any;
   }
 
-  // Returns in how many ranges of the recursion a point is at most.
+  // Returns the largest number of ranges of the recursion that a point is in.
   static std::size_t level_count(std::size_t size)
   {
     std::size_t levels = 1;
@@ -130,7 +133,7 @@ private:
     return levels;
   }
 
-  // Offers the closest pairs among the ranks [first, last). Leaves the orders as they were.
+  // Offers the closest pairs of the ranks [first, last). Leaves the orders as they were.
   template <class Progress>
   void divide(Rank first, Rank last, Minimum& minimum, Progress& progress)
   {
@@ -176,7 +179,7 @@ private:
     }
   }
 
-  // Offers the pairs of points on different sides of the line, which passes through `middle`.
+  // Offers the closest pairs that the line through `middle` separates.
   void scan_strip(Rank first, Rank middle, Rank last, Minimum& minimum)
   {
     const auto is_in_strip = [&](Rank rank) {
@@ -187,7 +190,7 @@ private:
       = std::copy_if(ranks.begin() + first, ranks.begin() + last, strip_.begin() + first,
                      is_in_strip) - strip_.begin();
 
-    // A short strip keeps the bound on candidates without cells.
+    // A short strip does not need cells for the bound on comparisons.
     if(dimension_ <= 2 || end - first <= max_candidate_count(dimension_)) {
       scan(first, end, minimum);
       return;
@@ -197,8 +200,8 @@ private:
     scan_cells(first, end, minimum);
   }
 
-  // Numbers the strips along an axis between the first and the last, for points that are in the
-  // strip along axis 0.
+  // Numbers the strips along an axis between the first and the last, for the points of the strip
+  // along axis 0.
   template <class Is_in_strip>
   void number_strips(Axis_order& order, Rank first, Rank last, const Is_in_strip& is_in_strip,
                      const Minimum& minimum)
@@ -236,7 +239,7 @@ private:
     }
   }
 
-  // Scans a part of the strip, which is in order along the last axis [L].
+  // Scans some points of the strip, which are in order along the last axis [L].
   void scan(std::size_t begin, std::size_t end, Minimum& minimum) const
   {
     for(std::size_t a = begin; a < end; ++a) {
@@ -250,14 +253,14 @@ private:
     }
   }
 
-  // Scans two parts of the strip against each other.
+  // Scans the points of two cells of the strip against each other.
   void scan(std::size_t begin, std::size_t end, std::size_t other_begin, std::size_t other_end,
             Minimum& minimum) const
   {
     const int axis = dimension_ - 1;
     for(std::size_t a = begin; a < end; ++a) {
       const std::size_t q = positions_[strip_[a]];
-      // Invariant: what is before `other_begin` is below all points from a on, and beyond.
+      // Invariant: points before `other_begin` are below all points from a on, and beyond d.
       for(; other_begin < other_end; ++other_begin) {
         const std::size_t p = positions_[strip_[other_begin]];
         if(!(minimum.less(p, q, axis) && minimum.is_beyond(p, q, axis)))

@@ -5,9 +5,12 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CLOSEST_PAIR_SEARCH_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CLOSEST_PAIR_SEARCH_H
 
-// Which method finds the closest pair. In the plane and in space it is a join of points in common
-// cells. What doubles are too coarse for, what is too crowded, and points of higher dimension go to
-// the algorithms of [L].
+// Chooses the method for the closest pair. In the plane and in space it is a join of points in
+// common cells. Crowded points go to the randomized cells. Points of other dimensions, and points
+// that doubles are too coarse for, go to the divide and conquer of [L].
+//
+//   [L]  Computational geometry: closest pair and close pair. Slides of a lecture on algorithms,
+//        without name or date.
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Cell_join.h>
@@ -33,7 +36,8 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Offers the pairs that a join visits to a minimum of its own, and that one to the result.
+// Offers the pairs that a join visits to a minimum of its own. In the end, offers this minimum to
+// the result.
 template <class Minimum>
 struct Minimum_visitor
 {
@@ -52,7 +56,7 @@ struct Minimum_visitor
 
   Minimum& result;
   std::mutex& mutex;
-  bool& is_complete; // no visitor has given up
+  bool& is_complete; // whether no visitor has given up
   std::size_t max_count;
   Minimum minimum;
   std::size_t count = 0;
@@ -66,14 +70,14 @@ class Closest_pair_search
   using Positions = std::vector<Place>;
 
 public:
-  // Of the points of the scene, two or more.
+  // Takes the points of the scene, at least two.
   Closest_pair_search(const Elements& points, const Scene& scene, std::uint64_t seed,
                       Progress& progress)
     : points_(points), scene_(scene), random_(seed), progress_(progress)
   {}
 
-  // Returns the closest pair; if it is cancelled, the closest one of those that were seen, of which
-  // the first one is (0, 1).
+  // Returns the closest pair. If the search is cancelled, returns the closest of the pairs that it
+  // has seen so far. (0, 1) is the first of these pairs.
   Position_pair find()
   {
     Minimum minimum(points_, scene_);
@@ -93,10 +97,10 @@ public:
 
 private:
   // Offers the closest pairs of some points to `minimum`, in expected linear time. Returns false if
-  // points are equal or doubles are too coarse. For the progress: `later` more points come later.
+  // points are equal or doubles are too coarse. For the progress, `later` more points come later.
   //
-  // The closest pair of an eighth of the points, by the same method, gives the join a distance that
-  // few pairs of all points are within: 8^2 of them, if it were for independent pairs.
+  // The same method finds the closest pair of an eighth of the points. Few pairs of all points are
+  // within the distance of this pair: 8^2 pairs, if pairs were independent.
   template <int Dimension, class Some_positions>
   bool search(const Some_positions& positions, std::size_t later, Minimum& minimum)
   {
@@ -109,7 +113,7 @@ private:
                || search_cells<Dimension>(positions, later, minimum));
   }
 
-  // Returns false if cells are so crowded that it was given up.
+  // Returns false if the cells are so crowded that the join was given up.
   template <int Dimension, class Some_positions>
   bool join(const Some_positions& positions, std::size_t later, Minimum& minimum) const
   {

@@ -5,13 +5,13 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_HASHED_CELLS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_HASHED_CELLS_H
 
-// Cells for points with coordinates in doubles, or between doubles, as far from the origin as they
-// like. A cell is known by its hash.
+// Cells for points whose coordinates are doubles, or are enclosed by doubles. The points may be at
+// any distance from the origin. A hash identifies a cell.
 //
-// The index of a coordinate x is f(x) = x / side, cut to an integer. It is rounded, and cells far
-// out are larger than others. All that is relied on is that f is monotone, since rounding is:
-// if x <= y + w in real numbers then x <= fl(y + w), x being a double, and f(x) <= f(fl(y + w)).
-// So points within w of y have indices between f(fl(y - w)) and f(fl(y + w)).
+// The index of a coordinate x is f(x) = x / side, cut to an integer. It is rounded, so cells far
+// from the origin are larger than others. The search needs only that f is monotone, as rounding is:
+// if x <= y + w in real numbers for a double x, then x <= fl(y + w), and f(x) <= f(fl(y + w)). So
+// points within w of y have indices between f(fl(y - w)) and f(fl(y + w)).
 
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
@@ -25,13 +25,13 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// `Dimension` is that of the points, or 0 if it is known at run time only.
+// `Dimension` is the dimension of the points, or 0 if it is known at run time only.
 template <int Dimension>
 class Hashed_cells
 {
 public:
-  // Whether cells of about the size of `reach` are of use: the inverse of a side is a double, and a
-  // coordinate between doubles that are `error` apart is in few of them.
+  // Whether cells of about the size of `reach` are useful. The inverse of a side is a double, and a
+  // coordinate between doubles that are `error` apart is in few cells.
   static bool fits(double reach, double error)
   {
     return reach >= 0x1p-900 && reach <= 0x1p900 && error <= reach / 2;
@@ -42,7 +42,7 @@ public:
     : dimension_(dimension), width_(width), scale_(1 / side)
   {}
 
-  // Returns the hash of the cell of the lower bounds of the coordinates of p.
+  // Returns the hash of the cell that holds the lower bounds of the coordinates of p.
   template <class Point>
   std::uint64_t cell_of(const Point& p) const
   {
@@ -52,7 +52,7 @@ public:
     return finish_hash(hash);
   }
 
-  // Calls f(hash) for each cell that points within the width of p along each axis may be in.
+  // Calls f(hash) for each cell that may hold points within the width of p along each axis.
   template <class Point, class Function>
   void for_each_cell_around(const Point& p, const Function& f) const
   {
@@ -62,7 +62,7 @@ public:
       visit<0>(ranges_around(p), 0, f);
   }
 
-  // Returns the hash of the first one of these cells, and whether there are others.
+  // Returns the hash of the first of these cells, and whether there are more.
   template <class Point>
   std::pair<std::uint64_t, bool> first_cell_around(const Point& p) const
   {
@@ -85,7 +85,7 @@ private:
 
   int dimension() const { return Dimension == 0 ? dimension_ : Dimension; }
 
-  // Monotone: so are the product, the limits, and the conversion, which cuts towards zero.
+  // Monotone, because the product, the limits, and the conversion, which cuts towards zero, are.
   std::int64_t index(double x) const
   {
     constexpr double limit = 0x1p62;

@@ -5,11 +5,11 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_PAIR_MINIMUM_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_PAIR_MINIMUM_H
 
-// The closest pair so far, and every comparison with its distance. Doubles decide where they can,
-// exact numbers elsewhere; squares are compared, and no root is taken: degree 2.
+// The closest pair so far, and all comparisons with its distance. Doubles decide where they can,
+// and exact numbers elsewhere. It compares squares and takes no root, so the degree is 2.
 //
-// Of pairs at the same distance the lexicographically smallest one stays. So the pair that is left
-// does not depend on the order in which pairs are offered, if none of the closest is left out.
+// Among pairs at the same distance, the lexicographically smallest pair stays. So if all closest
+// pairs are offered, the pair that remains does not depend on the order of offers.
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_tier.h>
@@ -37,7 +37,7 @@ class Pair_minimum
   using Exact = Exact_number_t<Coordinate_t<Point>>;
 
 public:
-  // Of points of the scene.
+  // Takes the points of the scene.
   Pair_minimum(const Elements& points, const Scene& scene)
     : points_(points), dimension_(scene.dimension()), grid_exponent_(scene.grid_exponent)
   {}
@@ -75,7 +75,7 @@ public:
     return coordinate(points_[i], axis) < coordinate(points_[j], axis);
   }
 
-  // Whether two points are farther from each other along an axis than the closest pair is.
+  // Whether the distance of two points along an axis is greater than the distance of the pair.
   bool is_beyond(std::size_t i, std::size_t j, int axis) const
   {
     if(!has_pair_)
@@ -98,8 +98,8 @@ public:
     return std::nextafter(std::sqrt(max_square_), std::numeric_limits<double>::infinity());
   }
 
-  // Whether reach() is at most twice the distance. Not so for those whose squares over- or
-  // underflow or are lost in the errors of the coordinates.
+  // Whether reach() is at most twice the distance. False if the square over- or underflows, or if
+  // the errors of the coordinates hide the distance.
   bool has_tight_reach() const
   {
     return has_pair_ && min_square_ > 0 && max_square_ <= 4 * min_square_;
@@ -124,7 +124,7 @@ private:
       replace(candidate, square, std::move(exact));
   }
 
-  // Takes a pair whose computed squared distance is between the doubles of `square`.
+  // Takes a pair. Its computed squared distance is between the doubles of `square`.
   void replace(const Position_pair& pair, const Gap& square, std::optional<Exact> exact)
   {
     const double error = relative_error(dimension_);
@@ -145,15 +145,15 @@ private:
 
   const Elements& points_;
   int dimension_;
-  std::optional<int> grid_exponent_; // of a grid that holds all coordinates
+  std::optional<int> grid_exponent_; // of the grid of the scene
 
   bool has_pair_ = false;
   Position_pair pair_ = {0, 0};
-  mutable std::optional<Exact> exact_square_; // of the pair, when it was needed
+  mutable std::optional<Exact> exact_square_; // of the pair, once it was needed
   double min_square_ = 0; // min_square_ <= squared distance <= max_square_
   double max_square_ = std::numeric_limits<double>::infinity();
   bool is_exact_ = false;  // whether doubles compute squares up to that of the pair without error
-  Distance_filter filter_; // with the distance of the pair in place of a bound
+  Distance_filter filter_; // the distance of the pair is its bound
 };
 
 } // namespace internal

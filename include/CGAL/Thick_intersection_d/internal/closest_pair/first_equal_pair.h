@@ -5,7 +5,7 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_FIRST_EQUAL_PAIR_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_FIRST_EQUAL_PAIR_H
 
-// Points at distance zero, by hashing their coordinates.
+// Finds points at distance zero, by hashing coordinates.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/radix_sort.h>
@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Returns the lexicographically smallest pair of equal points, whose coordinates are doubles or fit
-// in them. Expected linear time.
+// Returns the lexicographically smallest pair of equal points, in expected linear time. The
+// coordinates are to be doubles, or of a type that doubles hold.
 template <class Elements>
 std::optional<Position_pair> first_equal_pair(const Elements& points, int dimension)
 {
@@ -39,7 +39,7 @@ std::optional<Position_pair> first_equal_pair(const Elements& points, int dimens
   const std::size_t slot_count = hash_table_size(points.size());
   std::vector<Place> slots(slot_count); // 1 + a position, or 0
 
-  // Invariant: the slots hold the first one of each set of equal points before i.
+  // Invariant: the slots hold the first point of each set of equal points before i.
   std::optional<Position_pair> first;
   for(std::size_t i = 0; i < points.size(); ++i) {
     std::uint64_t hash = 0;

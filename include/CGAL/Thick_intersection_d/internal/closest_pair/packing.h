@@ -5,7 +5,8 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_PACKING_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_PACKING_H
 
-// How many points fit in a cell if no two of them are close: what bounds the work of [L].
+// The number of points that fit in a cell if no two of them are close. It bounds the work of [L]
+// (Closest_pair_search.h).
 
 #include <algorithm>
 #include <cmath>
@@ -19,15 +20,14 @@ namespace internal {
 //
 // Lemma. Of more than N points in a closed cube of side r in dimension D, two are closer than r.
 // Proof: divide the edges of the cube into m = floor(sqrt(D)) + 1 equal parts. Two of the points
-// are in the same one of the m^D closed cubes that result, at a distance of at most r sqrt(D) / m <
-// r.
+// are in one of the m^D small closed cubes. Their distance is at most r sqrt(D) / m < r.
 //
-// So N serves for closed bounds, where pairs at distance r are close, and for open ones, and also
-// for cubes that are larger than r by less than the factor m / sqrt(D). In the plane the best
-// constants differ: 3 points fit if the bound is closed, and 4, the corners of the square, if it is
-// open. For of any 4 points in the plane, some three have an angle of 90 degrees or more. If all
-// distances are more than r then that of the outer two is more than sqrt(2) r, the diagonal of the
-// square.
+// So N serves closed bounds, where pairs at distance r are close, and open bounds. It also serves
+// cubes that are larger than r by less than the factor m / sqrt(D). In the plane the best constants
+// differ. For an open bound 4 points fit, the corners of the square. For a closed bound 3 points
+// fit: among any 4 points in the plane, some three have an angle of 90 degrees or more. If all
+// distances are more than r, the distance of the outer two points is more than sqrt(2) r, the
+// diagonal of the square.
 inline std::size_t max_points_per_cell(int dimension)
 {
   const double parts = std::floor(std::sqrt(static_cast<double>(dimension))) + 1;
