@@ -14,8 +14,8 @@ namespace CGAL {
 /*!
 \ingroup PkgThickIntersectionDRef
 
-names the arithmetic that decides whether a pair of points is within a bound. The answer is the
-exact one in each case. Each tier suffices for all scenes that those before it suffice for.
+names the arithmetic that decides whether a pair of points is within a bound. Each tier gives the
+exact answer for its scenes. A tier suffices for all scenes that an earlier tier suffices for.
 */
 enum class Arithmetic_tier {
   DOUBLE,          ///< Doubles compute all squared distances near the bound without rounding.

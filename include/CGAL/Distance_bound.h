@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// The number type of an expression, which the expression templates of GMP and Boost hide.
+// The number type of an expression. Expression templates of GMP and Boost hide this type.
 template <class NT>
 using Number_t = typename Algebraic_structure_traits<NT>::Type;
 
@@ -24,14 +24,14 @@ using Number_t = typename Algebraic_structure_traits<NT>::Type;
 /*!
 \ingroup PkgThickIntersectionDRef
 
-states which distances count as near: those of at most \f$ r \f$, or, if open, those less than
-\f$ r \f$. A bound is made by `within_distance()` or `within_squared_distance()`, and holds the
-number it was given: nothing is squared, rooted or rounded when it is made. The functions that take
-a bound evaluate it exactly, so that \f$ r = 0.1 \f$ given as a `double` means the value of that
-`double`, and given as an exact rational means one tenth.
+states which distances count as near: distances of at most \f$ r \f$, or less than \f$ r \f$ if the
+bound is open. `within_distance()` and `within_squared_distance()` make bounds. A bound holds the
+number that it was given. Making a bound takes no square, no root and no rounding. The functions
+that take a bound evaluate it exactly: \f$ r = 0.1 \f$ given as a `double` means the value of that
+`double`, and given as an exact rational it means one tenth.
 
-An infinite bound holds for every pair of points. A negative bound or NaN is refused by the
-functions that take it, with `std::invalid_argument`.
+An infinite bound holds for every pair of points. The functions that take a bound refuse a negative
+bound or NaN with `std::invalid_argument`.
 
 Objects of this type may be read by several threads at once if `NT` may.
 
@@ -49,7 +49,7 @@ public:
     : value_(value), squared_(squared), open_(open)
   {}
 
-  /// returns the number that was given, in the unit of the coordinates, or in its square.
+  /// returns the number that was given, in the unit of the coordinates or in the squared unit.
   const NT& value() const { return value_; }
 
   /// returns whether `value()` bounds the squared distance.
@@ -70,7 +70,8 @@ private:
 /*!
 \ingroup PkgThickIntersectionDRef
 
-returns the bound \f$ |pq| \leq r \f$, with \f$ r \f$ exactly as given: its square is never rounded.
+returns the bound \f$ |pq| \leq r \f$, with \f$ r \f$ exactly as given. The square of \f$ r \f$ is
+never rounded.
 */
 template <class NT>
 auto within_distance(const NT& r)
@@ -82,7 +83,7 @@ auto within_distance(const NT& r)
 \ingroup PkgThickIntersectionDRef
 
 returns the bound \f$ |pq|^2 \leq r_2 \f$, for radii that are known by their square, such as
-\f$ \sqrt{13} \f$: no root is taken.
+\f$ \sqrt{13} \f$. The function takes no root.
 */
 template <class NT>
 auto within_squared_distance(const NT& r2)

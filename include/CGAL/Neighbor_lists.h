@@ -5,7 +5,7 @@
 #ifndef CGAL_NEIGHBOR_LISTS_H
 #define CGAL_NEIGHBOR_LISTS_H
 
-// The neighbours of all points of a range, in compressed rows.
+// The neighbors of all points of a range, in compressed rows.
 
 #include <boost/range/iterator_range.hpp>
 
@@ -21,9 +21,9 @@ namespace CGAL {
 
 holds a list of neighbors for each point of a range, as positions in the range, in ascending order.
 
-It is made by `fixed_radius_neighbor_lists()`, and does not refer to the points. The lists are
-stored one after another: \f$ 8 (n + 1) \f$ bytes for \f$ n \f$ points, and 4 for each neighbor. It
-may be read by several threads at once.
+`fixed_radius_neighbor_lists()` makes the lists. They do not refer to the points. The lists are
+stored one after another, in \f$ 8 (n + 1) \f$ bytes for \f$ n \f$ points and 4 bytes for each
+neighbor. Several threads may read them at once.
 */
 class Neighbor_lists
 {
@@ -55,14 +55,14 @@ public:
   /// returns the number of pairs of neighbors, each counted once.
   std::size_t number_of_pairs() const { return positions_.size() / 2; }
 
-  /// returns where the neighbors of each point begin in `positions()`, and as the last value where
-  /// those of the last point end.
+  /// returns where the neighbors of each point begin in `positions()`. The last value is where the
+  /// neighbors of the last point end.
   const std::vector<std::size_t>& begins() const { return begins_; }
 
   /// returns the neighbors of all points, one list after another.
   const std::vector<Position>& positions() const { return positions_; }
 
-  /// returns whether both hold the same lists.
+  /// returns whether `a` and `b` hold the same lists.
   friend bool operator==(const Neighbor_lists& a, const Neighbor_lists& b)
   {
     return a.begins_ == b.begins_ && a.positions_ == b.positions_;

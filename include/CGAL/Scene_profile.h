@@ -5,8 +5,8 @@
 #ifndef CGAL_SCENE_PROFILE_H
 #define CGAL_SCENE_PROFILE_H
 
-// What a scene of points and a distance bound need: one pass over the coordinates tells which
-// arithmetic decides every pair exactly.
+// Describes a scene of points and a distance bound. One pass over the coordinates finds the
+// arithmetic that decides every pair exactly.
 
 #include <CGAL/Arithmetic_tier.h>
 #include <CGAL/Distance_bound.h>
@@ -43,19 +43,19 @@ namespace CGAL {
 \ingroup PkgThickIntersectionDRef
 
 describes a scene of points together with a distance bound: its size and extent, the coarsest grid
-that holds its coordinates, the arithmetic that the scene needs, and, after a search, which
-arithmetic has decided how many pairs.
+that holds its coordinates, the arithmetic that the scene needs, and, after a search, how many pairs
+each arithmetic has decided.
 
-All coordinates that are doubles lie on a grid of step \f$ 2^e \f$. A difference of coordinates that
-is at most the reach is a number of at most `units()` steps, whatever the offset of the scene. Let
-\f$ S \f$ be the square of that number times \f$ d \f$, the number of axes along which the points
-differ. If \f$ S \f$ is at most \f$ 2^{53} \f$ then doubles evaluate squared distances up to the
-bound without error, and larger ones come out larger than the bound: neither a filter nor other
-numbers are needed. If \f$ S \f$ is below \f$ 2^{63} \f$, or below \f$ 2^{128} \f$ with fewer than
-\f$ 2^{63} \f$ steps, then integers of 64 or 128 bits decide what a filter in doubles does not.
+Coordinates that are doubles lie on a grid of step \f$ 2^e \f$. A difference of coordinates up to
+the reach has at most `units()` steps, whatever the offset of the scene. Let \f$ S \f$ be the square
+of this number times \f$ d \f$, the number of axes along which the points differ. If \f$ S \f$ is at
+most \f$ 2^{53} \f$, doubles compute squared distances up to the bound without error, and the
+results for larger distances are beyond the bound. So neither a filter nor other numbers are needed.
+If \f$ S \f$ is below \f$ 2^{63} \f$, or below \f$ 2^{128} \f$ with fewer than \f$ 2^{63} \f$ steps,
+integers of 64 or 128 bits decide the pairs that a filter in doubles leaves undecided.
 
-A profile is made by `profile_scene()`, or by a search that is given one, and does not refer to the
-points. It may be read by several threads at once.
+`profile_scene()` makes a profile, and a search makes one if it is given a profile. A profile does
+not refer to the points. Several threads may read it at once.
 */
 class Scene_profile
 {
@@ -66,9 +66,9 @@ public:
   /// constructs the profile of a scene without points.
   Scene_profile() : Scene_profile(0, {}, 0, 0) {}
 
-  /// constructs the profile of `size` points with the given ranges of coordinates, `reach`, and
-  /// exponent of the grid, or none if the coordinates are not doubles. Coordinates along an axis
-  /// whose range has no extent need not be on the grid.
+  /// constructs the profile of `size` points with the given ranges of coordinates, reach, and
+  /// exponent of the grid, or no exponent if the coordinates are not doubles. Coordinates along an
+  /// axis whose range has no extent need not be on the grid.
   Scene_profile(std::size_t size, const std::vector<std::pair<double, double>>& box, double reach,
                 std::optional<int> grid_exponent)
     : size_(size), box_(box), reach_(reach), grid_exponent_(grid_exponent),
@@ -91,8 +91,8 @@ public:
   /// returns the smallest and the largest coordinate along axis `i`, rounded outwards.
   const std::pair<double, double>& range(int i) const { return box_[i]; }
 
-  /// returns the number of axes along which the points differ. In the plane and in space, others
-  /// are neither stored nor searched.
+  /// returns the number of axes along which the points differ. In the plane and in space, a search
+  /// neither stores nor searches other axes.
   int extended_axes() const
   {
     int count = 0;
@@ -104,8 +104,8 @@ public:
   /// returns an upper bound on the distance along an axis of points within the bound.
   double reach() const { return reach_; }
 
-  /// returns whether all coordinates are doubles without rounding, whatever their type, so that
-  /// there is a grid.
+  /// returns whether all coordinates are doubles without rounding, whatever their type. Then there
+  /// is a grid.
   bool has_grid() const { return grid_exponent_.has_value(); }
 
   /// returns the exponent \f$ e \f$ of the coarsest grid \f$ 2^e \mathbb{Z} \f$ that holds all
@@ -126,11 +126,11 @@ public:
   /// returns the first tier that is exact for the scene.
   Arithmetic_tier needed_tier() const { return needed_tier_; }
 
-  /// returns the tier that is used: `needed_tier()`, unless another one is forced.
+  /// returns the tier that the search uses: `needed_tier()`, unless another tier is forced.
   Arithmetic_tier tier() const { return forced_tier_.value_or(needed_tier_); }
 
   /// makes searches that are given this profile use `tier`, which is `needed_tier()` or a later
-  /// one. The pairs are the same; the time is not.
+  /// tier. The pairs are the same, but not the time.
   /// \throws std::invalid_argument if `tier` is not exact for the scene. The message names both.
   void force_tier(Arithmetic_tier tier)
   {
@@ -146,11 +146,11 @@ public:
   /// returns the tier that is forced, if there is one.
   const std::optional<Arithmetic_tier>& forced_tier() const { return forced_tier_; }
 
-  /// returns how many pairs were decided by the arithmetic that a tier is named for, in the search
-  /// that has made this profile: by doubles, by integers of 64 or of 128 bits, or by exact numbers.
-  /// Pairs that doubles find to be beyond the bound are not counted; so the sum over all tiers is
-  /// the number of pairs within the bound, and of those beyond it that are too close to call in
-  /// doubles.
+  /// returns how many pairs the arithmetic that names a tier has decided, in the search that has
+  /// made this profile: doubles, integers of 64 or of 128 bits, or exact numbers. Pairs that a
+  /// filter in doubles finds beyond the bound are not counted. So the sum over all tiers is the
+  /// number of pairs within the bound, plus the number of near ties beyond the bound, which the
+  /// filter does not decide.
   std::uint64_t decided(Arithmetic_tier tier) const { return counts_[tier]; }
 
   /// @}
@@ -166,7 +166,7 @@ public:
   }
 #endif
 
-  /// prints the profile, a line per fact, and what it comes to as a sentence.
+  /// prints the profile, one fact per line, and a sentence that sums it up.
   friend std::ostream& operator<<(std::ostream& out, const Scene_profile& profile)
   {
     out << "points      " << profile.size() << " in dimension " << profile.dimension() << '\n';
@@ -252,7 +252,7 @@ returns the profile of the scene of `points` and `bound`, in one pass over the c
 \cgalNamedParamsEnd
 
 \throws std::invalid_argument if a coordinate is NaN or infinite, if the points differ in dimension,
-or if the bound is negative or NaN. The message tells the position of the point.
+or if the bound is negative or NaN. The message gives the position of the point.
 */
 template <class PointRange, class NT, class NamedParameters = parameters::Default_named_parameters>
 Scene_profile profile_scene(const PointRange& points, const Distance_bound<NT>& bound,

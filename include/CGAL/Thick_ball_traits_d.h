@@ -5,7 +5,7 @@
 #ifndef CGAL_THICK_BALL_TRAITS_D_H
 #define CGAL_THICK_BALL_TRAITS_D_H
 
-// Closed balls with a radius each.
+// Closed balls with individual radii.
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/doors/ball_pairs_search.h>
@@ -23,16 +23,16 @@ namespace CGAL {
 /*!
 \ingroup PkgThickIntersectionDTraits
 
-is the traits class for closed balls with individual radii: two of them intersect if the distance of
-their centres is at most the sum of their radii. Solid balls, not spheres: one ball within another
-intersects it. The predicates give the answer of real arithmetic on the given centres and radii.
-They have degree 1 and 2 \cgalCite{v-riato-03}; with squared radii, as in `Sphere_3`, the degree
-would be 4.
+is the traits class for closed balls with individual radii. Two balls intersect if the distance of
+their centers is at most the sum of their radii. Balls are solid, unlike spheres: a ball within
+another ball intersects it. The predicates give the answer of real arithmetic on the given centers
+and radii. They have degree 1 and 2 \cgalCite{v-riato-03}. With squared radii, as in `Sphere_3`, the
+degree would be 4.
 
-The reach along each axis is twice the largest radius, so that the time grows with the ratio of the
-largest ball to the typical one. If all balls that are searched have the same radius, no radius is
-looked at in the search, and none is stored: the centres are searched as points within twice that
-radius, as by `fixed_radius_near_neighbors()`.
+The reach along each axis is twice the largest radius. So the time grows with the ratio of the
+largest ball to the typical ball. If all balls of a search have the same radius, the search neither
+reads nor stores radii. It searches the centers as points within twice the radius, as
+`fixed_radius_near_neighbors()` does.
 
 Objects of this class may be used by several threads at once.
 
@@ -49,14 +49,14 @@ public:
   /// \name Types
   /// @{
 
-  /// the balls: a centre, and a radius of the number type of its coordinates.
+  /// the balls: a center, and a radius of the number type of its coordinates.
   using Object_d = std::pair<Point, Number>;
 
-  /// compares the centres of two balls along an axis.
+  /// compares the centers of two balls along an axis.
   class Less_coordinate_d
   {
   public:
-    /// returns whether the centre of `a` comes before that of `b` along axis `i`. Degree 1.
+    /// returns whether the center of `a` is before the center of `b` along axis `i`. Degree 1.
     bool operator()(const Object_d& a, const Object_d& b, int i) const
     {
       using Thick_intersection_d::internal::coordinate;
@@ -64,11 +64,11 @@ public:
     }
   };
 
-  /// bounds the distance of the centres of two balls along an axis.
+  /// bounds the distance of the centers of two balls along an axis.
   class Is_close_along_axis_d
   {
   public:
-    /// returns whether the centres differ by at most the reach along axis `i`, up to rounding to
+    /// returns whether the centers differ by at most the reach along axis `i`, up to rounding to
     /// the safe side.
     bool operator()(const Object_d& a, const Object_d& b, int i) const
     {
@@ -101,7 +101,7 @@ public:
   /// @}
 
 #ifndef DOXYGEN_RUNNING
-  // Throws if `ball` has a NaN or infinite coordinate, or a radius that is negative, NaN or
+  // Throws if a coordinate of `ball` is NaN or infinite, or if its radius is negative, NaN or
   // infinite.
   void check(const Object_d& ball, std::size_t position) const
   {

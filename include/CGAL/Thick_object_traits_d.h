@@ -25,18 +25,18 @@ namespace CGAL {
 /*!
 \ingroup PkgThickIntersectionDTraits
 
-is the traits class for bounded objects of a kernel of \cgal that have a `bbox()` and between which
-`do_intersect()` is defined. The intersection test is exact on the coordinates that the objects
-hold: it is the kernel's own if the kernel has exact predicates, and that of a kernel which has them
-otherwise, as for `Simple_cartesian<double>`.
+is the traits class for bounded objects of a kernel of \cgal with `bbox()` and `do_intersect()`. The
+intersection test is exact on the coordinates that the objects hold. It is the test of the kernel if
+the kernel has exact predicates. Otherwise, as for `Simple_cartesian<double>`, it is the test of a
+kernel with exact predicates.
 
-The reference point of an object is the lower corner of its bounding box, and the reach along an
-axis the largest extent of a box along it: boxes that overlap have lower corners that are not
-further apart. So the time grows with the ratio of the largest object to the typical one
+The reference point of an object is the lower corner of its bounding box. The reach along an axis is
+the largest extent of a box along the axis: the lower corners of two boxes that overlap are not
+farther apart. So the time grows with the ratio of the largest object to the typical object
 \cgalCite{v-riato-03}.
 
-Circles and spheres are refused: for `do_intersect()` they are curves and surfaces, so that one
-within another does not intersect it. Use `Thick_ball_traits_d`.
+Circles and spheres are refused. `do_intersect()` takes them as curves and surfaces, so a circle
+within another circle would not intersect it. Use `Thick_ball_traits_d`.
 
 Objects of this class may be used by several threads at once.
 
@@ -68,7 +68,7 @@ public:
   class Less_coordinate_d
   {
   public:
-    /// returns whether the box of `a` begins before that of `b` along axis `i`.
+    /// returns whether the box of `a` begins before the box of `b` along axis `i`.
     bool operator()(const Object& a, const Object& b, int i) const
     {
       return (a.bbox().min)(i) < (b.bbox().min)(i);
@@ -79,7 +79,8 @@ public:
   class Is_close_along_axis_d
   {
   public:
-    /// returns whether the lower corners differ by at most the reach along axis `i`, both rounded.
+    /// returns whether the lower corners differ by at most the reach along axis `i`. Difference and
+    /// reach are rounded in the same way.
     bool operator()(const Object& a, const Object& b, int i) const
     {
       return std::fabs((a.bbox().min)(i) - (b.bbox().min)(i)) <= reaches_[i];
@@ -140,8 +141,8 @@ public:
   /// @}
 
 private:
-  // The extents are rounded like the differences that are compared with them. Rounding is monotone,
-  // so a lower corner within the true extent stays within the rounded one.
+  // Extents are rounded like the differences that are compared with them. Rounding is monotone, so
+  // a lower corner within the true extent is within the rounded extent as well.
   template <class ObjectRange>
   void add(const ObjectRange& objects)
   {

@@ -5,8 +5,8 @@
 #ifndef CGAL_THICK_POINT_TRAITS_D_H
 #define CGAL_THICK_POINT_TRAITS_D_H
 
-// Points that intersect if they are within a distance: the balls of half that radius around them,
-// with the centre as reference point. [V03, section 1]
+// Points that intersect if they are within a distance. They stand for balls with half the distance
+// as radius, and with the center as reference point. [V03, section 1]
 
 #include <CGAL/Dimension.h>
 #include <CGAL/Distance_bound.h>
@@ -24,18 +24,17 @@ namespace CGAL {
 /*!
 \ingroup PkgThickIntersectionDTraits
 
-is the traits class for points, two of which *intersect* if their distance is within a bound. All
-its predicates give the answer of real arithmetic on the given coordinates and the given bound,
-whatever the kernel, `Simple_cartesian<double>` included. They have degree 1 and 2.
+is the traits class for points. Two points *intersect* if their distance is within a bound. All
+predicates give the answer of real arithmetic on the given coordinates and the given bound, for
+every kernel, `Simple_cartesian<double>` included. They have degree 1 and 2.
 
 The reach along each axis is the bound \f$ r \f$ itself: the diameter \f$ D \f$ of the balls of
-radius \f$ r/2 \f$, where \cgalCite{v-riato-03} allows \f$ 2D \f$ for any choice of reference
-points.
+radius \f$ r/2 \f$. \cgalCite{v-riato-03} allows \f$ 2D \f$, for any choice of reference points.
 
 Objects of this class may be used by several threads at once.
 
 \tparam Point is `Point_2`, `Point_3` or `Point_d` of a kernel of \cgal. Its coordinates are of a
-built-in floating point type, of an exact number type, or of a floating point type of any precision.
+built-in floating-point type, of an exact number type, or of a floating-point type of any precision.
 
 \cgalModels{ThickIntersectionTraits_d}
 */
@@ -108,7 +107,7 @@ public:
   /// @}
 
 #ifndef DOXYGEN_RUNNING
-  // The traits of a search that has made its test already.
+  // Constructs the traits of a search that has made its test already.
   explicit Thick_point_traits_d(const Do_intersect_d& is_within) : is_within_(is_within) {}
 
   // Throws unless `p` is a point of this dimension with finite coordinates.
@@ -138,7 +137,7 @@ private:
   {
     using Dimension = typename Ambient_dimension<Point>::type;
     static_assert(!std::is_same_v<Dimension, Dynamic_dimension_tag>,
-                  "Give the dimension of points whose type does not tell it.");
+                  "The type of the points has no dimension: give it to the constructor.");
     return Dimension::value;
   }
 

@@ -5,7 +5,7 @@
 #ifndef CGAL_CLOSEST_PAIR_H
 #define CGAL_CLOSEST_PAIR_H
 
-// The closest pair of points, and the question whether any two are within a distance.
+// The closest pair of points, and a pair of points within a distance.
 
 #include <CGAL/Distance_bound.h>
 #include <CGAL/Named_function_parameters.h>
@@ -25,16 +25,17 @@ namespace CGAL {
 
 returns the positions of two points of a range whose distance is the least.
 
-The result is that of real arithmetic on the given coordinates, for every kernel: also for
-`Simple_cartesian<double>`, and also if several pairs are as close. Of these it is the
+The result is the result of real arithmetic on the given coordinates, for every kernel,
+`Simple_cartesian<double>` included. If several pairs have the least distance, it is the
 lexicographically smallest pair of positions, with any number of threads and any seed. Equal points
 at different positions are a pair, at distance zero.
 
-In the plane and in space it takes expected \f$ O(n) \f$ time: the closest pair of a random sample
-tells how far to look \cgalCite{r-pa-76}, and few points have another one so near. Where doubles do
-not tell the least distance, such as that of points whose squared distances overflow, and in higher
-dimension, it is the divide and conquer of \cgalCite{l-cp}, with \f$ O(n \log n) \f$ comparisons in
-the worst case, in fixed dimension. It uses \f$ O(n) \f$ space. The algebraic degree is 2.
+In the plane and in space the search takes expected \f$ O(n) \f$ time. The closest pair of a random
+sample bounds how far to look \cgalCite{r-pa-76}, and few points have another point so near. If
+doubles cannot bound the least distance, for example because squared distances overflow, and in
+other dimensions, the search is the divide and conquer of \cgalCite{l-cp}. It makes
+\f$ O(n \log n) \f$ comparisons in the worst case, in fixed dimension. The search uses
+\f$ O(n) \f$ space. The algebraic degree is 2.
 
 \tparam ConcurrencyTag is `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`.
 `Parallel_tag` requires \tbb.
@@ -42,8 +43,8 @@ the worst case, in fixed dimension. It uses \f$ O(n) \f$ space. The algebraic de
 \tparam PointRange is a range of `Point_2`, `Point_3` or `Point_d` of a kernel of \cgal, with
 forward iterators or better. It is neither copied nor reordered.
 
-\param points the points, all of the same dimension, two of them at least and less than
-\f$ 2^{32} - 1 \f$.
+\param points the points, all of the same dimension, at least two and less than
+\f$ 2^{32} - 1 \f$ points.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
 below
 
@@ -55,29 +56,30 @@ below
   \cgalParamNBegin{geom_traits}
     \cgalParamDescription{an instance of the kernel of the points}
     \cgalParamDefault{the kernel deduced from the point type}
-    \cgalParamExtra{Accepted as by other functions of \cgal; the points alone tell their kernel.}
+    \cgalParamExtra{Accepted as by other functions of \cgal. The type of the points determines the
+                    kernel.}
   \cgalParamNEnd
   \cgalParamNBegin{random_seed}
-    \cgalParamDescription{the seed of the random numbers that the time depends on}
+    \cgalParamDescription{the seed of the random numbers, which the time depends on}
     \cgalParamType{unsigned int}
     \cgalParamDefault{0}
-    \cgalParamExtra{The result does not depend on it.}
+    \cgalParamExtra{The result does not depend on the seed.}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
     \cgalParamDescription{a functor `bool(double)` that is called with the progress between 0 and 1,
                           and cancels the search by returning `false`}
     \cgalParamDefault{none}
-    \cgalParamExtra{In parallel it is called by one thread at a time, not always the same. The
-                    last value is 1 if it does not cancel. The check of the points comes before,
-                    and sorting is not interrupted.}
+    \cgalParamExtra{In parallel, one thread at a time calls it, but not always the same thread. The
+                    last value is 1 unless it cancels. The check of the points comes before the
+                    first call. Nothing interrupts sorting.}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the two positions, the smaller one first. If the progress functor cancels the search, they
-are the closest pair of those that were compared until then, of which (0, 1) is the first.
+\return the two positions, the smaller position first. If the progress functor cancels the search,
+they are the closest of the pairs that were compared so far. (0, 1) is the first of these pairs.
 
 \throws std::invalid_argument if there are fewer than two points, if a coordinate is NaN or
-infinite, or if the points differ in dimension. The message tells the position of the point.
+infinite, or if the points differ in dimension. The message gives the position of the point.
 Exceptions of the progress functor pass through.
 \throws std::length_error if there are \f$ 2^{32} - 1 \f$ points or more.
 
@@ -97,27 +99,30 @@ closest_pair(const PointRange& points, const NamedParameters& np = parameters::d
 
 returns the positions of two points of a range whose distance is within a bound, if there are any.
 
-It stops at the first such pair. The answer is that of real arithmetic, as for
-`fixed_radius_near_neighbors()`, at distances of exactly the bound and for bounds of any size as
+The search stops at the first such pair. The answer is the answer of real arithmetic, as for
+`fixed_radius_near_neighbors()`, for distances of exactly the bound and for bounds of any size as
 well. Equal points at different positions are a pair.
 
-The search is that of \cgalCite{l-cp} by a grid with cells as large as the bound, in which more than
-a few points cannot be far from each other. In the plane a cell with more than 4 points has two of
-them closer than the bound, in space one with more than 8, and in dimension \f$ d \f$ one with more
-than \f$ (\lfloor \sqrt d \rfloor + 1)^d \f$; these numbers serve closed bounds and open ones. It
-takes expected \f$ O(n) \f$ time in fixed dimension if the coordinates are doubles, or if the extent
-of the scene is below \f$ 2^{30} \f$ times the bound. Otherwise it takes \f$ O(n \log n) \f$, for
-the coordinates are sorted then. Beyond dimension 5 it is the divide and conquer of
-`closest_pair()`. It uses \f$ O(n) \f$ space. The algebraic degree is 2.
+In the plane and in space, the search first joins points in common cells. It falls back to the
+buckets of \cgalCite{l-cp} if cells are crowded, if doubles are too coarse for the bound, and in
+other dimensions. A bucket holds the points of a cell as large as the bound. Two points of a bucket
+are closer than the bound if it holds more than 4 points in the plane, more than 8 in space, or more
+than \f$ (\lfloor \sqrt d \rfloor + 1)^d \f$ in dimension \f$ d \f$. These numbers serve closed
+bounds and open bounds. So the search looks at the buckets of a few points even before the join. The
+search takes expected \f$ O(n) \f$ time in fixed dimension if the coordinates are doubles, or if the
+extent of the scene is below \f$ 2^{30} \f$ times the bound. Otherwise it sorts the coordinates, and
+takes \f$ O(n \log n) \f$ time. Beyond dimension 5 it is the divide and conquer of `closest_pair()`.
+The search uses \f$ O(n) \f$ space. The algebraic degree is 2.
 
 \tparam ConcurrencyTag is `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. In
 sequence, the pair depends on the input alone. `Parallel_tag` requires \tbb.
 
 \tparam PointRange is a range as for `closest_pair()`.
 
-\tparam NT is a number type as described for `Distance_bound`. It need not be that of the kernel.
+\tparam NT is a number type as described for `Distance_bound`. It need not be the number type of the
+kernel.
 
-\param points the points, all of the same dimension, less than \f$ 2^{32} - 1 \f$ of them.
+\param points the points, all of the same dimension, less than \f$ 2^{32} - 1 \f$ points.
 \param bound made by `within_distance()` or `within_squared_distance()`.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
 below
@@ -130,20 +135,21 @@ below
   \cgalParamNBegin{geom_traits}
     \cgalParamDescription{an instance of the kernel of the points}
     \cgalParamDefault{the kernel deduced from the point type}
-    \cgalParamExtra{Accepted as by other functions of \cgal; the points alone tell their kernel.}
+    \cgalParamExtra{Accepted as by other functions of \cgal. The type of the points determines the
+                    kernel.}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
     \cgalParamDescription{a functor `bool(double)` that is called with the progress between 0 and 1,
                           and cancels the search by returning `false`}
     \cgalParamDefault{none}
-    \cgalParamExtra{In parallel it is called by one thread at a time, not always the same. The
-                    last value is 1 if it does not cancel. The check of the points comes before,
-                    and sorting is not interrupted.}
+    \cgalParamExtra{In parallel, one thread at a time calls it, but not always the same thread. The
+                    last value is 1 unless it cancels. The check of the points comes before the
+                    first call. Nothing interrupts sorting.}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the two positions, the smaller one first; nothing if no two points are within the bound,
-or if the progress functor cancels the search before two are found.
+\return the two positions, the smaller position first. Returns nothing if no two points are within
+the bound, or if the progress functor cancels the search before it has found a pair.
 
 \throws std::invalid_argument if a coordinate is NaN or infinite, if the points differ in dimension,
 or if the bound is negative or NaN. All points are checked, wherever the pair is. Exceptions of the
@@ -169,7 +175,8 @@ find_close_pair(const PointRange& points, const Distance_bound<NT>& bound,
 
 returns whether two points of a range are within a bound: whether `find_close_pair()` finds a pair.
 
-If the progress functor cancels the search, the answer is `true` if a pair was found, else `false`.
+If the progress functor cancels the search, the answer is `true` if a pair was found, and `false`
+otherwise.
 */
 template <class ConcurrencyTag = Sequential_tag, class PointRange, class NT,
           class NamedParameters = parameters::Default_named_parameters>

@@ -5,7 +5,7 @@
 #ifndef CGAL_FIXED_RADIUS_NEAR_NEIGHBORS_H
 #define CGAL_FIXED_RADIUS_NEAR_NEIGHBORS_H
 
-// All pairs of points within a distance, of one range or between two.
+// All pairs of points within a distance, in one range or between two ranges.
 
 #include <CGAL/Distance_bound.h>
 #include <CGAL/Named_function_parameters.h>
@@ -25,23 +25,24 @@ namespace CGAL {
 
 reports all pairs of points of a range whose distance is within a bound, each exactly once.
 
-The result is that of real arithmetic on the given coordinates and the given bound, for every
-kernel: also for `Simple_cartesian<double>`, and also for pairs that are exactly at the bound. Which
-arithmetic is used is chosen by the `Scene_profile`. Equal points at different positions are a pair;
-a point is never paired with itself. A bound of zero finds the duplicates.
+The result is the result of real arithmetic on the given coordinates and the given bound, for every
+kernel. This holds for `Simple_cartesian<double>` as well, and for pairs exactly at the bound. The
+`Scene_profile` chooses the arithmetic. Equal points at different positions are a pair. A point is
+never paired with itself. A bound of zero finds the duplicates.
 
-It takes \f$ O(n \log n + k) \f$ time and \f$ O(n) \f$ space in fixed dimension, \f$ k \f$ being the
-number of pairs \cgalCite{v-riato-03}. The algebraic degree is 2.
+The search takes \f$ O(n \log n + k) \f$ time and \f$ O(n) \f$ space in fixed dimension, where
+\f$ k \f$ is the number of pairs \cgalCite{v-riato-03}. The algebraic degree is 2.
 
 \tparam ConcurrencyTag is `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. In
-sequence, the order of reports depends on the input alone. In parallel the same pairs are reported
-in any order, and the callback is called by several threads at once, and must allow that;
-`Parallel_tag` requires \tbb.
+sequence, the order of reports depends on the input alone. In parallel, the same pairs are reported
+in any order. Several threads call the callback at once, so it must allow this. `Parallel_tag`
+requires \tbb.
 
 \tparam PointRange is a range of `Point_2`, `Point_3` or `Point_d` of a kernel of \cgal, with
 forward iterators or better. It is neither copied nor reordered.
 
-\tparam NT is a number type as described for `Distance_bound`. It need not be that of the kernel.
+\tparam NT is a number type as described for `Distance_bound`. It need not be the number type of the
+kernel.
 
 \tparam Callback is callable with `(std::size_t i, std::size_t j)`. It returns `void`, or `bool` to
 stop the search by returning `false`.
@@ -61,20 +62,21 @@ below
   \cgalParamNBegin{geom_traits}
     \cgalParamDescription{an instance of the kernel of the points}
     \cgalParamDefault{the kernel deduced from the point type}
-    \cgalParamExtra{Accepted as by other functions of \cgal; the points alone tell their kernel.}
+    \cgalParamExtra{Accepted as by other functions of \cgal. The type of the points determines the
+                    kernel.}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
     \cgalParamDescription{a functor `bool(double)` that is called with the progress between 0 and 1,
                           and cancels the search by returning `false`}
     \cgalParamDefault{none}
-    \cgalParamExtra{In parallel it is called by one thread at a time, not always the same.}
+    \cgalParamExtra{In parallel, one thread at a time calls it, but not always the same thread.}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return `false` iff the callback or the progress functor stopped the search.
 
 \throws std::invalid_argument if a coordinate is NaN or infinite, if the points differ in dimension,
-or if the bound is negative or NaN, before anything is reported. The message tells the position of
+or if the bound is negative or NaN, before anything is reported. The message gives the position of
 the point. Exceptions of the callback pass through.
 \throws std::runtime_error if the processor is set to flush denormal numbers to zero.
 
@@ -96,15 +98,15 @@ bool fixed_radius_near_neighbors(const PointRange& points, const Distance_bound<
 \ingroup PkgThickIntersectionDRef
 
 reports all pairs of points of a range whose distance is within a bound as the version above, and
-tells about the scene and the search in `profile`.
+describes the scene and the search in `profile`.
 
-If a tier is forced in `profile`, by `Scene_profile::force_tier()`, the search uses that one.
-Whatever the profile was made for, the points are looked at again, and a tier that is not exact for
-them is refused. A `Scene_profile` without points serves if only the answer is wanted.
+If `Scene_profile::force_tier()` has forced a tier in `profile`, the search uses this tier. The
+search always scans the points again, and refuses a tier that is not exact for them. If only the
+answer is wanted, pass a `Scene_profile` without points.
 
 \param points,bound,callback,np as in the version above.
 \param profile is replaced by the profile of the points and the bound, with the same tier forced,
-and with the numbers of pairs that each kind of arithmetic has decided. It is left alone if the
+and with the numbers of pairs that each kind of arithmetic has decided. It does not change if the
 function throws.
 
 \throws std::invalid_argument as the version above, and if the forced tier is not exact for the
@@ -128,9 +130,9 @@ bool fixed_radius_near_neighbors(const PointRange& points, const Distance_bound<
 reports all pairs of a point of one range and a point of another whose distance is within a bound,
 each exactly once.
 
-Pairs within a range are not reported, and not tested. Otherwise as the version for one range, where
-\f$ n \f$ is the number of points of both ranges and \f$ k \f$ the number of close pairs of their
-union.
+Pairs within a range are neither reported nor tested. Otherwise the function is as the version for
+one range, where \f$ n \f$ is the number of points of both ranges and \f$ k \f$ is the number of
+close pairs of their union.
 
 \param points_a, points_b the points, of the same type and dimension in both ranges.
 \param bound made by `within_distance()` or `within_squared_distance()`.
@@ -140,8 +142,8 @@ the position \f$ j \f$ of its point in `points_b`.
 
 \return `false` iff the callback or the progress functor stopped the search.
 
-\throws std::invalid_argument as the version for one range; positions in the message go on from the
-first range to the second.
+\throws std::invalid_argument as the version for one range. Positions in the message go on from the
+first range to the second range.
 */
 template <class ConcurrencyTag = Sequential_tag, class PointRangeA, class PointRangeB, class NT,
           class Callback, class NamedParameters = parameters::Default_named_parameters>
@@ -162,8 +164,7 @@ bool fixed_radius_near_neighbors(const PointRangeA& points_a, const PointRangeB&
 \ingroup PkgThickIntersectionDRef
 
 reports all pairs of a point of one range and a point of another whose distance is within a bound as
-the version above, with a profile of the points of both ranges, which is as in the version for one
-range.
+the version above. `profile` is as in the version for one range, for the points of both ranges.
 */
 template <class ConcurrencyTag = Sequential_tag, class PointRangeA, class PointRangeB, class NT,
           class Callback, class NamedParameters = parameters::Default_named_parameters>
@@ -186,13 +187,13 @@ bool fixed_radius_near_neighbors(const PointRangeA& points_a, const PointRangeB&
 
 returns for each point of a range all other points whose distance is within a bound.
 
-It takes \f$ O(n \log n + k \log k) \f$ time and \f$ O(n + k) \f$ space in fixed dimension,
-\f$ k \f$ being the number of pairs \cgalCite{v-riato-03}. The result does not depend on the number
-of threads.
+The search takes \f$ O(n \log n + k \log k) \f$ time and \f$ O(n + k) \f$ space in fixed dimension,
+where \f$ k \f$ is the number of pairs \cgalCite{v-riato-03}. The result does not depend on the
+number of threads.
 
-The parameters are those of `fixed_radius_near_neighbors()`.
+The parameters are as for `fixed_radius_near_neighbors()`.
 
-\return the lists. If the progress functor cancels, those of the pairs found until then.
+\return the lists. If the progress functor cancels the search, they hold the pairs found so far.
 
 \throws std::invalid_argument as `fixed_radius_near_neighbors()`.
 \throws std::length_error if there are \f$ 2^{32} \f$ points or more.

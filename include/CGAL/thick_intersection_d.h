@@ -5,7 +5,7 @@
 #ifndef CGAL_THICK_INTERSECTION_D_H
 #define CGAL_THICK_INTERSECTION_D_H
 
-// All intersecting pairs of thick objects, of one range or between two.
+// All intersecting pairs of thick objects, in one range or between two ranges.
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Thick_object_traits_d.h>
@@ -22,20 +22,20 @@ namespace CGAL {
 
 reports all pairs of objects of a range that intersect, each exactly once.
 
-The algorithm is that of Vigneron \cgalCite{v-riato-03}: divide and conquer along the axes, and a
-sweep along the first one. For objects of diameter at most \f$ D \f$ and volume at least \f$ V \f$
-in fixed dimension \f$ d \f$ it takes \f$ O(n \log n + \frac{D^d}{V}(n + k)) \f$ time and
-\f$ O(n) \f$ space, \f$ k \f$ being the number of pairs reported. Objects that are not thick, such
-as segments, are reported correctly too; it may take more time.
+The algorithm of Vigneron \cgalCite{v-riato-03} is divide and conquer along the axes, and a sweep
+along the first axis. For objects of diameter at most \f$ D \f$ and volume at least \f$ V \f$ in
+fixed dimension \f$ d \f$ it takes \f$ O(n \log n + \frac{D^d}{V}(n + k)) \f$ time and \f$ O(n) \f$
+space, where \f$ k \f$ is the number of reported pairs. Objects that are not thick, such as
+segments, are reported correctly too, but may take more time.
 
-An object is never paired with itself; equal objects at different positions are a pair if they
-intersect. The result is that of real arithmetic if the predicates of the traits are exact, as those
-of the package are.
+An object is never paired with itself. Equal objects at different positions are a pair if they
+intersect. The result is the result of real arithmetic if the predicates of the traits are exact.
+The predicates of the package are exact.
 
 \tparam ConcurrencyTag is `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. In
-sequence, the order of reports depends on the input alone. In parallel the same pairs are reported
-in any order, and the callback is called by several threads at once, and must allow that;
-`Parallel_tag` requires \tbb.
+sequence, the order of reports depends on the input alone. In parallel, the same pairs are reported
+in any order. Several threads call the callback at once, so it must allow this. `Parallel_tag`
+requires \tbb.
 
 \tparam ObjectRange is a range whose elements are of the type `Object_d` of the traits, with forward
 iterators or better. It is neither copied nor reordered.
@@ -63,15 +63,16 @@ below
     \cgalParamDescription{a functor `bool(double)` that is called with the progress between 0 and 1,
                           and cancels the search by returning `false`}
     \cgalParamDefault{none}
-    \cgalParamExtra{In parallel it is called by one thread at a time, not always the same.}
+    \cgalParamExtra{In parallel, one thread at a time calls it, but not always the same thread.}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return `false` iff the callback or the progress functor stopped the search.
 
-\throws std::invalid_argument if a coordinate or radius of an object is NaN or infinite, or a radius
-negative, before anything is reported. The message tells the position. Traits of other packages have
-to see to that themselves. Exceptions of the callback and of predicates pass through.
+\throws std::invalid_argument if a coordinate or radius of an object is NaN or infinite, or if a
+radius is negative, before anything is reported. The message gives the position of the object.
+Traits of other packages have to check this themselves. Exceptions of the callback and of predicates
+pass through.
 \throws std::runtime_error if the processor is set to flush denormal numbers to zero.
 
 \sa `thick_intersection_d()`
@@ -93,9 +94,9 @@ bool thick_self_intersection_d(const ObjectRange& objects, Callback&& callback,
 reports all pairs of an object of one range and an object of another that intersect, each exactly
 once.
 
-Pairs within a range are not reported, and not tested. Otherwise as `thick_self_intersection_d()`,
-where \f$ n \f$ is the number of objects of both ranges and \f$ k \f$ the number of intersecting
-pairs of their union.
+Pairs within a range are neither reported nor tested. Otherwise the function is as
+`thick_self_intersection_d()`, where \f$ n \f$ is the number of objects of both ranges and \f$ k \f$
+is the number of intersecting pairs of their union.
 
 \param objects_a, objects_b the objects, of the same type in both ranges.
 \param callback is called for each pair with the position \f$ i \f$ of its object in `objects_a` and
@@ -104,8 +105,8 @@ the position \f$ j \f$ of its object in `objects_b`.
 
 \return `false` iff the callback or the progress functor stopped the search.
 
-\throws std::invalid_argument as `thick_self_intersection_d()`; positions in the message go on from
-the first range to the second.
+\throws std::invalid_argument as `thick_self_intersection_d()`. Positions in the message go on from
+the first range to the second range.
 
 \sa `thick_self_intersection_d()`
 */

@@ -72,8 +72,8 @@ public:
   {}
 
   // Enters the points at `positions`, and visits pairs of these points. Each task makes a visitor
-  // of its own by make_visitor(). visitor(i, j) returns whether to go on; visitor.finish() is called
-  // last. Each point is two steps of progress: to enter it, and to visit its pairs.
+  // of its own by make_visitor(). visitor(i, j) returns whether to go on, and visitor.finish() is
+  // called last. Each point is two steps of progress: to enter it, and to visit its pairs.
   template <class Positions, class Make_visitor, class Progress>
   void operator()(const Positions& positions, const Make_visitor& make_visitor,
                   Progress& progress) const
