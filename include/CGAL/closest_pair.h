@@ -25,8 +25,8 @@ namespace CGAL {
 
 returns the positions of two points of a range whose distance is the least.
 
-The result is the result of real arithmetic on the given coordinates, for every kernel,
-`Simple_cartesian<double>` included. If several pairs have the least distance, it is the
+The search gives the result of real arithmetic on the given coordinates, for every kernel,
+`Simple_cartesian<double>` included. If several pairs have the least distance, the result is the
 lexicographically smallest pair of positions, with any number of threads and any seed. Equal points
 at different positions are a pair, at distance zero.
 
@@ -99,20 +99,20 @@ closest_pair(const PointRange& points, const NamedParameters& np = parameters::d
 
 returns the positions of two points of a range whose distance is within a bound, if there are any.
 
-The search stops at the first such pair. The answer is the answer of real arithmetic, as for
-`fixed_radius_near_neighbors()`, for distances of exactly the bound and for bounds of any size as
-well. Equal points at different positions are a pair.
+The search stops at the first such pair. It gives the answer of real arithmetic, as
+`fixed_radius_near_neighbors()` does, for distances of exactly the bound and for bounds of any size
+as well. Equal points at different positions are a pair.
 
-In the plane and in space, the search first joins points in common cells. It falls back to the
-buckets of \cgalCite{l-cp} if cells are crowded, if doubles are too coarse for the bound, and in
-other dimensions. A bucket holds the points of a cell as large as the bound. Two points of a bucket
-are closer than the bound if it holds more than 4 points in the plane, more than 8 in space, or more
+In the plane and in space, the search joins points in common cells. It falls back to the buckets of
+\cgalCite{l-cp} if cells are crowded, if doubles are too coarse for the bound, and in other
+dimensions. A bucket holds the points of a cell as large as the bound. Two points of a bucket are
+closer than the bound if it holds more than 4 points in the plane, more than 8 in space, or more
 than \f$ (\lfloor \sqrt d \rfloor + 1)^d \f$ in dimension \f$ d \f$. These numbers serve closed
-bounds and open bounds. So the search looks at the buckets of a few points even before the join. The
-search takes expected \f$ O(n) \f$ time in fixed dimension if the coordinates are doubles, or if the
-extent of the scene is below \f$ 2^{30} \f$ times the bound. Otherwise it sorts the coordinates, and
-takes \f$ O(n \log n) \f$ time. Beyond dimension 5 it is the divide and conquer of `closest_pair()`.
-The search uses \f$ O(n) \f$ space. The algebraic degree is 2.
+bounds and open bounds. So the search looks at the buckets of a few points before the join. It takes
+expected \f$ O(n) \f$ time in fixed dimension if the coordinates are doubles, or if the extent of
+the scene is below \f$ 2^{30} \f$ times the bound. Otherwise it sorts the coordinates, and takes
+\f$ O(n \log n) \f$ time. Beyond dimension 5 it is the divide and conquer of `closest_pair()`. The
+search uses \f$ O(n) \f$ space. The algebraic degree is 2.
 
 \tparam ConcurrencyTag is `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. In
 sequence, the pair depends on the input alone. `Parallel_tag` requires \tbb.

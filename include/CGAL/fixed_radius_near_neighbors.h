@@ -25,8 +25,8 @@ namespace CGAL {
 
 reports all pairs of points of a range whose distance is within a bound, each exactly once.
 
-The result is the result of real arithmetic on the given coordinates and the given bound, for every
-kernel. This holds for `Simple_cartesian<double>` as well, and for pairs exactly at the bound. The
+The search gives the result of real arithmetic on the given coordinates and the given bound, for
+every kernel, `Simple_cartesian<double>` included, and for pairs exactly at the bound. The
 `Scene_profile` chooses the arithmetic. Equal points at different positions are a pair. A point is
 never paired with itself. A bound of zero finds the duplicates.
 
@@ -97,7 +97,7 @@ bool fixed_radius_near_neighbors(const PointRange& points, const Distance_bound<
 /*!
 \ingroup PkgThickIntersectionDRef
 
-reports all pairs of points of a range whose distance is within a bound as the version above, and
+reports all pairs of points of a range whose distance is within a bound, as the version above, and
 describes the scene and the search in `profile`.
 
 If `Scene_profile::force_tier()` has forced a tier in `profile`, the search uses this tier. The
@@ -163,8 +163,8 @@ bool fixed_radius_near_neighbors(const PointRangeA& points_a, const PointRangeB&
 /*!
 \ingroup PkgThickIntersectionDRef
 
-reports all pairs of a point of one range and a point of another whose distance is within a bound as
-the version above. `profile` is as in the version for one range, for the points of both ranges.
+reports all pairs of a point of one range and a point of another whose distance is within a bound,
+as the version above. The profile is as in the version for one range, for the points of both ranges.
 */
 template <class ConcurrencyTag = Sequential_tag, class PointRangeA, class PointRangeB, class NT,
           class Callback, class NamedParameters = parameters::Default_named_parameters>

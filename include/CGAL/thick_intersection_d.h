@@ -29,8 +29,8 @@ space, where \f$ k \f$ is the number of reported pairs. Objects that are not thi
 segments, are reported correctly too, but may take more time.
 
 An object is never paired with itself. Equal objects at different positions are a pair if they
-intersect. The result is the result of real arithmetic if the predicates of the traits are exact.
-The predicates of the package are exact.
+intersect. The search gives the result of real arithmetic if the predicates of the traits are exact,
+as the predicates of the package are.
 
 \tparam ConcurrencyTag is `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. In
 sequence, the order of reports depends on the input alone. In parallel, the same pairs are reported
