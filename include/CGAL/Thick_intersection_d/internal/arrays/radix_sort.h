@@ -5,8 +5,8 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_ARRAYS_RADIX_SORT_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_ARRAYS_RADIX_SORT_H
 
-// Radix sort of integers, and of doubles as integers in the same order. It takes linear time. [L],
-// see doc/design.md
+// Radix sort of integers, and of doubles as integers in the same order. It takes linear time, as in
+// [L] (doc/design.md).
 
 #include <CGAL/Thick_intersection_d/internal/arrays/prefix_sums.h>
 

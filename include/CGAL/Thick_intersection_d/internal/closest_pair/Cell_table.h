@@ -41,7 +41,7 @@ public:
     while(true) {
       if(std::vector<int>(axis_count, 0) < offset)
         offsets_.push_back(offset);
-      int axis = axis_count - 1; // the next one in lexicographic order
+      int axis = axis_count - 1; // the next offset in lexicographic order
       for(; axis >= 0 && offset[axis] == 1; --axis)
         offset[axis] = -1;
       if(axis < 0)

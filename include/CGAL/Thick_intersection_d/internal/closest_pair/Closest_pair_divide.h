@@ -221,7 +221,7 @@ private:
     const Cell_table table(end - first, axis_count, [&](std::size_t member, int i) {
       return orders_[i].numbers[strip_[first + member]];
     });
-    Ranks strip(end - first); // by cells
+    Ranks strip(end - first); // in the order of cells
     for(std::size_t place = 0; place < strip.size(); ++place)
       strip[place] = strip_[first + table.member(place)];
     std::copy(strip.begin(), strip.end(), strip_.begin() + first);
@@ -278,7 +278,7 @@ private:
   std::vector<std::size_t> positions_; // by rank
   int dimension_;
   Axis_orders orders_;
-  Ranks strip_; // threads use the places of their ranks
+  Ranks strip_; // each thread uses the places of its ranks
 };
 
 // Offers the closest pairs of the first `size` points to `minimum`.

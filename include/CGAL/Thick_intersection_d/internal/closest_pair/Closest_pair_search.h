@@ -6,8 +6,9 @@
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CLOSEST_PAIR_SEARCH_H
 
 // Chooses the method for the closest pair. In the plane and in space it is a join of points in
-// common cells. Crowded points go to the randomized cells. Points of other dimensions, and points
-// that doubles are too coarse for, go to the divide and conquer of [L].
+// common cells. Crowded points go to the randomized cells. Hashing finds equal points if doubles
+// hold their coordinates. The divide and conquer of [L] takes points of other dimensions, and
+// points that doubles are too coarse for.
 //
 //   [L]  Computational geometry: closest pair and close pair. Slides of a lecture on algorithms,
 //        without name or date.

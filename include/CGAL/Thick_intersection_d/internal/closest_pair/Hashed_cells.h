@@ -85,7 +85,7 @@ private:
 
   int dimension() const { return Dimension == 0 ? dimension_ : Dimension; }
 
-  // Monotone, because the product, the limits, and the conversion, which cuts towards zero, are.
+  // Monotone: the product, the limits, and the conversion, which cuts towards zero, are monotone.
   std::int64_t index(double x) const
   {
     constexpr double limit = 0x1p62;

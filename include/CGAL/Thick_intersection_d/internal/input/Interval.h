@@ -28,7 +28,7 @@ struct Interval
     high = high < x ? x : high;
   }
 
-  // Extends the interval until it holds another one.
+  // Extends the interval until it holds another interval.
   void add(const Interval& other)
   {
     low = other.low < low ? other.low : low;

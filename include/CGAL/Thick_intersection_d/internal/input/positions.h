@@ -24,7 +24,7 @@ using Place = std::uint32_t;
 
 constexpr Place max_place = (std::numeric_limits<Place>::max)();
 
-// Two positions, the smaller one first.
+// Two positions, the smaller position first.
 using Position_pair = std::pair<std::size_t, std::size_t>;
 
 // The positions 0, 1, ..., size - 1, without a list of them.

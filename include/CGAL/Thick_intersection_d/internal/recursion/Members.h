@@ -23,8 +23,8 @@ namespace internal {
 // `sides` has a bit for each recursed side of a cut that the object is on, and a bit for its set.
 // The separation rule: a search reports no pair that shares a bit. The rule replaces the flags of
 // [V03], section 2.3.1, case 2. In a strip, the members of a recursed side carry the bit of that
-// side, because the recursion reports their pairs. Between two sets, the pairs within a set are not
-// reported.
+// side, because the recursion reports their pairs. A search between two sets reports no pair within
+// a set.
 struct Member
 {
   std::size_t position;

@@ -101,7 +101,7 @@ private:
 
   void cut_equally(const Slab& slab, const Equal_cut& cut)
   {
-    std::vector<Place> ends(cut.count(), 0); // of the lower slabs, once all points are in
+    std::vector<Place> ends(cut.count(), 0); // the ends of the lower slabs, once these are full
     for(const Point* p = slab.first; p != slab.last; ++p)
       ++ends[cut(p->x[axis])];
     replace_by_prefix_sums(ends.data(), ends.data() + ends.size());

@@ -114,7 +114,7 @@ public:
   }
 
 private:
-  // Writes the lanes that end a run behind a strip. Keeps the strip unless it is empty.
+  // Writes the points that end a run (Run.h) behind a strip. Keeps the strip unless it is empty.
   void close(const Strip_of_points& strip)
   {
     for(Place lane = 0; lane < lanes; ++lane)

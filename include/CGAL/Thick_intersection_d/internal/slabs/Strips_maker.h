@@ -128,7 +128,7 @@ private:
   // Sorts the points into buckets, and then the points of each bucket.
   void make_counted_strips(Strips<Point>& strips)
   {
-    Place* const ends = counts_.data(); // the ends of the buckets, once these hold all points
+    Place* const ends = counts_.data(); // the ends of the buckets, once these are full
     Point* const sorted = sorted_.require(size());
     replace_by_prefix_sums(ends, ends + bucket_count());
     for(const Point* p = first_; p != last_; ++p)
