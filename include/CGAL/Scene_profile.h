@@ -48,11 +48,12 @@ each arithmetic has decided.
 
 Coordinates that are doubles lie on a grid of step \f$ 2^e \f$. A difference of coordinates up to
 the reach has at most `units()` steps, whatever the offset of the scene. Let \f$ S \f$ be the square
-of this number times \f$ d \f$, the number of axes along which the points differ. If \f$ S \f$ is at
-most \f$ 2^{53} \f$, doubles compute squared distances up to the bound without error, and the
-results for larger distances are beyond the bound. So neither a filter nor other numbers are needed.
-If \f$ S \f$ is below \f$ 2^{63} \f$, or below \f$ 2^{128} \f$ with fewer than \f$ 2^{63} \f$ steps,
-integers of 64 or 128 bits decide the pairs that a filter in doubles leaves undecided.
+of this number times \f$ d \f$, the number of axes along which the points differ, or times 2 if that
+is less. If \f$ S \f$ is at most \f$ 2^{53} \f$, doubles compute squared distances up to the bound
+without error, and the results for larger distances are beyond the bound. So neither a filter nor
+other numbers are needed. If \f$ S \f$ is below \f$ 2^{63} \f$, or below \f$ 2^{128} \f$ with fewer
+than \f$ 2^{63} \f$ steps, integers of 64 or 128 bits decide the pairs that a filter in doubles
+leaves undecided.
 
 `profile_scene()` makes a profile, and a search makes one if it is given a profile. A profile does
 not refer to the points. Several threads may read it at once.

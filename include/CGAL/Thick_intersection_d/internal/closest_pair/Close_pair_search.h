@@ -88,7 +88,7 @@ public:
       return std::nullopt;
     if(scene_.dimension() > max_bucket_dimension)
       return test_closest_pair();
-    if(const Found pair = find_in_buckets(All_positions(all_.size() / first_look_step),
+    if(const Found pair = find_in_buckets(All_positions(all_.size() / first_look_divisor),
                                           2 * all_.size()))
       return pair;
     return for_plane_and_space<Point>(scene_.dimension(), [&](auto dimension) {

@@ -24,9 +24,9 @@ constexpr std::size_t small_size = 1000;
 // of 1/8, by steps of 1 to 15. Uniform points in the plane: 1.29 by steps to 7, 1.19 to 31.
 constexpr std::size_t max_sample_step = 15;
 
-// A join visits at most so many pairs per point. Cells of twice the distance with points that far
-// apart in them, a lattice in space, give about 50 each: 5.07 with 20. Clusters give more, and are
-// left to other methods.
+// Each thread of a join visits at most 100 pairs per point of all points, and gives up then. Cells
+// of twice the distance with points that far apart in them, a lattice in space, give about 50 pairs
+// per point: 5.07 with 20. Clusters give more, and are left to other methods.
 constexpr std::size_t max_visits_per_point = 100;
 
 // The cells of a join are 2 to 16 distances long. If the points are uniform then one cell in 64 has
@@ -47,10 +47,10 @@ constexpr int max_list_bits = 11;
 // so that these finish at about the same time.
 constexpr std::size_t max_entry_block_count = 16;
 
-// The first look for a close pair is at one point in so many: where cells are heavy, these points
-// will do. To find that there is no close pair takes 1.44 times as long with 16 in the plane, 1.91
-// times in space.
-constexpr std::size_t first_look_step = 128;
+// The first look for a close pair takes this part of the points, the first ones of the range: where
+// cells are heavy, these points will do. With a 16th, to find that there is no close pair takes
+// 1.44 times as long in the plane, 1.91 times in space.
+constexpr std::size_t first_look_divisor = 128;
 
 // A cell has 3^5 - 1 neighbors in dimension 5, and 728 in dimension 6.
 constexpr int max_bucket_dimension = 5;

@@ -17,7 +17,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Near_tie_test.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Near_tie_predicate.h>
 
 #include <cmath>
 #include <limits>
@@ -42,7 +42,7 @@ public:
       filter_of_doubles_(filter_), reach_of_doubles_(bound.reach())
   {
     if constexpr(is_held_by_double_v<Number>)
-      near_tie_ = Near_tie_test(bound, dimension);
+      near_tie_ = Near_tie_predicate(bound, dimension);
   }
 
   // For the points of a scene, and no other points. Uses the arithmetic of `tier`, which is to be
@@ -160,7 +160,7 @@ private:
   Bound bound_;
   int dimension_;
   Distance_filter filter_;
-  Near_tie_test near_tie_;
+  Near_tie_predicate near_tie_;
   bool are_doubles_exact_ = is_held_by_double_v<Number>;
   Distance_filter filter_of_doubles_;
   double reach_of_doubles_;

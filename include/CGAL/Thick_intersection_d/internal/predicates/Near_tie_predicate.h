@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_NEAR_TIE_TEST_H
-#define CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_NEAR_TIE_TEST_H
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_NEAR_TIE_PREDICATE_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_NEAR_TIE_PREDICATE_H
 
 // Decides most near ties without the number type of the points. Integers decide all of them where
 // the grid of the scene allows it. Elsewhere doubles of twice the precision decide all near ties
@@ -25,19 +25,19 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-class Near_tie_test
+class Near_tie_predicate
 {
 public:
-  Near_tie_test() = default; // decides nothing
+  Near_tie_predicate() = default; // decides nothing
 
   // For points of any coordinates, if doubles hold their type.
   template <class Exact>
-  Near_tie_test(const Squared_bound<Exact>& bound, int dimension) : twofold_(bound, dimension)
+  Near_tie_predicate(const Squared_bound<Exact>& bound, int dimension) : twofold_(bound, dimension)
   {}
 
   // For the points of a scene, and no other points. Decides nothing if the scene has no grid.
   template <class Exact>
-  Near_tie_test(const Squared_bound<Exact>& bound, const Scene& scene, Arithmetic_tier tier)
+  Near_tie_predicate(const Squared_bound<Exact>& bound, const Scene& scene, Arithmetic_tier tier)
   {
     if(!scene.grid_exponent)
       return;
@@ -82,4 +82,4 @@ private:
 } // namespace Thick_intersection_d
 } // namespace CGAL
 
-#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_NEAR_TIE_TEST_H
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_NEAR_TIE_PREDICATE_H
