@@ -234,12 +234,11 @@ struct Undecided_points
     return interval;
   }
   double coordinate(std::size_t position, int axis) const { return points[position][axis]; }
-  Point point(std::size_t position) const
+  std::array<double, Dimension> coordinates(std::size_t position) const
   {
-    Point point;
-    std::copy_n(points[position].begin(), Dimension, point.x.begin());
-    point.position = static_cast<internal::Place>(position);
-    return point;
+    std::array<double, Dimension> x;
+    std::copy_n(points[position].begin(), Dimension, x.begin());
+    return x;
   }
 
   template <class Flush>

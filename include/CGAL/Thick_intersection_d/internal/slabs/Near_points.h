@@ -75,9 +75,9 @@ public:
   // An axis here is an index among the axes that are searched.
   Interval interval(int axis) const { return scene_.box[axes_[axis]]; }
   double coordinate(std::size_t position, int axis) const { return doubles_.at(position, axis); }
-  Point point(std::size_t position) const
+  std::array<double, Dimension> coordinates(std::size_t position) const
   {
-    return {doubles_.template at<Dimension>(position), static_cast<Place>(position)};
+    return doubles_.template at<Dimension>(position);
   }
 
   // Whether all pairs of points of the scene are certainly within the bound.
