@@ -7,7 +7,7 @@
 #define BOOST_TEST_MODULE degree
 #include <boost/test/unit_test.hpp>
 
-#include "../benchmark/accuracy/degree_traits.h"
+#include "../../benchmark/accuracy/degree_traits.h"
 
 #include <CGAL/Thick_ball_traits_d.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
