@@ -218,9 +218,11 @@ BOOST_AUTO_TEST_CASE(differences_of_a_multiple_of_2_to_64_steps_are_not_zero)
     const internal::Squared_bound<internal::Exact_number_t<double>> bound(
       CGAL::within_distance(reach));
     const auto made = make_points<Plane>(points);
-    const CGAL::Thick_point_traits_d<Kernel::Point_2> traits(
-      bound, CGAL::profile_scene(made, CGAL::within_distance(reach)));
-    BOOST_CHECK(!traits.do_intersect_d_object()(made[0], made[17]));
+    const internal::Numbered_elements<std::vector<Kernel::Point_2>> elements(made);
+    const internal::Is_within_distance<Kernel::Point_2> is_within(
+      bound, internal::scan_points<CGAL::Sequential_tag>(elements, "point"),
+      Arithmetic_tier::INT128);
+    BOOST_CHECK(!is_within(made[0], made[17]));
   }
 }
 

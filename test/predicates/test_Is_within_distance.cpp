@@ -262,17 +262,18 @@ BOOST_AUTO_TEST_CASE(certified_doubles_are_exact_at_the_limit)
   std::mt19937_64 random(13);
   const double limit = 67108864;
   const std::vector<Point_2> scene = {{0, 0}, {1, 0}, {1e15, 0}};
+  namespace internal = CGAL::Thick_intersection_d::internal;
+  const internal::Numbered_elements<std::vector<Point_2>> elements(scene);
+  const internal::Scene scanned = internal::scan_points<CGAL::Sequential_tag>(elements, "point");
   for(int i = 0; i < 20000; ++i) {
     const double r = limit - static_cast<double>(random() % 1000);
     const auto bound = CGAL::within_distance(r);
-    using Bound = CGAL::Thick_intersection_d::internal::Squared_bound<
-      CGAL::Thick_intersection_d::internal::Exact_number_t<double>>;
     const CGAL::Scene_profile profile = CGAL::profile_scene(scene, bound);
     BOOST_REQUIRE(profile.tier() == CGAL::Arithmetic_tier::DOUBLE);
     const double x = static_cast<double>(random() % static_cast<std::uint64_t>(r));
     const double y = std::floor(std::sqrt(r * r - x * x)) + static_cast<double>(random() % 3) - 1;
-    const auto certified
-      = CGAL::Thick_point_traits_d<Point_2>(Bound(bound), profile).do_intersect_d_object();
+    const internal::Is_within_distance<Point_2> certified(
+      internal::Squared_bound<internal::Exact_number_t<double>>(bound), scanned, profile.tier());
     const Integer left = Integer(x) * Integer(x) + Integer(y) * Integer(y);
     BOOST_REQUIRE_EQUAL(certified(Point_2(-7, 9), Point_2(x - 7, y + 9)),
                         left <= Integer(r) * Integer(r));
