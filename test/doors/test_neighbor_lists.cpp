@@ -91,20 +91,6 @@ BOOST_AUTO_TEST_CASE(lists_of_more_points_than_16_bits_tell_apart)
   BOOST_CHECK_EQUAL(wrong, 0u);
 }
 
-BOOST_AUTO_TEST_CASE(distinct_numbers_are_sorted)
-{
-  Random random(5);
-  for(std::size_t size = 0; size < 300; ++size) {
-    std::vector<std::uint32_t> numbers;
-    for(std::size_t i = 0; i < size; ++i) // distinct, half of them with the highest bit
-      numbers.push_back(static_cast<std::uint32_t>(i << 24 | random.below(1 << 24)) ^ 0xffffffffu);
-    std::vector<std::uint32_t> expected = numbers;
-    std::sort(expected.begin(), expected.end());
-    CGAL::Thick_intersection_d::internal::sort_distinct(numbers.data(), numbers.data() + size);
-    BOOST_CHECK(numbers == expected);
-  }
-}
-
 BOOST_AUTO_TEST_CASE(lists_of_lattices_with_ties)
 {
   const Points lattice = lattice_points(2, 20, 0.1, 0);

@@ -333,6 +333,32 @@ BOOST_AUTO_TEST_CASE(flat_scenes_have_the_pairs_of_brute_force)
   }
 }
 
+// --- grid and box
+
+BOOST_AUTO_TEST_CASE(profile_finds_grid_and_box)
+{
+  const std::vector<Kernel::Point_2> points = {{0.5, 1024}, {-3, 0.375}, {0, 0}};
+  const CGAL::Scene_profile profile = CGAL::profile_scene(points, CGAL::within_distance(2));
+  BOOST_CHECK_EQUAL(profile.size(), 3u);
+  BOOST_CHECK_EQUAL(profile.dimension(), 2);
+  BOOST_CHECK_EQUAL(profile.grid_exponent(), -3);
+  BOOST_CHECK_EQUAL(profile.units(), 16);
+  BOOST_CHECK_EQUAL(profile.range(0).first, -3);
+  BOOST_CHECK_EQUAL(profile.range(1).second, 1024);
+  BOOST_CHECK_EQUAL(profile.bits(), 9);
+  std::ostringstream text;
+  text << profile;
+  BOOST_CHECK_MESSAGE(text.str().find("arithmetic  double\n") != std::string::npos, text.str());
+
+  const std::vector<Kernel::Point_2> denormal = {{5e-324, 1}, {0, 0}};
+  const auto fine = CGAL::profile_scene(denormal, CGAL::within_distance(1));
+  BOOST_CHECK_EQUAL(fine.grid_exponent(), -1074);
+  BOOST_CHECK(fine.tier() == CGAL::Arithmetic_tier::FILTERED_EXACT);
+  const std::vector<Kernel::Point_2> zeros = {{0, 0}, {-0., 0}};
+  BOOST_CHECK(CGAL::profile_scene(zeros, CGAL::within_distance(1)).tier()
+              == CGAL::Arithmetic_tier::DOUBLE);
+}
+
 // --- forcing, counting, printing
 
 BOOST_AUTO_TEST_CASE(a_tier_that_is_not_exact_is_refused_by_name)

@@ -8,6 +8,7 @@
 #include "support/kernels.h"
 #include "support/point_generators.h"
 #include "support/slab_variants.h"
+#include "support/undecided_points.h"
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -58,17 +59,6 @@ Slab_tuning small_tuning(Generator& random)
   return tuning;
 }
 
-// Coordinates of all sizes: buckets of buckets are crowded.
-std::vector<internal::Slab_point<2>> crowded_points(Generator& random, std::size_t n, int scales)
-{
-  std::vector<internal::Slab_point<2>> points;
-  while(points.size() < n) {
-    const double x = std::ldexp(below(random, 1000) - 500, static_cast<int>(random() % scales));
-    points.push_back({{x, -x}, static_cast<internal::Place>(points.size())});
-  }
-  return points;
-}
-
 template <int Dimension>
 void check_structured_scenes(unsigned int scenes)
 {
@@ -109,20 +99,6 @@ void check_large_scene(const std::string& name, const Points& points, double r)
   BOOST_CHECK_GT(expected.size(), points.size() / 100);
 }
 
-Points flights(int dimension, std::size_t n)
-{
-  Generator random(5);
-  Points points = {Coordinates(dimension, 0)};
-  while(points.size() < n) { // Levy flight: steps of every length
-    Coordinates c = points.back();
-    const double step = 1 / (1e-9 + std::ldexp(static_cast<double>(random() >> 11), -53));
-    for(double& x : c)
-      x += step * (std::ldexp(static_cast<double>(random() >> 11), -53) - 0.5);
-    points.push_back(c);
-  }
-  return points;
-}
-
 // Coordinates 2^-k: each slab of equal height leaves nearly all points in the lowest one.
 Points geometric(int dimension)
 {
@@ -137,30 +113,6 @@ Points geometric(int dimension)
 }
 
 } // namespace
-
-BOOST_AUTO_TEST_CASE(buckets_sort)
-{
-  internal::Bucket_sorter<internal::Slab_point<2>> sorter;
-  Generator random(6);
-  for(const int scales : {1, 10, 1000})
-    for(const std::size_t n : {0, 1, 16, 17, 100, 5000}) {
-      auto points = crowded_points(random, n, scales);
-      std::vector<double> expected;
-      for(const auto& p : points)
-        expected.push_back(p.x[1]);
-      std::sort(expected.begin(), expected.end());
-      sorter.sort<1>(points.data(), points.data() + n);
-      std::vector<double> sorted;
-      std::vector<bool> is_there(n, false);
-      for(const auto& p : points) {
-        sorted.push_back(p.x[1]);
-        BOOST_CHECK_EQUAL(p.x[0], -p.x[1]);
-        BOOST_CHECK(!is_there[p.position]);
-        is_there[p.position] = true;
-      }
-      BOOST_CHECK_MESSAGE(sorted == expected, n << " points of " << scales << " scales");
-    }
-}
 
 BOOST_AUTO_TEST_CASE(a_million_structured_scenes)
 {
@@ -183,7 +135,7 @@ BOOST_AUTO_TEST_CASE(skewed_scenes_2)
     check_large_scene<Plane>("flat", flat, 1e-5);
   }
   check_large_scene<Plane>("clusters", clustered_points(2, 20000, 40, 1. / 256, 3), 1. / 2048);
-  check_large_scene<Plane>("flight", flights(2, 20000), 1);
+  check_large_scene<Plane>("flight", flight_points(2, 20000), 1);
   check_large_scene<Plane>("geometric", geometric(2), 1e-9);
   Points crowd = uniform_points(2, 2000, 0, 1, 4);
   for(std::size_t i = 0; i < crowd.size(); i += 2)
@@ -206,86 +158,11 @@ BOOST_AUTO_TEST_CASE(skewed_scenes_3)
     check_large_scene<Space>("flat", flat, 0.01);
   }
   check_large_scene<Space>("clusters", clustered_points(3, 20000, 40, 1. / 64, 3), 1. / 256);
-  check_large_scene<Space>("flight", flights(3, 20000), 1);
+  check_large_scene<Space>("flight", flight_points(3, 20000), 1);
   check_large_scene<Space>("geometric", geometric(3), 1e-9);
 }
 
 namespace {
-
-namespace internal = CGAL::Thick_intersection_d::internal;
-
-// Points as Slabs asks for them, and a test that decides nothing: lanes leave every pair to
-// is_pair().
-template <int Dimension>
-struct Undecided_points
-{
-  using Point = internal::Slab_point<Dimension>;
-  using Run = internal::Run<Dimension>;
-
-  explicit Undecided_points(const Points& points, double reach)
-    : points(points), question{reach, internal::Distance_filter()}
-  {}
-
-  internal::Interval interval(int axis) const
-  {
-    internal::Interval interval;
-    for(const Coordinates& c : points)
-      interval.add(c[axis]);
-    return interval;
-  }
-  double coordinate(std::size_t position, int axis) const { return points[position][axis]; }
-  std::array<double, Dimension> coordinates(std::size_t position) const
-  {
-    std::array<double, Dimension> x;
-    std::copy_n(points[position].begin(), Dimension, x.begin());
-    return x;
-  }
-
-  template <class Flush>
-  void collect_within(const Run& run, internal::Candidates& candidates, const Flush& flush) const
-  {
-    internal::Near_points_lanes::collect_within(run, question, candidates, flush);
-  }
-  template <class Flush>
-  void collect_between(const Run& a, const Run& b, internal::Candidates& candidates,
-                       const Flush& flush) const
-  {
-    internal::Near_points_lanes::collect_between(a, b, question, candidates, flush);
-  }
-  bool is_pair(const Run&, const Run&, internal::Candidate, internal::Decision_counts&) const
-  {
-    ++count;
-    return false;
-  }
-
-  const Points& points;
-  internal::Near_question question;
-  mutable std::size_t count = 0;
-};
-
-// Blocks follow each other from the first slab to the last one with a point, and no block has more
-// points than its part of all and one slab.
-void check_blocks(const Points& points, double reach)
-{
-  const Undecided_points<2> source(points, reach);
-  const internal::Slabs<internal::Slab_point<2>> slabs(CGAL::Sequential_tag(), source, 0,
-                                                       points.size(), reach);
-  std::ptrdiff_t largest = 0;
-  for(internal::Place s = 0; s < slabs.count(); ++s)
-    largest = (std::max)(largest, slabs.end(s) - slabs.begin(s));
-  for(const std::size_t count : {1, 2, 3, 8, 100}) {
-    internal::Place end = 0;
-    for(std::size_t b = 0; b < count; ++b) {
-      const auto [first, last] = slabs.block(b, count);
-      BOOST_CHECK_EQUAL(first, end);
-      BOOST_CHECK_LE(first, last);
-      const auto fair = static_cast<std::ptrdiff_t>(points.size() / count) + 1;
-      BOOST_CHECK_LE(slabs.begin(last) - slabs.begin(first), fair + largest);
-      end = last;
-    }
-    BOOST_CHECK(slabs.begin(end) == slabs.begin(slabs.count()));
-  }
-}
 
 // How many pairs of places a sweep looks at.
 template <int Dimension>
@@ -343,18 +220,10 @@ void check_candidates_of_scenes(double limit)
     }
   check_candidates<Dimension>("clusters", clustered_points(Dimension, 20000, 40, 1. / 256, 3),
                               1. / 2048, limit);
-  check_candidates<Dimension>("flight", flights(Dimension, 20000), 1, limit);
+  check_candidates<Dimension>("flight", flight_points(Dimension, 20000), 1, limit);
 }
 
 } // namespace
-
-BOOST_AUTO_TEST_CASE(blocks_of_slabs_share_the_points)
-{
-  check_blocks(uniform_points(2, 20000, 0, 1, 1), 0.001);
-  check_blocks(clustered_points(2, 20000, 3, 1. / 256, 3), 0.001);
-  check_blocks(flights(2, 20000), 1);
-  check_blocks(Points(5000, Coordinates(2, 1)), 1);
-}
 
 BOOST_AUTO_TEST_CASE(candidates_are_few_2) { check_candidates_of_scenes<2>(4); }
 BOOST_AUTO_TEST_CASE(candidates_are_few_3) { check_candidates_of_scenes<3>(8); }

@@ -73,6 +73,21 @@ inline Points clustered_points(int dimension, std::size_t n, std::size_t cluster
   return points;
 }
 
+// A Levy flight: steps of every length.
+inline Points flight_points(int dimension, std::size_t n)
+{
+  std::mt19937_64 random(5);
+  Points points = {Coordinates(dimension, 0)};
+  while(points.size() < n) {
+    Coordinates c = points.back();
+    const double step = 1 / (1e-9 + std::ldexp(static_cast<double>(random() >> 11), -53));
+    for(double& x : c)
+      x += step * (std::ldexp(static_cast<double>(random() >> 11), -53) - 0.5);
+    points.push_back(c);
+  }
+  return points;
+}
+
 // All points with coordinates offset + unit * i, 0 <= i < m, each rounded as written.
 inline Points lattice_points(int dimension, std::size_t m, double unit, double offset = 0)
 {

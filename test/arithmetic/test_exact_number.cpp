@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Numbers of many types in one exact type.
+
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <limits>
+
+BOOST_AUTO_TEST_SUITE(exact_number)
+
+BOOST_AUTO_TEST_CASE(numbers_are_converted_without_rounding)
+{
+  using CGAL::Thick_intersection_d::internal::to_exact_rational;
+  using Exact = CGAL::Exact_rational;
+  const auto power_of_two = [](int e) { return Exact(std::ldexp(1., e)); };
+  BOOST_CHECK(to_exact_rational(0.1) == Exact(0.1));
+  BOOST_CHECK(to_exact_rational(0.1f) == Exact(double(0.1f)));
+  BOOST_CHECK(to_exact_rational((std::numeric_limits<long>::min)()) == -power_of_two(63));
+  BOOST_CHECK(to_exact_rational((std::numeric_limits<unsigned long>::max)())
+              == power_of_two(64) - 1);
+  BOOST_CHECK(to_exact_rational(-7l) == -7);
+  const long double third = 1.l / 3;
+  const double head = static_cast<double>(third);
+  BOOST_CHECK(to_exact_rational(third)
+              == Exact(head) + Exact(static_cast<double>(third - static_cast<long double>(head))));
+  BOOST_CHECK(to_exact_rational(CGAL::Quotient<int>(1, 3)) == Exact(1) / 3);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The certificates: the first tier that is exact, up to its very limits.
+
+#include <CGAL/Scene_profile.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(exact_tier)
+
+CGAL::Scene_profile profile_of_units(int dimension, double reach, int exponent)
+{
+  return CGAL::Scene_profile(2, std::vector<std::pair<double, double>>(dimension, {0, reach}),
+                             reach, exponent);
+}
+
+// d U^2 <= 2^53: the largest U is 67,108,864 in the plane and 54,794,158 in space.
+// For 64 bits, d U^2 is below 2^63, and for 128 bits U itself: the double before it is 1024 less.
+BOOST_AUTO_TEST_CASE(tiers_are_certified_up_to_their_limits)
+{
+  using Tier = CGAL::Arithmetic_tier;
+  const double two_to_63 = std::ldexp(1., 63);
+  for(const int exponent : {0, -20, 30}) {
+    const auto tier = [&](int dimension, double units) {
+      return profile_of_units(dimension, std::ldexp(units, exponent), exponent).tier();
+    };
+    BOOST_CHECK(tier(1, 67108864) == Tier::DOUBLE);
+    BOOST_CHECK(tier(2, 67108864) == Tier::DOUBLE);
+    BOOST_CHECK(tier(2, 67108865) == Tier::INT64);
+    BOOST_CHECK(tier(3, 54794158) == Tier::DOUBLE);
+    BOOST_CHECK(tier(3, 54794159) == Tier::INT64);
+    BOOST_CHECK(tier(1, 3037000499) == Tier::INT64);
+    BOOST_CHECK(tier(1, 3037000500) == Tier::INT128);
+    BOOST_CHECK(tier(2, 2147483647) == Tier::INT64);
+    BOOST_CHECK(tier(2, 2147483648) == Tier::INT128);
+    BOOST_CHECK(tier(3, 1753413056) == Tier::INT64);
+    BOOST_CHECK(tier(3, 1753413057) == Tier::INT128);
+    for(const int dimension : {1, 2, 3, 4}) {
+      BOOST_CHECK(tier(dimension, two_to_63 - 1024) == Tier::INT128);
+      BOOST_CHECK(tier(dimension, two_to_63) == Tier::FILTERED_EXACT);
+    }
+    BOOST_CHECK(tier(5, two_to_63 - 1024) == Tier::FILTERED_EXACT);
+    BOOST_CHECK(tier(5, std::floor(two_to_63 * 0.894)) == Tier::INT128); // sqrt(4/5) = 0.8944...
+    BOOST_CHECK(tier(5, std::floor(two_to_63 * 0.895)) == Tier::FILTERED_EXACT);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(doubles_are_not_certified_where_squares_vanish_or_overflow)
+{
+  using Tier = CGAL::Arithmetic_tier;
+  BOOST_CHECK(profile_of_units(2, std::ldexp(1., -530), -537).tier() == Tier::DOUBLE);
+  BOOST_CHECK(profile_of_units(2, std::ldexp(1., -530), -538).tier() == Tier::INT64);
+  BOOST_CHECK(profile_of_units(2, std::ldexp(1., 500), 490).tier() == Tier::DOUBLE);
+  BOOST_CHECK(profile_of_units(2, std::ldexp(1., 501), 490).tier() == Tier::INT64);
+  BOOST_CHECK(profile_of_units(2, std::ldexp(1., 1022), 1010).tier() == Tier::INT64);
+  BOOST_CHECK(profile_of_units(2, std::ldexp(1.5, 1022), 1010).tier() == Tier::FILTERED_EXACT);
+  BOOST_CHECK(CGAL::Scene_profile(2, {{0, 1}, {0, 1}}, 1, std::nullopt).tier()
+              == Tier::FILTERED_EXACT);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

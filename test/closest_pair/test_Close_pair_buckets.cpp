@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The buckets of [L]: no pair is lost where a cell ends, and a heavy cell ends the search.
+
+#include "support/check_closest_pair.h"
+#include "support/counted_points.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+BOOST_AUTO_TEST_SUITE(Close_pair_buckets)
+
+using namespace test_support;
+
+using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
+template <int Dimension>
+using Maker = Cartesian_points<Epick, Dimension>;
+using Point = Epick::Point_2;
+
+// Cells of side r: rounded numbers of cells near the end of a cell.
+BOOST_AUTO_TEST_CASE(cells_lose_no_pair_at_the_bound)
+{
+  for(int i = -50; i < 50; ++i) {
+    const double x = 2 + std::ldexp(i, -18);
+    const std::vector<Point> points = {{0, 0}, {x, 0}, {x + 1, 0}};
+    for(const auto access : {internal::Bucket_access::HASHING,
+                             internal::Bucket_access::SORTED_ORDER})
+      BOOST_CHECK(close_by_buckets(points, CGAL::within_distance(1), access) == Pair(1, 2));
+  }
+}
+
+
+// Points in cells of their own, before them the corners of a cell, which are not closer than 1, and
+// behind them five points in a cell, two of which are, but not two of the first four.
+std::vector<Point> points_before_a_heavy_cell()
+{
+  const double side = 1 + std::ldexp(1., -16);
+  const double low = 64 * side + std::ldexp(1., -18);
+  std::vector<Point> points;
+  for(const double x : {0., low})
+    for(const Coordinates& c : lattice_points(2, 2, 1))
+      points.emplace_back(x + c[0], x + c[1]);
+  points.emplace_back(low + 0.5, low + 0.5);
+  for(const Coordinates& c : lattice_points(2, 20, 3, 3))
+    points.emplace_back(c[0], c[1]);
+  return points;
+}
+
+// Each point for its cell along each axis, and the pairs of the five.
+BOOST_AUTO_TEST_CASE(heavy_cell_ends_the_search)
+{
+  const std::vector<Point> points = points_before_a_heavy_cell();
+  std::size_t looks = 0;
+  const Counted_points<Point> counted = {points, looks};
+  const internal::Scene scene = scene_of(Elements_of<Point>(points));
+  const internal::Is_within_distance<Point> is_within(
+    internal::Squared_bound<Exact_of<Point>>(CGAL::within_distance(1).open()), 2);
+  const internal::Close_pair_buckets<CGAL::Sequential_tag, Counted_points<Point>> buckets(
+    counted, scene, is_within);
+  internal::Unwatched_progress progress;
+  BOOST_CHECK(buckets.find(internal::All_positions(points.size()), progress));
+  BOOST_CHECK_LE(looks, 2 * points.size() + 20);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

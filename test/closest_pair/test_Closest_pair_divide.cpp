@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The work of the divide and conquer: comparisons, and the candidates of a point of a strip.
+
+#include "support/check_closest_pair.h"
+#include "support/counting_minimum.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+BOOST_AUTO_TEST_SUITE(Closest_pair_divide)
+
+using namespace test_support;
+
+using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
+template <int Dimension>
+using Maker = Cartesian_points<Epick, Dimension>;
+
+template <int Dimension>
+void check_work(const std::string& name, const Points& scene, double max_comparisons)
+{
+  const auto points = make_points<Maker<Dimension>>(scene);
+  const Elements_of<typename Maker<Dimension>::Point> elements(points);
+  Work_of_division work;
+  Counting_minimum<std::decay_t<decltype(elements)>> minimum(elements, scene_of(elements), work);
+  internal::Unwatched_progress progress;
+  internal::divide_and_conquer<CGAL::Sequential_tag>(points.size(), Dimension, minimum, progress);
+  const double n = static_cast<double>(points.size());
+  const double comparisons = static_cast<double>(work.comparisons) / (n * std::log2(n));
+  BOOST_TEST_MESSAGE(name << ' ' << Dimension << "D: " << comparisons
+                          << " comparisons per n log n, " << work.max_candidates
+                          << " candidates of a point at most");
+  BOOST_CHECK_MESSAGE(comparisons <= max_comparisons, name << ": " << comparisons);
+  BOOST_CHECK_MESSAGE(work.max_candidates <= internal::max_candidate_count(Dimension),
+                      name << ": " << work.max_candidates << " candidates");
+  BOOST_CHECK_GT(work.max_candidates, 0u);
+}
+
+// All points close to the dividing line at each division: distances along axis 0 vanish against
+// those along the others.
+Points flattened(Points points)
+{
+  for(Coordinates& c : points)
+    c[0] *= 1. / 1048576;
+  return points;
+}
+
+BOOST_AUTO_TEST_CASE(division_makes_n_log_n_comparisons_in_the_plane)
+{
+  BOOST_CHECK_EQUAL(internal::max_candidate_count(2), 7u);
+  const Points lattice = lattice_points(2, 150, 1);
+  check_work<2>("uniform", uniform_points(2, 20000, 0, 1, 9), 8);
+  check_work<2>("lattice", lattice, 12);
+  check_work<2>("shuffled lattice", shuffled(lattice, 10), 12);
+  check_work<2>("flat uniform", flattened(uniform_points(2, 20000, 0, 1, 11)), 12);
+  check_work<2>("line across the cuts", axis_points(2, 20000, 0, 0, 1), 12);
+  check_work<2>("line along the cuts", axis_points(2, 20000, 1, 0, 1), 12);
+  check_work<2>("clusters", clustered_points(2, 20000, 10, 1. / 4096, 12), 12);
+}
+
+BOOST_AUTO_TEST_CASE(division_makes_n_log_n_comparisons_in_space)
+{
+  BOOST_CHECK_EQUAL(internal::max_candidate_count(3), 47u);
+  const Points lattice = lattice_points(3, 28, 1);
+  check_work<3>("uniform", uniform_points(3, 20000, 0, 1, 13), 12);
+  check_work<3>("lattice", lattice, 30);
+  check_work<3>("shuffled lattice", shuffled(lattice, 14), 30);
+  check_work<3>("flat lattice", flattened(lattice_points(3, 28, 1)), 60);
+  check_work<3>("plane", embedded(lattice_points(2, 150, 1), 3), 20);
+  Points wall; // the plane x = 0: every point is in every strip
+  for(const Coordinates& c : lattice_points(2, 150, 1))
+    wall.push_back({0, c[0], c[1]});
+  check_work<3>("wall", wall, 30);
+  for(int axis = 0; axis < 3; ++axis)
+    check_work<3>("line", axis_points(3, 20000, axis, 0, 1), 20);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

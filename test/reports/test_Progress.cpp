@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// What the functor of a watched search is told.
+
+#include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <type_traits>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(Progress)
+
+namespace internal = CGAL::Thick_intersection_d::internal;
+
+BOOST_AUTO_TEST_CASE(parts_of_a_search_share_what_is_left_of_the_progress)
+{
+  std::vector<double> told;
+  const auto note = [&](double done) {
+    told.push_back(done);
+    return done < 2;
+  };
+  internal::Watched_progress<decltype(note)> progress(note, 4);
+  for(const std::size_t total : {4, 2}) {
+    progress.restart(total);
+    progress.advance(1);
+    progress.advance(1);
+  }
+  BOOST_CHECK((told == std::vector<double>{0.25, 0.5, 0.75, 1}));
+}
+
+BOOST_AUTO_TEST_CASE(who_has_cancelled_is_not_called_again)
+{
+  int calls = 0;
+  const auto cancel = [&](double) {
+    ++calls;
+    return false;
+  };
+  internal::Watched_progress<decltype(cancel)> progress(cancel, 2);
+  BOOST_CHECK(!progress.is_cancelled());
+  BOOST_CHECK(!progress.advance(1));
+  BOOST_CHECK(!progress.advance(1));
+  BOOST_CHECK(progress.is_cancelled());
+  BOOST_CHECK_EQUAL(calls, 1);
+}
+
+// Searches that nobody watches have nothing to keep or to count.
+static_assert(std::is_empty_v<internal::Unwatched_progress>);
+static_assert(std::is_same_v<decltype(internal::make_progress(CGAL::parameters::default_values(),
+                                                              1)),
+                             internal::Unwatched_progress>);
+
+BOOST_AUTO_TEST_SUITE_END()

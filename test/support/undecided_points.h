@@ -1,0 +1,79 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Points that slabs can be made of and swept, with every pair in reach left undecided and counted.
+
+#ifndef THICK_INTERSECTION_TEST_SUPPORT_UNDECIDED_POINTS_H
+#define THICK_INTERSECTION_TEST_SUPPORT_UNDECIDED_POINTS_H
+
+#include "point_scene.h"
+
+#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Candidates.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_question.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/near_points.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace test_support {
+
+namespace internal = CGAL::Thick_intersection_d::internal;
+
+// Points as Slabs asks for them, and a test that decides nothing: lanes leave every pair to
+// is_pair().
+template <int Dimension>
+struct Undecided_points
+{
+  using Point = internal::Slab_point<Dimension>;
+  using Run = internal::Run<Dimension>;
+
+  explicit Undecided_points(const Points& points, double reach)
+    : points(points), question{reach, internal::Distance_filter()}
+  {}
+
+  internal::Interval interval(int axis) const
+  {
+    internal::Interval interval;
+    for(const Coordinates& c : points)
+      interval.add(c[axis]);
+    return interval;
+  }
+  double coordinate(std::size_t position, int axis) const { return points[position][axis]; }
+  std::array<double, Dimension> coordinates(std::size_t position) const
+  {
+    std::array<double, Dimension> x;
+    std::copy_n(points[position].begin(), Dimension, x.begin());
+    return x;
+  }
+
+  template <class Flush>
+  void collect_within(const Run& run, internal::Candidates& candidates, const Flush& flush) const
+  {
+    internal::Near_points_lanes::collect_within(run, question, candidates, flush);
+  }
+  template <class Flush>
+  void collect_between(const Run& a, const Run& b, internal::Candidates& candidates,
+                       const Flush& flush) const
+  {
+    internal::Near_points_lanes::collect_between(a, b, question, candidates, flush);
+  }
+  bool is_pair(const Run&, const Run&, internal::Candidate, internal::Decision_counts&) const
+  {
+    ++count;
+    return false;
+  }
+
+  const Points& points;
+  internal::Near_question question;
+  mutable std::size_t count = 0;
+};
+
+} // namespace test_support
+
+#endif // THICK_INTERSECTION_TEST_SUPPORT_UNDECIDED_POINTS_H
