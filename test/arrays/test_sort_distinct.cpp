@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(sort_distinct)
@@ -26,6 +27,23 @@ BOOST_AUTO_TEST_CASE(distinct_numbers_are_sorted)
     for(std::size_t i = 0; i < size; ++i) // distinct, half of them with the highest bit
       numbers.push_back(static_cast<std::uint32_t>(i << 24 | random.below(1 << 24)) ^ 0xffffffffu);
     std::vector<std::uint32_t> expected = numbers;
+    std::sort(expected.begin(), expected.end());
+    CGAL::Thick_intersection_d::internal::sort_distinct(numbers.data(), numbers.data() + size);
+    BOOST_CHECK(numbers == expected);
+  }
+}
+
+// The same numbers come in any order, with the least and the largest one.
+BOOST_AUTO_TEST_CASE(any_order_is_sorted)
+{
+  Random random(6);
+  for(std::size_t size = 2; size < 300; ++size) {
+    std::vector<std::uint32_t> expected = {0, 0xffffffffu};
+    for(std::size_t i = 2; i < size; ++i)
+      expected.push_back(static_cast<std::uint32_t>(i * 14316557));
+    std::vector<std::uint32_t> numbers = expected;
+    for(std::size_t i = size; i > 1; --i)
+      std::swap(numbers[i - 1], numbers[random.below(i)]);
     std::sort(expected.begin(), expected.end());
     CGAL::Thick_intersection_d::internal::sort_distinct(numbers.data(), numbers.data() + size);
     BOOST_CHECK(numbers == expected);

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Replaces the global operator new and delete by ones that count bytes. To be included by exactly
-// one source file of one test program: replacements cannot be inline.
+// Replaces the global operator new and delete by ones that count bytes, and that fail when told to.
+// To be included by exactly one source file of one test program: replacements cannot be inline.
 
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_COUNTING_ALLOCATOR_H
 #define THICK_INTERSECTION_TEST_SUPPORT_COUNTING_ALLOCATOR_H
@@ -26,6 +26,28 @@ inline std::size_t peak_bytes() { return peak_byte_count; }
 
 inline void reset_peak() { peak_byte_count = current_byte_count.load(); }
 
+inline std::atomic<std::size_t> allocations_left{static_cast<std::size_t>(-1)};
+
+// While it lives, memory runs out after so many allocations.
+class Memory_that_runs_out
+{
+public:
+  explicit Memory_that_runs_out(std::size_t allocations) { allocations_left = allocations; }
+  ~Memory_that_runs_out() { allocations_left = static_cast<std::size_t>(-1); }
+  Memory_that_runs_out(const Memory_that_runs_out&) = delete;
+  Memory_that_runs_out& operator=(const Memory_that_runs_out&) = delete;
+};
+
+// Throws if memory has run out.
+inline void take_allocation()
+{
+  if(allocations_left == static_cast<std::size_t>(-1))
+    return;
+  if(allocations_left == 0)
+    throw std::bad_alloc();
+  --allocations_left;
+}
+
 inline void count_allocation(std::size_t size)
 {
   const std::size_t now = current_byte_count += size;
@@ -41,6 +63,7 @@ inline std::size_t header_size(std::size_t alignment)
 
 inline void* counted_allocate(std::size_t size, std::size_t alignment)
 {
+  take_allocation();
   const std::size_t header = header_size(alignment);
   if(size > static_cast<std::size_t>(-1) - 2 * header)
     throw std::bad_alloc();

@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Prefix sums against sums that start anew.
+
+#include "support/point_generators.h"
+
+#include <CGAL/Thick_intersection_d/internal/arrays/prefix_sums.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(prefix_sums)
+
+using namespace test_support;
+using CGAL::Thick_intersection_d::internal::replace_by_prefix_sums;
+
+BOOST_AUTO_TEST_CASE(each_count_becomes_the_sum_of_those_before)
+{
+  Random random(2);
+  for(std::ptrdiff_t size = 0; size < 50; ++size) {
+    std::vector<std::uint32_t> counts;
+    for(std::ptrdiff_t i = 0; i < size; ++i)
+      counts.push_back(static_cast<std::uint32_t>(random.below(4)));
+    std::vector<std::uint32_t> sums = counts;
+    const std::uint32_t all = replace_by_prefix_sums(sums.data(), sums.data() + size);
+    for(std::ptrdiff_t i = 0; i < size; ++i)
+      BOOST_CHECK_EQUAL(sums[i], std::accumulate(counts.begin(), counts.begin() + i, 0u));
+    BOOST_CHECK_EQUAL(all, std::accumulate(counts.begin(), counts.end(), 0u));
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
