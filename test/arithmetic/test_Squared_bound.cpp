@@ -4,17 +4,25 @@
 // The squared bound in doubles and in steps of a grid, against rational numbers.
 
 #include "support/exact_points.h"
+#include "support/point_generators.h"
+#include "support/rounding_mode.h"
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_tier.h>
 
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <limits>
+#include <optional>
 
 BOOST_AUTO_TEST_SUITE(Squared_bound)
 
 using namespace test_support;
+namespace internal = CGAL::Thick_intersection_d::internal;
 
 const double infinity = std::numeric_limits<double>::infinity();
 
@@ -32,6 +40,82 @@ BOOST_AUTO_TEST_CASE(thresholds_are_the_largest_doubles_within)
     BOOST_CHECK(Rational(threshold) <= r2);
     BOOST_CHECK(Rational(std::nextafter(threshold, infinity)) > r2);
   }
+}
+
+// Bounds of every magnitude: the doubles around r^2, the reach, and the largest double within.
+template <class Exact>
+void check_doubles(double r, bool is_open, int mode)
+{
+  const auto closed = CGAL::within_distance(r);
+  std::optional<Rounding_mode> in_mode(mode);
+  const internal::Squared_bound<Exact> bound(is_open ? closed.open() : closed);
+  const double threshold = bound.largest_double();
+  in_mode.reset();
+  const double next = std::nextafter(threshold, infinity);
+  const Rational r2 = Rational(r) * Rational(r);
+  const auto is_within = [&](const Rational& s) { return is_open ? s < r2 : s <= r2; };
+  BOOST_CHECK(Rational(bound.squared().first) <= r2);
+  BOOST_CHECK(bound.squared().second == infinity || r2 <= Rational(bound.squared().second));
+  BOOST_CHECK_GE(bound.reach(), r);
+  BOOST_CHECK(is_within(Rational(threshold)));
+  BOOST_CHECK(next == infinity || !is_within(Rational(next)));
+}
+
+BOOST_AUTO_TEST_CASE(doubles_enclose_the_bound_in_every_rounding_mode)
+{
+  Random random(1);
+  for(const int mode : rounding_modes)
+    for(int exponent = -1070; exponent < 1023; exponent += 7)
+      for(const bool is_open : {false, true}) {
+        const double r = std::ldexp(1 + random.uniform(), exponent);
+        check_doubles<internal::Exact_number_t<double>>(r, is_open, mode);
+        check_doubles<CGAL::Exact_rational>(r, is_open, mode);
+      }
+}
+
+// floor(r^2 / 4^e) + 1, or r^2 / 4^e itself if that is an integer and the bound is open.
+Integer first_beyond(const Rational& r2, int e, bool is_open)
+{
+  const Integer power = Integer(1) << 2 * std::abs(e);
+  const Rational steps = e < 0 ? Rational(r2 * power) : Rational(r2 / power);
+  const Integer quotient = numerator(steps) / denominator(steps);
+  return is_open && denominator(steps) == 1 ? quotient : Integer(quotient + 1);
+}
+
+// With r^2 = n 4^e / d.
+template <class Exact>
+void check_first_beyond(std::uint64_t n, std::uint64_t d, int e)
+{
+  const auto exact = [](double x) { return CGAL::Exact_rational(x); };
+  const auto number = [&](std::uint64_t i) {
+    return CGAL::Exact_rational(exact(static_cast<double>(i >> 32)) * exact(0x1p32)
+                                + exact(static_cast<double>(i & 0xffffffff)));
+  };
+  const CGAL::Exact_rational unit = exact(std::ldexp(1., e));
+  const auto closed
+    = CGAL::within_squared_distance(CGAL::Exact_rational(number(n) / number(d) * unit * unit));
+  const Rational r2 = Rational(Integer(n)) / Rational(Integer(d));
+  for(const bool is_open : {false, true}) {
+    const internal::Squared_bound<Exact> bound(is_open ? closed.open() : closed);
+    const Integer expected = first_beyond(r2, 0, is_open);
+    BOOST_CHECK_EQUAL(Integer(bound.template first_beyond<std::uint64_t>(e, 64)), expected);
+    const auto finer = bound.template first_beyond<internal::Uint128>(e - 31, 126);
+    const Integer found = (Integer(static_cast<std::uint64_t>(finer >> 64)) << 64)
+                          + static_cast<std::uint64_t>(finer);
+    BOOST_CHECK_EQUAL(found, first_beyond(r2, -31, is_open));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_first_square_beyond_is_that_of_rational_numbers)
+{
+  Random random(2);
+  for(const int e : {0, 1, -20, 300, -500})
+    for(int i = 0; i < 100; ++i) {
+      const std::uint64_t n = random.below(std::size_t(1) << (1 + random.below(62)));
+      const std::uint64_t d = i % 2 == 0 ? 1 : 1 + random.below(1000);
+      check_first_beyond<internal::Exact_number_t<double>>(n, d, e);
+      check_first_beyond<CGAL::Exact_rational>(n, d, e);
+    }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -3,11 +3,17 @@
 
 // The certificates: the first tier that is exact, up to its very limits.
 
+#include "support/exact_points.h"
+
 #include <CGAL/Scene_profile.h>
+
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_tier.h>
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -62,6 +68,61 @@ BOOST_AUTO_TEST_CASE(doubles_are_not_certified_where_squares_vanish_or_overflow)
   BOOST_CHECK(profile_of_units(2, std::ldexp(1.5, 1022), 1010).tier() == Tier::FILTERED_EXACT);
   BOOST_CHECK(CGAL::Scene_profile(2, {{0, 1}, {0, 1}}, 1, std::nullopt).tier()
               == Tier::FILTERED_EXACT);
+}
+
+// The first tier that holds d U^2, in integers of any length.
+CGAL::Arithmetic_tier tier_of(const test_support::Integer& units, int axis_count)
+{
+  using test_support::Integer;
+  const Integer square = units * units;
+  if(Integer(square * (std::max)(axis_count, 2)) <= Integer(1) << 53)
+    return CGAL::Arithmetic_tier::DOUBLE;
+  const Integer sum = square * (std::max)(axis_count, 1);
+  if(sum < Integer(1) << 63)
+    return CGAL::Arithmetic_tier::INT64;
+  if(units < Integer(1) << 63 && sum < Integer(1) << 128)
+    return CGAL::Arithmetic_tier::INT128;
+  return CGAL::Arithmetic_tier::FILTERED_EXACT;
+}
+
+void check_tier(double units, int axis_count)
+{
+  using CGAL::Thick_intersection_d::internal::first_exact_tier;
+  const CGAL::Arithmetic_tier expected = tier_of(test_support::Integer(units), axis_count);
+  for(const int exponent : {0, -500, 400}) {
+    const double reach = std::ldexp(units, exponent);
+    BOOST_CHECK_EQUAL(first_exact_tier(reach, exponent, axis_count), expected);
+    if(units < 0x1p52) // just below the next step
+      BOOST_CHECK_EQUAL(first_exact_tier(std::nextafter(std::ldexp(units + 1, exponent), 0),
+                                         exponent, axis_count), expected);
+  }
+}
+
+// The last U at which d U^2 is within each limit, and its neighbors, in up to 12 dimensions.
+BOOST_AUTO_TEST_CASE(tiers_hold_the_sums_of_squares)
+{
+  using test_support::Integer;
+  for(int axis_count = 0; axis_count <= 12; ++axis_count)
+    for(const Integer& limit : {Integer(Integer(1) << 53), Integer((Integer(1) << 63) - 1),
+                                Integer((Integer(1) << 128) - 1), Integer(Integer(1) << 126)})
+      for(const int terms : {(std::max)(axis_count, 1), (std::max)(axis_count, 2)}) {
+        double units = static_cast<double>(Integer(sqrt(Integer(limit / terms))));
+        for(int i = 0; i < 3; ++i)
+          units = std::ceil((std::min)(std::nextafter(units, 0), units - 1));
+        for(int i = 0; i < 6; ++i) {
+          check_tier(units, axis_count);
+          units = (std::max)(units + 1, std::nextafter(units, 1e300));
+        }
+      }
+}
+
+BOOST_AUTO_TEST_CASE(without_a_grid_or_beyond_all_integers_only_exact_numbers_serve)
+{
+  using CGAL::Thick_intersection_d::internal::first_exact_tier;
+  const auto last = CGAL::Arithmetic_tier::FILTERED_EXACT;
+  BOOST_CHECK_EQUAL(first_exact_tier(1, std::nullopt, 2), last);
+  BOOST_CHECK_EQUAL(first_exact_tier(1e300, -1000, 2), last); // the steps are no double
+  BOOST_CHECK_EQUAL(first_exact_tier(std::numeric_limits<double>::infinity(), 0, 2), last);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
