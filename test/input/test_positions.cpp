@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Positions of 32 bits, one of which stands for none.
+
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cstddef>
+#include <stdexcept>
+
+BOOST_AUTO_TEST_SUITE(positions)
+
+namespace internal = CGAL::Thick_intersection_d::internal;
+
+BOOST_AUTO_TEST_CASE(all_positions_are_the_first_numbers)
+{
+  const internal::All_positions all(1000);
+  BOOST_CHECK_EQUAL(all.size(), 1000u);
+  for(std::size_t i = 0; i < all.size(); ++i)
+    BOOST_CHECK_EQUAL(all[i], i);
+}
+
+BOOST_AUTO_TEST_CASE(more_points_than_positions_are_refused)
+{
+  BOOST_CHECK_NO_THROW(internal::check_size(0));
+  BOOST_CHECK_NO_THROW(internal::check_size(0xfffffffe));
+  BOOST_CHECK_THROW(internal::check_size(0xffffffff), std::length_error);
+  BOOST_CHECK_THROW(internal::check_size(std::size_t(1) << 32), std::length_error);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,129 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// What one scan finds of points: box, error, grid, and the first bad point.
+
+#include "support/plain_points.h"
+#include "support/point_generators.h"
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/tags.h>
+
+#include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(scan_points)
+
+using namespace test_support;
+namespace internal = CGAL::Thick_intersection_d::internal;
+
+template <class Number>
+internal::Scene scene_of(const Plain_points<Number>& points)
+{
+  return internal::scan_points<CGAL::Sequential_tag>(points, "point");
+}
+
+BOOST_AUTO_TEST_CASE(the_box_holds_all_points_and_no_more)
+{
+  const Points points = uniform_points(3, 500, -0.5, 1, 1);
+  const internal::Scene scene = scene_of(plain_points(points));
+  BOOST_CHECK_EQUAL(scene.size, 500u);
+  BOOST_REQUIRE_EQUAL(scene.dimension(), 3);
+  for(std::size_t axis = 0; axis < 3; ++axis) {
+    std::vector<double> x;
+    for(const Coordinates& c : points)
+      x.push_back(c[axis]);
+    BOOST_CHECK_EQUAL(scene.box[axis].low, *std::min_element(x.begin(), x.end()));
+    BOOST_CHECK_EQUAL(scene.box[axis].high, *std::max_element(x.begin(), x.end()));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(only_axes_along_which_points_differ_have_a_say_in_the_grid)
+{
+  const internal::Scene scene = scene_of(plain_points({{0.25, 0.1, -0.}, {4, 0.1, 0.}}));
+  BOOST_CHECK_EQUAL(scene.extended_axis_count(), 1);
+  BOOST_CHECK(scene.is_extended_along(0) && !scene.is_extended_along(1));
+  BOOST_CHECK_EQUAL(scene.grid_exponent.value(), -2);
+  BOOST_CHECK_EQUAL(scene_of(plain_points({{0.1}, {0.1}})).grid_exponent.value(), 0);
+  BOOST_CHECK_EQUAL(scene_of(plain_points({{3, 0.5}, {5, 1}})).grid_exponent.value(), -1);
+}
+
+BOOST_AUTO_TEST_CASE(the_error_is_zero_if_and_only_if_all_coordinates_are_doubles)
+{
+  using Rational = CGAL::Exact_rational;
+  auto points = plain_points<Rational>({{0.1, 3}, {-7, 5e-324}});
+  const internal::Scene of_doubles = scene_of(points);
+  BOOST_CHECK_EQUAL(of_doubles.error, 0);
+  BOOST_CHECK_EQUAL(of_doubles.grid_exponent.value(), -1074);
+
+  points[1].coordinates[0] = Rational(1) / 3;
+  const internal::Scene scene = scene_of(points);
+  BOOST_CHECK(!scene.grid_exponent);
+  BOOST_CHECK_GT(scene.error, 0);
+  BOOST_CHECK_LT(scene.error, 1e-15);
+  BOOST_CHECK(Rational(scene.box[0].high) >= points[1].coordinates[0]);
+  BOOST_CHECK(Rational(scene.box[0].high) - points[1].coordinates[0] <= Rational(scene.error));
+  BOOST_CHECK_EQUAL(scene.box[0].low, 0.1);
+}
+
+BOOST_AUTO_TEST_CASE(lower_bounds_are_stored_once_each)
+{
+  using Rational = CGAL::Exact_rational;
+  Plain_points<Rational> points = plain_points<Rational>({{1, 2}, {0.5, 4}, {-1, 8}});
+  points[2].coordinates[0] = -Rational(1) / 3;
+  std::vector<std::tuple<std::size_t, int, double>> stored;
+  const internal::Scene scene = internal::scan_points<CGAL::Sequential_tag>(
+    points, "point",
+    [&](std::size_t position, int axis, double x) { stored.emplace_back(position, axis, x); });
+  BOOST_REQUIRE_EQUAL(stored.size(), 6u);
+  for(std::size_t i = 0; i < stored.size(); ++i) {
+    const auto [position, axis, x] = stored[i];
+    BOOST_CHECK_EQUAL(2 * position + static_cast<std::size_t>(axis), i);
+    const Rational gap = points[position].coordinates[static_cast<std::size_t>(axis)] - Rational(x);
+    BOOST_CHECK(gap >= 0 && gap <= Rational(scene.error));
+  }
+}
+
+std::string refusal(const Plain_points<double>& points)
+{
+  try {
+    scene_of(points);
+  }
+  catch(const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+BOOST_AUTO_TEST_CASE(the_first_bad_point_is_named)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  auto points = plain_points(uniform_points(2, 20, 0, 1, 2));
+  BOOST_CHECK_EQUAL(refusal(points), "");
+  points[17].coordinates[0] = -infinity;
+  BOOST_CHECK_EQUAL(refusal(points), "Coordinate 0 of point 17 is NaN or infinite.");
+  points[9].coordinates.push_back(0);
+  BOOST_CHECK_EQUAL(refusal(points), "point 9 has dimension 3 instead of 2.");
+  points[4].coordinates[1] = std::nan("");
+  BOOST_CHECK_EQUAL(refusal(points), "Coordinate 1 of point 4 is NaN or infinite.");
+}
+
+BOOST_AUTO_TEST_CASE(no_points_make_an_empty_scene)
+{
+  const internal::Scene scene = scene_of(Plain_points<double>());
+  BOOST_CHECK_EQUAL(scene.size, 0u);
+  BOOST_CHECK_EQUAL(scene.dimension(), 0);
+  BOOST_CHECK_EQUAL(scene.error, 0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
