@@ -6,8 +6,9 @@
 
 #include "support/exact_points.h"
 #include "support/large_ties.h"
-#include "support/point_generators.h"
+#include "support/plain_points.h"
 
+#include <CGAL/Exact_rational.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Scene_profile.h>
 #include <CGAL/Thick_point_traits_d.h>
@@ -16,13 +17,17 @@
 
 #include <cfenv>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <random>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(Is_within_distance)
 
 using namespace test_support;
+using CGAL::Arithmetic_tier;
+namespace internal = CGAL::Thick_intersection_d::internal;
 
 using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point_2 = Epick::Point_2;
@@ -157,7 +162,6 @@ BOOST_AUTO_TEST_CASE(certified_doubles_are_exact_at_the_limit)
   std::mt19937_64 random(13);
   const double limit = 67108864;
   const std::vector<Point_2> scene = {{0, 0}, {1, 0}, {1e15, 0}};
-  namespace internal = CGAL::Thick_intersection_d::internal;
   const internal::Numbered_elements<std::vector<Point_2>> elements(scene);
   const internal::Scene scanned = internal::scan_points<CGAL::Sequential_tag>(elements, "point");
   for(int i = 0; i < 20000; ++i) {
@@ -175,6 +179,80 @@ BOOST_AUTO_TEST_CASE(certified_doubles_are_exact_at_the_limit)
     BOOST_REQUIRE(!certified(Point_2(0, 0), Point_2(1e15, 0)));
     BOOST_REQUIRE(!certified(Point_2(0, 0), Point_2(0, r + 1)));
   }
+}
+
+// --- the counts of decisions
+
+std::uint64_t total(const internal::Decision_counts& counts)
+{
+  std::uint64_t sum = 0;
+  for(const Arithmetic_tier tier : {Arithmetic_tier::DOUBLE, Arithmetic_tier::INT64,
+                                    Arithmetic_tier::INT128, Arithmetic_tier::FILTERED_EXACT})
+    sum += counts[tier];
+  return sum;
+}
+
+// Asks about (0, 0) and `q` in the arithmetic of a tier, and checks which one decides; none is
+// counted for pairs that the filter puts beyond the bound.
+template <class Number>
+void check_count(Arithmetic_tier tier, const Plain_point<Number>& q, bool is_within,
+                 std::optional<Arithmetic_tier> decided_by)
+{
+  using Point = Plain_point<Number>;
+  const Plain_points<Number> points = {{{Number(0), Number(0)}}, q};
+  const internal::Squared_bound<internal::Exact_number_t<Number>> bound(CGAL::within_distance(5));
+  const internal::Scene scene = internal::scan_points<CGAL::Sequential_tag>(points, "point");
+  internal::Shared_decision_counts shared;
+  const internal::Is_within_distance<Point> test(bound, scene, tier, &shared);
+  BOOST_CHECK_EQUAL(test(points[0], points[1]), is_within);
+  BOOST_CHECK_EQUAL(total(shared.total()), decided_by ? 1u : 0u);
+  if(decided_by)
+    BOOST_CHECK_EQUAL(shared.total()[*decided_by], 1u);
+}
+
+BOOST_AUTO_TEST_CASE(each_pair_is_decided_once)
+{
+  using Rational = CGAL::Exact_rational;
+  const Plain_point<double> tie = {{3, 4}}, near = {{3, 3}}, far = {{3, 5}};
+  const Rational third = Rational(1) / 3;
+  const Plain_point<Rational> rational_tie = {{Rational(7) / 5, Rational(24) / 5}};
+  const Plain_point<Rational> rational_near = {{third, third}};
+  for(const Arithmetic_tier tier : {Arithmetic_tier::DOUBLE, Arithmetic_tier::INT64,
+                                    Arithmetic_tier::INT128, Arithmetic_tier::FILTERED_EXACT}) {
+    check_count<double>(tier, tie, true, tier);
+    check_count<double>(tier, near, true, Arithmetic_tier::DOUBLE);
+    check_count<double>(tier, far, false, std::nullopt);
+  }
+  check_count<Rational>(Arithmetic_tier::FILTERED_EXACT, rational_tie, true,
+                        Arithmetic_tier::FILTERED_EXACT);
+  check_count<Rational>(Arithmetic_tier::FILTERED_EXACT, rational_near, true,
+                        Arithmetic_tier::DOUBLE);
+}
+
+template <class Number>
+void check_last_question(const Plain_point<Number>& q, bool is_within, Arithmetic_tier decided_by)
+{
+  const Plain_points<Number> points = {{{Number(0), Number(0)}}, q};
+  const internal::Squared_bound<internal::Exact_number_t<Number>> bound(CGAL::within_distance(5));
+  const internal::Scene scene = internal::scan_points<CGAL::Sequential_tag>(points, "point");
+  const internal::Is_within_distance<Plain_point<Number>> test(bound, scene,
+                                                               Arithmetic_tier::FILTERED_EXACT);
+  internal::Decision_counts counts;
+  BOOST_CHECK_EQUAL(test.decide_undecided(points[0], points[1], counts), is_within);
+  BOOST_CHECK_EQUAL(total(counts), 1u);
+  BOOST_CHECK_EQUAL(counts[decided_by], 1u);
+}
+
+// Of doubles the filter has been asked before; of other coordinates it is asked again.
+BOOST_AUTO_TEST_CASE(the_last_question_is_answered_once)
+{
+  using Rational = CGAL::Exact_rational;
+  const Rational third = Rational(1) / 3;
+  check_last_question<double>({{3, 4}}, true, Arithmetic_tier::FILTERED_EXACT);
+  check_last_question<double>({{std::nextafter(3, 4.), 4}}, false, Arithmetic_tier::FILTERED_EXACT);
+  check_last_question<Rational>({{third, third}}, true, Arithmetic_tier::DOUBLE);
+  check_last_question<Rational>({{Rational(7) / 5, Rational(24) / 5}}, true,
+                                Arithmetic_tier::FILTERED_EXACT);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

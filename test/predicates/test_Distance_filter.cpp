@@ -1,0 +1,160 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// A filter is never wrong: distances next to the bound, against rational numbers, in every rounding
+// mode, of coordinates that are doubles and of others that are near doubles.
+
+#include "support/exact_points.h"
+#include "support/point_generators.h"
+#include "support/rounding_mode.h"
+
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(Distance_filter)
+
+using namespace test_support;
+namespace internal = CGAL::Thick_intersection_d::internal;
+
+using Bound = internal::Squared_bound<internal::Exact_number_t<double>>;
+
+// In the present rounding mode.
+double computed_square(const Coordinates& p, const Coordinates& q)
+{
+  double sum = 0;
+  for(std::size_t axis = 0; axis < p.size(); ++axis)
+    sum += (p[axis] - q[axis]) * (p[axis] - q[axis]);
+  return sum;
+}
+
+Rational exact_square(const std::vector<Rational>& p, const std::vector<Rational>& q)
+{
+  Rational sum = 0;
+  for(std::size_t axis = 0; axis < p.size(); ++axis)
+    sum += (p[axis] - q[axis]) * (p[axis] - q[axis]);
+  return sum;
+}
+
+std::vector<Rational> rationals(const Coordinates& c)
+{
+  return std::vector<Rational>(c.begin(), c.end());
+}
+
+// What a filter says of a computed square must hold for the exact one, whether the bound is closed
+// or open. Returns whether it says anything.
+bool check_filter(const internal::Distance_filter& filter, double computed, const Rational& exact,
+                  double r)
+{
+  const Rational square = Rational(r) * Rational(r);
+  if(computed <= filter.inside)
+    BOOST_CHECK(exact < square);
+  if(computed > filter.outside)
+    BOOST_CHECK(exact > square);
+  return computed <= filter.inside || computed > filter.outside;
+}
+
+// A point at a distance from p that is r up to a relative difference of about `width`.
+Coordinates point_near_sphere(const Coordinates& p, double r, double width, Random& random)
+{
+  Coordinates direction;
+  double square = 0;
+  for(std::size_t axis = 0; axis < p.size(); ++axis) {
+    direction.push_back(random.uniform() - 0.5);
+    square += direction.back() * direction.back();
+  }
+  const double factor = r * (1 + width * (random.uniform() - 0.5)) / std::sqrt(square);
+  for(std::size_t axis = 0; axis < p.size(); ++axis)
+    direction[axis] = p[axis] + factor * direction[axis];
+  return direction;
+}
+
+// Radii of every magnitude, so that squares vanish and overflow as well.
+BOOST_AUTO_TEST_CASE(filters_are_right_next_to_the_bound)
+{
+  Random random(1);
+  for(const int mode : rounding_modes)
+    for(const int dimension : {1, 2, 3, 6})
+      for(int exponent = -1060; exponent < 1020; exponent += 10) {
+        const double r = std::ldexp(1 + random.uniform(), exponent);
+        const Coordinates p(static_cast<std::size_t>(dimension), 0.3 * r);
+        for(const double width : {0., 1e-15, 1e-14, 1.}) {
+          const Coordinates q = point_near_sphere(p, r, width, random);
+          internal::Distance_filter filter;
+          double computed;
+          {
+            const Rounding_mode in_mode(mode);
+            filter = internal::make_distance_filter(Bound(CGAL::within_distance(r)), dimension);
+            computed = computed_square(p, q);
+          }
+          check_filter(filter, computed, exact_square(rationals(p), rationals(q)), r);
+        }
+      }
+}
+
+BOOST_AUTO_TEST_CASE(filters_decide_nearly_all)
+{
+  Random random(2);
+  std::size_t decided = 0;
+  for(int i = 0; i < 1000; ++i) {
+    const double r = std::ldexp(1 + random.uniform(), static_cast<int>(random.below(900)) - 450);
+    const Coordinates p = {r, -r, r};
+    const Coordinates q = point_near_sphere(p, r, 1e-10, random);
+    const Bound bound(CGAL::within_distance(r));
+    decided += check_filter(internal::make_distance_filter(bound, 3), computed_square(p, q),
+                            exact_square(rationals(p), rationals(q)), r);
+  }
+  BOOST_CHECK_GE(decided, 990u);
+}
+
+// A coordinate is above its double by up to the error.
+std::vector<Rational> moved_up(const Coordinates& c, double error, Random& random)
+{
+  std::vector<Rational> moved;
+  for(const double x : c) {
+    const double shares[] = {0, 1, random.uniform()};
+    moved.push_back(Rational(x) + Rational(error) * Rational(shares[random.below(3)]));
+  }
+  return moved;
+}
+
+BOOST_AUTO_TEST_CASE(widened_filters_are_right_for_doubles_below_the_coordinates)
+{
+  Random random(3);
+  std::size_t decided = 0;
+  for(const int mode : rounding_modes)
+    for(int i = 0; i < 5000; ++i) {
+      const double r = std::ldexp(1 + random.uniform(), static_cast<int>(random.below(960)) - 480);
+      const double error = r * std::ldexp(random.uniform(), -static_cast<int>(random.below(60)));
+      const Coordinates p = {r, 0, -r};
+      const Coordinates q = point_near_sphere(p, r, 8 * error / r, random);
+      internal::Distance_filter wide;
+      double computed;
+      {
+        const Rounding_mode in_mode(mode);
+        const Bound bound(CGAL::within_distance(r));
+        wide = internal::widen(internal::make_distance_filter(bound, 3), bound, error);
+        computed = computed_square(p, q);
+      }
+      decided += check_filter(wide, computed, exact_square(moved_up(p, error, random),
+                                                           moved_up(q, error, random)), r);
+    }
+  BOOST_CHECK_GT(decided, 2000u);
+}
+
+BOOST_AUTO_TEST_CASE(nothing_is_beyond_an_infinite_bound)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  const Bound bound(CGAL::within_distance(infinity));
+  const internal::Distance_filter filter = internal::make_distance_filter(bound, 2);
+  BOOST_CHECK_EQUAL(filter.inside, infinity);
+  BOOST_CHECK_EQUAL(internal::widen(filter, bound, 1).inside, infinity);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
