@@ -1,0 +1,75 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Lists made from pairs in any order, against a plain sort of the pairs.
+
+#include "support/pairs.h"
+#include "support/point_generators.h"
+
+#include <CGAL/tags.h>
+
+#include <CGAL/Thick_intersection_d/internal/reports/Neighbor_collector.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+
+BOOST_AUTO_TEST_SUITE(Neighbor_collector)
+
+using namespace test_support;
+
+using Collector
+  = CGAL::Thick_intersection_d::internal::Neighbor_collector<CGAL::Sequential_tag>;
+
+// Distinct pairs; every tenth one has the first point, which so gets a long list.
+Pairs random_pairs(std::size_t size, std::size_t count, Random& random)
+{
+  std::set<Pair> pairs;
+  while(pairs.size() < count) {
+    const std::size_t i = random.below(10) == 0 ? 0 : random.below(size);
+    const std::size_t j = random.below(size);
+    if(i != j)
+      pairs.insert(std::minmax(i, j));
+  }
+  Pairs shuffled(pairs.begin(), pairs.end());
+  for(std::size_t i = shuffled.size(); i > 1; --i)
+    std::swap(shuffled[i - 1], shuffled[random.below(i)]);
+  return shuffled;
+}
+
+void check_lists(std::size_t size, std::size_t count)
+{
+  Random random(size);
+  Collector collect(size);
+  Pairs both_ways;
+  for(const Pair& p : random_pairs(size, count, random)) {
+    collect(p.first, p.second);
+    both_ways.push_back(p);
+    both_ways.emplace_back(p.second, p.first);
+  }
+  const CGAL::Neighbor_lists lists = collect.lists();
+  Pairs found; // in the order of the lists
+  for(std::size_t i = 0; i < lists.size(); ++i)
+    for(const std::size_t neighbor : lists[i])
+      found.emplace_back(i, neighbor);
+  BOOST_CHECK_EQUAL(lists.size(), size);
+  BOOST_CHECK_EQUAL(lists.number_of_pairs(), count);
+  BOOST_CHECK(found == sorted(both_ways));
+}
+
+// Points fill no bin, one bin, two bins, and some of a third one.
+BOOST_AUTO_TEST_CASE(lists_are_the_sorted_pairs)
+{
+  check_lists(0, 0);
+  check_lists(1, 0);
+  check_lists(2, 1);
+  check_lists(1000, 20000);
+  check_lists(16384, 1000);
+  check_lists(16385, 1000);
+  check_lists(32768, 1000);
+  check_lists(40000, 50000);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
