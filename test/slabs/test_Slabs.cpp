@@ -1,9 +1,10 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Slabs of points: blocks of slabs share them out.
+// Slabs of points follow each other, and blocks of slabs share the points out.
 
 #include "support/point_generators.h"
+#include "support/point_source.h"
 #include "support/undecided_points.h"
 
 #include <CGAL/tags.h>
@@ -14,6 +15,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Slabs)
 
@@ -49,6 +53,78 @@ BOOST_AUTO_TEST_CASE(blocks_of_slabs_share_the_points)
   check_blocks(clustered_points(2, 20000, 3, 1. / 256, 3), 0.001);
   check_blocks(flight_points(2, 20000), 1);
   check_blocks(Points(5000, Coordinates(2, 1)), 1);
+}
+
+template <int Dimension>
+using Slabs_of = internal::Slabs<internal::Slab_point<Dimension>>;
+
+// Each point is in one slab, with its coordinates, and slabs follow each other.
+template <int Dimension>
+void check_slabs(const Slabs_of<Dimension>& slabs, const Points& points, std::size_t first)
+{
+  constexpr int axis = Dimension - 1;
+  std::vector<int> times(points.size(), 0);
+  double below = -std::numeric_limits<double>::infinity();
+  for(internal::Place s = 0; s < slabs.count(); ++s) {
+    double high = below;
+    for(const auto* p = slabs.begin(s); p != slabs.end(s); ++p) {
+      ++times[p->position];
+      BOOST_CHECK(std::equal(p->x.begin(), p->x.end(), points[p->position].begin()));
+      BOOST_CHECK_GE(p->x[axis], below);
+      high = (std::max)(high, p->x[axis]);
+    }
+    below = high;
+  }
+  for(std::size_t i = 0; i < points.size(); ++i)
+    BOOST_CHECK_EQUAL(times[i], i < first ? 0 : 1);
+}
+
+// No point whose coordinate is at least x is in a slab before that of x.
+template <int Dimension>
+void check_slab_of(const Slabs_of<Dimension>& slabs, double x)
+{
+  const internal::Place slab = slabs.slab_of(x);
+  BOOST_CHECK_LT(slab, slabs.count());
+  for(const auto* p = slabs.begin(0); p != slabs.begin(slab); ++p)
+    BOOST_CHECK_LT(p->x[Dimension - 1], x);
+}
+
+template <int Dimension>
+void check_scenes()
+{
+  for(const auto& [name, points] : scenes_to_cut(Dimension, 2500)) // enough for a sample
+    for(const double reach : {1e-300, 1e-4, 0.1, 10.})
+      for(const std::size_t first : {std::size_t(0), points.size() / 3}) {
+        BOOST_TEST_CONTEXT(name << ", reach " << reach)
+        {
+          const Slabs_of<Dimension> slabs(CGAL::Sequential_tag(), Point_source<Dimension>(points),
+                                          first, points.size(), reach, tuning_for_few_points());
+          check_slabs<Dimension>(slabs, points, first);
+          for(std::size_t i = 0; i < points.size(); i += 97)
+            for(const double gap : {-reach, 0., reach})
+              check_slab_of<Dimension>(slabs, points[i].back() + gap);
+        }
+      }
+}
+
+BOOST_AUTO_TEST_CASE(each_point_is_in_one_slab_2) { check_scenes<2>(); }
+BOOST_AUTO_TEST_CASE(each_point_is_in_one_slab_3) { check_scenes<3>(); }
+
+// The ends that hold hardly any points are not cut, so the other points still have many slabs.
+BOOST_AUTO_TEST_CASE(outliers_leave_the_others_in_many_slabs)
+{
+  for(const double low : {0., -1e15})
+    for(const double high : {1., 1e15}) {
+      Points points = uniform_points(2, 2500, 0, 1, 1);
+      points[1000][1] = low;
+      points[2000][1] = high;
+      const Slabs_of<2> slabs(CGAL::Sequential_tag(), Point_source<2>(points), 0, points.size(),
+                              1e-3, tuning_for_few_points());
+      std::ptrdiff_t largest = 0;
+      for(internal::Place s = 0; s < slabs.count(); ++s)
+        largest = (std::max)(largest, slabs.end(s) - slabs.begin(s));
+      BOOST_CHECK_LE(largest, 100);
+    }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,145 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Sweeps report each near pair once, the smaller position first; in blocks, each block its share.
+
+#include "support/pairs.h"
+#include "support/point_generators.h"
+#include "support/run_of_points.h"
+
+#include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Pair_sweep.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/near_points.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <cstddef>
+
+BOOST_AUTO_TEST_SUITE(Pair_sweep)
+
+using namespace test_support;
+namespace internal = CGAL::Thick_intersection_d::internal;
+
+// Pairs at most 1 apart along axis 0. The lanes decide all of them, or none, and then each second
+// candidate is a pair.
+struct Near_along_axis_0
+{
+  using Run = internal::Run<2>;
+
+  internal::Near_question question;
+
+  template <class Flush>
+  void collect_within(const Run& run, internal::Candidates& candidates, const Flush& flush) const
+  {
+    internal::Near_points_plain::collect_within(run, question, candidates, flush);
+  }
+  template <class Flush>
+  void collect_between(const Run& a, const Run& b, internal::Candidates& candidates,
+                       const Flush& flush) const
+  {
+    internal::Near_points_plain::collect_between(a, b, question, candidates, flush);
+  }
+  bool is_pair(const Run& a, const Run& b, internal::Candidate pair,
+               internal::Decision_counts& counts) const
+  {
+    counts.add(CGAL::Arithmetic_tier::INT64);
+    return (a.positions[pair.i] + b.positions[pair.j]) % 2 == 0;
+  }
+};
+
+const internal::Near_question decided = {1, {1, 1}};
+const internal::Near_question undecided = {1, {-1, 1}};
+
+Points points_on_line(std::size_t size, std::size_t side, Random& random)
+{
+  Points points;
+  for(std::size_t i = 0; i < size; ++i)
+    points.push_back({static_cast<double>(random.below(side)), 0});
+  return points;
+}
+
+// The runs are of one set if `b` is null. Positions of b may be the smaller ones.
+Pairs by_brute_force(const Run_of_points<2>& a, const Run_of_points<2>* b, bool is_each_second)
+{
+  Pairs pairs;
+  const Run_of_points<2>& other = b ? *b : a;
+  for(std::size_t i = 0; i < a.points().size(); ++i)
+    for(std::size_t j = b ? 0 : i + 1; j < other.points().size(); ++j) {
+      const std::size_t p = a.run().positions[i], q = other.run().positions[j];
+      if(std::fabs(a.points()[i][0] - other.points()[j][0]) <= 1
+         && (!is_each_second || (p + q) % 2 == 0))
+        pairs.push_back(std::minmax(p, q));
+    }
+  return sorted(pairs);
+}
+
+// Sweeps all blocks. The blocks have no pair in common.
+Pairs by_sweeps(const Run_of_points<2>& a, const Run_of_points<2>* b,
+                const internal::Near_question& question, internal::Place block_count)
+{
+  Pairs pairs;
+  auto callback = [&](std::size_t i, std::size_t j) { pairs.emplace_back(i, j); };
+  internal::Pair_reporter<decltype(callback)> report(callback);
+  const Near_along_axis_0 test = {question};
+  internal::Pair_sweep<Near_along_axis_0, decltype(report)> sweep(test, report);
+  for(internal::Place block = 0; block < block_count; ++block) {
+    sweep.take_block(block, block_count);
+    if(b)
+      sweep.between(a.run(), b->run());
+    else
+      sweep.within(a.run());
+  }
+  BOOST_CHECK(!sweep.is_stopped());
+  return sorted(pairs);
+}
+
+void check_runs(std::size_t size, std::size_t other_size, std::size_t side)
+{
+  Random random(size);
+  const Run_of_points<2> a(points_on_line(size, side, random), 50);
+  const Run_of_points<2> b(points_on_line(other_size, side, random), size % 2 == 0 ? 0 : 1000);
+  for(const internal::Place blocks : {1, 2, 3, 7, 64}) {
+    BOOST_CHECK(by_sweeps(a, nullptr, decided, blocks) == by_brute_force(a, nullptr, false));
+    BOOST_CHECK(by_sweeps(a, &b, decided, blocks) == by_brute_force(a, &b, false));
+    BOOST_CHECK(by_sweeps(a, nullptr, undecided, blocks) == by_brute_force(a, nullptr, true));
+    BOOST_CHECK(by_sweeps(a, &b, undecided, blocks) == by_brute_force(a, &b, true));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(all_blocks_together_report_each_pair_once)
+{
+  for(std::size_t size = 0; size <= 40; ++size)
+    check_runs(size, (11 * size) % 41, 15);
+  check_runs(200, 45, 10); // candidates by the thousand
+}
+
+BOOST_AUTO_TEST_CASE(each_candidate_is_counted_once)
+{
+  const Run_of_points<2> a(identical_points(2, 100, 1));
+  for(const internal::Near_question& question : {decided, undecided}) {
+    auto ignore = [](std::size_t, std::size_t) {};
+    internal::Pair_reporter<decltype(ignore)> report(ignore);
+    const Near_along_axis_0 test = {question};
+    internal::Pair_sweep<Near_along_axis_0, decltype(report)> sweep(test, report);
+    sweep.within(a.run());
+    const bool by_lanes = question.filter.inside == 1;
+    BOOST_CHECK_EQUAL(sweep.counts()[CGAL::Arithmetic_tier::DOUBLE], by_lanes ? 4950u : 0u);
+    BOOST_CHECK_EQUAL(sweep.counts()[CGAL::Arithmetic_tier::INT64], by_lanes ? 0u : 4950u);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_sweep_stops_when_the_report_says_so)
+{
+  const Run_of_points<2> a(identical_points(2, 200, 1));
+  int calls = 0;
+  auto stop = [&](std::size_t, std::size_t) { return ++calls < 10; };
+  internal::Pair_reporter<decltype(stop)> report(stop);
+  const Near_along_axis_0 test = {decided};
+  internal::Pair_sweep<Near_along_axis_0, decltype(report)> sweep(test, report);
+  sweep.within(a.run());
+  BOOST_CHECK(sweep.is_stopped());
+  BOOST_CHECK_EQUAL(calls, 10);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

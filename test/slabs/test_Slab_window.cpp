@@ -1,0 +1,164 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The window over the slabs that are ready, against the list of all slabs of the stream.
+
+#include "support/point_source.h"
+
+#include <CGAL/tags.h>
+
+#include <CGAL/Thick_intersection_d/internal/slabs/Slab_stream.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slab_window.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(Slab_window)
+
+using namespace test_support;
+namespace internal = CGAL::Thick_intersection_d::internal;
+
+template <int Dimension>
+using Point = internal::Slab_point<Dimension>;
+
+// One slab of the stream, and the positions of its points.
+struct Listed_slab
+{
+  internal::Interval interval;
+  internal::Place slab;
+  std::vector<internal::Place> positions;
+};
+
+template <int Dimension>
+std::vector<internal::Place> positions_of(const internal::Strips<Point<Dimension>>& strips)
+{
+  std::vector<internal::Place> positions;
+  for(const auto& strip : strips.strips()) {
+    const internal::Run<Dimension> run = strips.run(strip);
+    positions.insert(positions.end(), run.positions, run.positions + run.size);
+  }
+  return positions;
+}
+
+template <int Dimension>
+std::vector<Listed_slab> list_of(const internal::Slabs<Point<Dimension>>& slabs, double reach)
+{
+  std::vector<Listed_slab> list;
+  internal::Slab_stream<Point<Dimension>> stream(slabs, reach, 0, tuning_for_few_points());
+  internal::Strips<Point<Dimension>> strips;
+  while(stream.next(strips))
+    list.push_back(
+      {strips.interval(Dimension - 1), stream.slab(), positions_of<Dimension>(strips)});
+  return list;
+}
+
+// The slabs of a stream follow each other, and have each point once.
+void check_list(const std::vector<Listed_slab>& list, std::size_t size)
+{
+  std::vector<internal::Place> all;
+  for(std::size_t s = 0; s < list.size(); ++s) {
+    all.insert(all.end(), list[s].positions.begin(), list[s].positions.end());
+    BOOST_CHECK(!list[s].positions.empty());
+    BOOST_CHECK(s == 0 || list[s - 1].interval.high <= list[s].interval.low);
+    BOOST_CHECK(s == 0 || list[s - 1].slab <= list[s].slab);
+  }
+  std::sort(all.begin(), all.end());
+  BOOST_CHECK_EQUAL(all.size(), size);
+  BOOST_CHECK(std::adjacent_find(all.begin(), all.end()) == all.end());
+}
+
+// Those from the slab `s` on that are not beyond reach above `high`.
+std::vector<std::vector<internal::Place>> within_reach(const std::vector<Listed_slab>& list,
+                                                       std::size_t s, double high, double reach)
+{
+  std::vector<std::vector<internal::Place>> near;
+  for(; s < list.size(); ++s)
+    if(list[s].interval.low - high <= reach)
+      near.push_back(list[s].positions);
+  return near;
+}
+
+template <int Dimension>
+void check_window(const internal::Slabs<Point<Dimension>>& slabs, double reach)
+{
+  const std::vector<Listed_slab> list = list_of<Dimension>(slabs, reach);
+  check_list(list, slabs.size());
+  internal::Slab_window<Point<Dimension>> window(slabs, reach, 0, tuning_for_few_points());
+  typename internal::Slab_window<Point<Dimension>>::Slabs_nearby nearby;
+  for(std::size_t s = 0; s < list.size(); ++s) {
+    BOOST_REQUIRE(window.front() != nullptr);
+    BOOST_CHECK(positions_of<Dimension>(*window.front()) == list[s].positions);
+    BOOST_CHECK_EQUAL(window.slab(), list[s].slab);
+    const double high = list[s].interval.high;
+    window.find_within_reach(high, nearby);
+    std::vector<std::vector<internal::Place>> found;
+    for(const auto* strips : nearby)
+      found.push_back(positions_of<Dimension>(*strips));
+    BOOST_CHECK(found == within_reach(list, s, high, reach));
+    window.pop();
+  }
+  BOOST_CHECK(window.front() == nullptr);
+  BOOST_CHECK_EQUAL(window.slab(), slabs.count());
+}
+
+// Drops what is below a height that grows, and never more.
+template <int Dimension>
+void check_drop(const internal::Slabs<Point<Dimension>>& slabs, double reach)
+{
+  const std::vector<Listed_slab> list = list_of<Dimension>(slabs, reach);
+  internal::Slab_window<Point<Dimension>> window(slabs, reach, 0, tuning_for_few_points());
+  for(std::size_t height = 0; height < list.size(); height += 3) {
+    const double low = list[height].interval.low;
+    window.drop_below(low);
+    std::size_t s = 0;
+    while(low - list[s].interval.high > reach)
+      ++s;
+    BOOST_REQUIRE(window.front() != nullptr);
+    BOOST_CHECK(positions_of<Dimension>(*window.front()) == list[s].positions);
+  }
+  window.drop_below(1e300);
+  BOOST_CHECK(window.front() == nullptr);
+}
+
+template <int Dimension>
+void check_scenes()
+{
+  for(const auto& [name, points] : scenes_to_cut(Dimension, 1500))
+    for(const double reach : {1e-12, 1e-4, 1e-2, 0.3, 10.}) {
+      BOOST_TEST_CONTEXT(name << ", reach " << reach)
+      {
+        const internal::Slabs<Point<Dimension>> slabs(
+          CGAL::Sequential_tag(), Point_source<Dimension>(points), 0, points.size(), reach,
+          tuning_for_few_points());
+        check_window<Dimension>(slabs, reach);
+        check_drop<Dimension>(slabs, reach);
+      }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(slabs_within_reach_are_those_of_the_list_2) { check_scenes<2>(); }
+BOOST_AUTO_TEST_CASE(slabs_within_reach_are_those_of_the_list_3) { check_scenes<3>(); }
+
+BOOST_AUTO_TEST_CASE(a_window_may_start_at_any_slab)
+{
+  const Points points = uniform_points(2, 1500, 0, 1, 1);
+  const internal::Slabs<Point<2>> slabs(CGAL::Sequential_tag(), Point_source<2>(points), 0,
+                                        points.size(), 1e-3, tuning_for_few_points());
+  BOOST_REQUIRE_GT(slabs.count(), 50u);
+  for(internal::Place first = 0; first <= slabs.count(); first += 7) {
+    internal::Slab_window<Point<2>> window(slabs, 1e-3, first, tuning_for_few_points());
+    BOOST_CHECK_GE(window.slab(), first);
+    std::size_t size = 0;
+    for(; window.front() != nullptr; window.pop())
+      size += window.front()->size();
+    BOOST_CHECK_EQUAL(size, static_cast<std::size_t>(slabs.end(slabs.count() - 1)
+                                                     - slabs.begin(first)));
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,149 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Strips keep the points that are appended, and borders the points in an interval, in order.
+
+#include "support/point_source.h"
+
+#include <CGAL/Thick_intersection_d/internal/slabs/Strips.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(Strips)
+
+using namespace test_support;
+namespace internal = CGAL::Thick_intersection_d::internal;
+
+template <int Dimension>
+using Point = internal::Slab_point<Dimension>;
+
+// Strips of points on a coarse lattice, sorted along axis 0; some are empty.
+template <int Dimension>
+std::vector<std::vector<Point<Dimension>>> random_strips(Random& random)
+{
+  std::vector<std::vector<Point<Dimension>>> strips(1 + random.below(8));
+  internal::Place position = 0;
+  for(auto& strip : strips) {
+    for(std::size_t size = random.below(20); size > 0; --size) {
+      Point<Dimension> p;
+      for(double& x : p.x)
+        x = static_cast<double>(random.below(10));
+      p.position = position++;
+      strip.push_back(p);
+    }
+    std::sort(strip.begin(), strip.end(), [](const auto& p, const auto& q) {
+      return p.x[0] < q.x[0];
+    });
+  }
+  return strips;
+}
+
+template <int Dimension>
+internal::Strips<Point<Dimension>>
+make_strips(const std::vector<std::vector<Point<Dimension>>>& points)
+{
+  std::size_t size = 0;
+  for(const auto& strip : points)
+    size += strip.size();
+  internal::Strips<Point<Dimension>> strips;
+  strips.reset(static_cast<internal::Place>(size), static_cast<internal::Place>(points.size()));
+  for(const auto& strip : points)
+    strips.append(strip.begin(), strip.end());
+  return strips;
+}
+
+// The strips are those of `expected` that are not empty. Each run ends in points near nothing.
+template <int Dimension>
+void check_strips(const internal::Strips<Point<Dimension>>& strips,
+                  const std::vector<std::vector<Point<Dimension>>>& expected)
+{
+  std::size_t size = 0;
+  auto strip = strips.strips().begin();
+  for(const auto& points : expected) {
+    if(points.empty())
+      continue;
+    size += points.size();
+    BOOST_REQUIRE(strip != strips.strips().end());
+    const internal::Run<Dimension> run = strips.run(*strip++);
+    BOOST_REQUIRE_EQUAL(run.size, points.size());
+    for(std::size_t i = 0; i < points.size(); ++i) {
+      BOOST_CHECK_EQUAL(run.positions[i], points[i].position);
+      for(std::size_t axis = 0; axis < Dimension; ++axis)
+        BOOST_CHECK_EQUAL(run.x[axis][i], points[i].x[axis]);
+    }
+    for(std::size_t lane = 0; lane < internal::lanes; ++lane)
+      BOOST_CHECK(std::isnan(run.x[0][points.size() + lane]));
+  }
+  BOOST_CHECK(strip == strips.strips().end());
+  BOOST_CHECK_EQUAL(strips.size(), size);
+}
+
+// The boxes hold the points.
+template <int Dimension>
+void check_boxes(const internal::Strips<Point<Dimension>>& strips)
+{
+  for(const auto& strip : strips.strips()) {
+    const internal::Run<Dimension> run = strips.run(strip);
+    for(int axis = 0; axis < Dimension; ++axis)
+      for(internal::Place i = 0; i < run.size; ++i) {
+        const double x = run.x[static_cast<std::size_t>(axis)][i];
+        const internal::Interval& box = strip.box[static_cast<std::size_t>(axis)];
+        BOOST_CHECK(box.low <= x && x <= box.high);
+        BOOST_CHECK(strips.interval(axis).low <= x && x <= strips.interval(axis).high);
+      }
+  }
+}
+
+template <int Dimension>
+void check_borders()
+{
+  Random random(1);
+  for(int repetition = 0; repetition < 200; ++repetition) {
+    const auto points = random_strips<Dimension>(random);
+    const auto strips = make_strips<Dimension>(points);
+    check_strips<Dimension>(strips, points);
+    check_boxes<Dimension>(strips);
+
+    const int axis = static_cast<int>(random.below(Dimension));
+    const double low = static_cast<double>(random.below(10));
+    const internal::Interval interval = {low, low + static_cast<double>(random.below(4))};
+    auto kept = points;
+    for(auto& strip : kept)
+      strip.erase(std::remove_if(strip.begin(), strip.end(), [&](const auto& p) {
+                    const double x = p.x[static_cast<std::size_t>(axis)];
+                    return x < interval.low || interval.high < x;
+                  }), strip.end());
+    internal::Strips<Point<Dimension>> border;
+    border.reset(strips.size(), static_cast<internal::Place>(strips.strips().size()));
+    std::vector<internal::Place> places(20);
+    for(const auto& strip : strips.strips())
+      border.append_border(strips, strip, axis, interval, places.data());
+    check_strips<Dimension>(border, kept);
+    check_boxes<Dimension>(border);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(borders_keep_the_points_in_an_interval_2) { check_borders<2>(); }
+BOOST_AUTO_TEST_CASE(borders_keep_the_points_in_an_interval_3) { check_borders<3>(); }
+
+BOOST_AUTO_TEST_CASE(strips_are_forgotten_when_room_is_made)
+{
+  Random random(2);
+  auto strips = make_strips<2>(random_strips<2>(random));
+  const std::vector<std::vector<Point<2>>> other = {{{{0.5, 0.25}, 7}}, {}};
+  strips.reset(1, 2);
+  BOOST_CHECK(strips.strips().empty());
+  BOOST_CHECK_EQUAL(strips.size(), 0u);
+  for(const auto& strip : other)
+    strips.append(strip.begin(), strip.end());
+  check_strips<2>(strips, other);
+  BOOST_CHECK_EQUAL(strips.interval(1).low, 0.25);
+  BOOST_CHECK_EQUAL(strips.interval(1).high, 0.25);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
