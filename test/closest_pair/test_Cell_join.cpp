@@ -4,8 +4,12 @@
 // The join against brute force: it visits all pairs within the distance.
 
 #include "support/check_closest_pair.h"
+#include "support/plain_points.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <cmath>
+#include <set>
 
 BOOST_AUTO_TEST_SUITE(Cell_join)
 
@@ -51,6 +55,60 @@ BOOST_AUTO_TEST_CASE(joins_visit_all_close_pairs)
     }
   }
   BOOST_CHECK_GT(joined, 30u);
+}
+
+// In space, with entries in several lists; distances of small integers are exact.
+BOOST_AUTO_TEST_CASE(joins_of_many_lists_visit_all_close_pairs)
+{
+  struct Visitor
+  {
+    std::set<Pair>& visited;
+    bool operator()(std::size_t i, std::size_t j)
+    {
+      visited.insert(std::minmax(i, j));
+      return true;
+    }
+    void finish() {}
+  };
+  Points points = uniform_points(3, 6000, -40, 80, 1);
+  for(Coordinates& c : points)
+    for(double& x : c)
+      x = std::floor(x);
+  const Plain_points<double> elements = plain_points(points);
+  std::set<Pair> visited;
+  const internal::Cell_join<CGAL::Sequential_tag, 3, Plain_points<double>> join(elements, 3, 10);
+  internal::Unwatched_progress progress;
+  join(internal::All_positions(points.size()), [&] { return Visitor{visited}; }, progress);
+  std::size_t close = 0, missing = 0;
+  for(std::size_t i = 0; i < points.size(); ++i)
+    for(std::size_t j = i + 1; j < points.size(); ++j) {
+      double square = 0;
+      for(std::size_t axis = 0; axis < 3; ++axis)
+        square += (points[i][axis] - points[j][axis]) * (points[i][axis] - points[j][axis]);
+      if(square <= 9) {
+        ++close;
+        missing += visited.count({i, j}) == 0;
+      }
+    }
+  BOOST_CHECK_EQUAL(missing, 0u);
+  BOOST_CHECK_GT(close, 1000u);
+}
+
+// Each list has pairs of twins.
+BOOST_AUTO_TEST_CASE(joins_end_when_the_visitor_says_so)
+{
+  struct Visitor
+  {
+    int& calls;
+    bool operator()(std::size_t, std::size_t) { return ++calls < 5; }
+    void finish() { calls += 1000; }
+  };
+  const auto elements = plain_points(repeated(axis_points(2, 5000, 0, 0, 10), 2));
+  const internal::Cell_join<CGAL::Sequential_tag, 2, Plain_points<double>> join(elements, 1, 2);
+  internal::Unwatched_progress progress;
+  int calls = 0;
+  join(internal::All_positions(elements.size()), [&] { return Visitor{calls}; }, progress);
+  BOOST_CHECK_EQUAL(calls, 1005);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
