@@ -7,7 +7,7 @@
 //
 //   measure_degree <folder for degree.csv>
 
-#include "degree_traits.h"
+#include "support/degree_traits.h"
 
 #include "measuring/Csv_file.h"
 
@@ -25,10 +25,10 @@ namespace CGAL {
 namespace Box_intersection_d {
 
 template <>
-struct box_limits<lab::Degree_number>
+struct box_limits<test_support::Degree_number>
 {
-  static lab::Degree_number inf() { return -sup(); }
-  static lab::Degree_number sup() { return max_side; }
+  static test_support::Degree_number inf() { return -sup(); }
+  static test_support::Degree_number sup() { return max_side; }
   static inline double max_side = 0; // beyond all sides of boxes, with no more bits than needed
 };
 
@@ -37,7 +37,7 @@ struct box_limits<lab::Degree_number>
 
 namespace {
 
-using namespace lab;
+using namespace test_support;
 using thick_benchmark::Csv_file;
 using Kernel = Degree_kernel;
 using Point_2 = Kernel::Point_2;

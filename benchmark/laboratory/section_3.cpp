@@ -7,8 +7,6 @@
 //
 //   section_3 <folder for section_3.csv> <disks> <disks for rational numbers> <disks, all near>
 
-#include "paper_traits.h"
-
 #include "measuring/Csv_file.h"
 #include "measuring/Tally.h"
 #include "measuring/timing.h"
@@ -18,6 +16,7 @@
 #include "methods/sort_of_x.h"
 #include "scenes/from_tests.h"
 
+#include "support/paper_traits.h"
 #include "support/point_generators.h"
 
 #include <CGAL/Delaunay_triangulation_2.h>
@@ -134,7 +133,7 @@ private:
   // The program of the paper: a random pivot, the walk, and the predicates in double.
   void write_paper_version()
   {
-    const lab::Paper_point_traits<Double_kernel::Point_2, 2> traits(scene_.r);
+    const test_support::Paper_point_traits<Double_kernel::Point_2, 2> traits(scene_.r);
     write_on_points<Double_kernel>("[V03] as in its section 3, in double", 2,
                                    [traits](const auto& points, Tally& tally) {
                                      search_by_variant(points, traits,

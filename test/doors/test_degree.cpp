@@ -7,7 +7,7 @@
 #define BOOST_TEST_MODULE degree
 #include <boost/test/unit_test.hpp>
 
-#include "../../benchmark/accuracy/degree_traits.h"
+#include "support/degree_traits.h"
 
 #include <CGAL/Thick_ball_traits_d.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
@@ -15,10 +15,10 @@
 
 namespace {
 
-using lab::Degree_kernel;
-using lab::Degree_number;
-using lab::Degree_record;
-using lab::Degree_tally;
+using test_support::Degree_kernel;
+using test_support::Degree_number;
+using test_support::Degree_record;
+using test_support::Degree_tally;
 
 using Point_2 = Degree_kernel::Point_2;
 using Point_3 = Degree_kernel::Point_3;
@@ -44,7 +44,7 @@ std::size_t count_pairs(const Objects& objects, const Traits& traits)
   std::size_t count = 0;
   CGAL::thick_self_intersection_d(
     objects, [&](std::size_t, std::size_t) { ++count; },
-    CGAL::parameters::geom_traits(lab::Traits_with_sites<Traits>(traits)));
+    CGAL::parameters::geom_traits(test_support::Traits_with_sites<Traits>(traits)));
   return count;
 }
 
@@ -61,7 +61,7 @@ void check_degrees_of_predicates(int less, int is_close, int do_intersect)
 template <class Point, int Dimension>
 void check_near_neighbors(bool hides_doubles)
 {
-  const std::vector<Point> points = lab::degree_points<Point, Dimension>(n, bits, 1);
+  const std::vector<Point> points = test_support::degree_points<Point, Dimension>(n, bits, 1);
   const std::size_t expected = count_by_all_pairs<Point, Dimension>(points);
   std::size_t found = 0;
   Degree_record::get().restart(hides_doubles);
@@ -80,7 +80,7 @@ void check_near_neighbors(bool hides_doubles)
 template <class Point, int Dimension>
 void check_point_traits()
 {
-  const std::vector<Point> points = lab::degree_points<Point, Dimension>(n, bits, 2);
+  const std::vector<Point> points = test_support::degree_points<Point, Dimension>(n, bits, 2);
   const std::size_t expected = count_by_all_pairs<Point, Dimension>(points);
   const CGAL::Thick_point_traits_d<Point> traits(CGAL::within_distance(radius()));
 
@@ -91,7 +91,8 @@ void check_point_traits()
   BOOST_TEST(sites.at("Is_close_along_axis_d").degree_in_doubles == 1); // which see coordinates
 
   Degree_record::get().restart(false);
-  BOOST_TEST(count_pairs(points, lab::Paper_point_traits<Point, Dimension>(radius())) == expected);
+  BOOST_TEST(count_pairs(points, test_support::Paper_point_traits<Point, Dimension>(radius()))
+             == expected);
   check_degrees_of_predicates(1, 1, 2);
 }
 
@@ -99,7 +100,7 @@ template <class Point, int Dimension>
 std::vector<std::pair<Point, Degree_number>> degree_balls(unsigned int seed)
 {
   std::vector<std::pair<Point, Degree_number>> balls;
-  for(const Point& p : lab::degree_points<Point, Dimension>(n, bits, seed))
+  for(const Point& p : test_support::degree_points<Point, Dimension>(n, bits, seed))
     balls.emplace_back(p, Degree_number::input(64. * static_cast<double>(1 + balls.size() % 6)));
   return balls;
 }
@@ -146,7 +147,7 @@ BOOST_AUTO_TEST_CASE(balls_stored_by_squared_radius_are_measured_at_degree_four)
   std::vector<Degree_kernel::Sphere_3> spheres;
   for(const auto& ball : degree_balls<Point_3, 3>(3))
     spheres.emplace_back(ball.first, ball.second * ball.second);
-  const lab::Squared_radius_traits<Degree_kernel::Sphere_3, 3> traits(
+  const test_support::Squared_radius_traits<Degree_kernel::Sphere_3, 3> traits(
     Degree_number::input(2 * 64. * 6));
   Degree_record::get().restart(false);
   const std::size_t found = count_pairs(spheres, traits);

@@ -4,15 +4,15 @@
 // The predicates of [V03], section 2.1, written down as they stand in the paper, in the number type
 // of the objects: rounded if that is.
 
-#ifndef THICK_INTERSECTION_BENCHMARK_LABORATORY_PAPER_TRAITS_H
-#define THICK_INTERSECTION_BENCHMARK_LABORATORY_PAPER_TRAITS_H
+#ifndef THICK_INTERSECTION_TEST_SUPPORT_PAPER_TRAITS_H
+#define THICK_INTERSECTION_TEST_SUPPORT_PAPER_TRAITS_H
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/squared_distance_2.h>
 #include <CGAL/squared_distance_3.h>
 
-namespace lab {
+namespace test_support {
 
 template <class Object>
 using Number_of = typename CGAL::Kernel_traits<Object>::Kernel::FT;
@@ -73,6 +73,6 @@ private:
   Number_of<Point> radius_;
 };
 
-} // namespace lab
+} // namespace test_support
 
-#endif // THICK_INTERSECTION_BENCHMARK_LABORATORY_PAPER_TRAITS_H
+#endif // THICK_INTERSECTION_TEST_SUPPORT_PAPER_TRAITS_H

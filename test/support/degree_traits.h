@@ -4,8 +4,8 @@
 // What the degree is measured on: points of Degree_number, traits whose predicates are call sites,
 // and traits of balls that are stored with the square of their radius.
 
-#ifndef THICK_INTERSECTION_BENCHMARK_LABORATORY_DEGREE_TRAITS_H
-#define THICK_INTERSECTION_BENCHMARK_LABORATORY_DEGREE_TRAITS_H
+#ifndef THICK_INTERSECTION_TEST_SUPPORT_DEGREE_TRAITS_H
+#define THICK_INTERSECTION_TEST_SUPPORT_DEGREE_TRAITS_H
 
 #include "Degree_number.h"
 #include "paper_traits.h"
@@ -16,7 +16,7 @@
 #include <random>
 #include <vector>
 
-namespace lab {
+namespace test_support {
 
 using Degree_kernel = CGAL::Simple_cartesian<Degree_number>;
 
@@ -130,6 +130,6 @@ private:
   Degree_number reach_;
 };
 
-} // namespace lab
+} // namespace test_support
 
-#endif // THICK_INTERSECTION_BENCHMARK_LABORATORY_DEGREE_TRAITS_H
+#endif // THICK_INTERSECTION_TEST_SUPPORT_DEGREE_TRAITS_H

@@ -3,14 +3,15 @@
 
 // A number type that measures algebraic degree. Each value is an exact rational that knows its
 // degree as a polynomial in the input; each comparison and each sign leaves a note of the degree
-// that was decided. CGAL::Simple_cartesian<lab::Degree_number> takes it through any algorithm.
+// that was decided. CGAL::Simple_cartesian<test_support::Degree_number> takes it through any
+// algorithm.
 //
 // A predicate has degree k if it decides on signs of polynomials of degree at most k in the input
 // coordinates, a radius being counted as a coordinate. [Liotta, Preparata and Tamassia, Robust
 // proximity queries, SIAM J. Comput. 28 (1998)] [V03, section 2]
 
-#ifndef THICK_INTERSECTION_BENCHMARK_LABORATORY_DEGREE_NUMBER_H
-#define THICK_INTERSECTION_BENCHMARK_LABORATORY_DEGREE_NUMBER_H
+#ifndef THICK_INTERSECTION_TEST_SUPPORT_DEGREE_NUMBER_H
+#define THICK_INTERSECTION_TEST_SUPPORT_DEGREE_NUMBER_H
 
 #include <CGAL/Gmpq.h>
 #include <CGAL/number_type_basic.h>
@@ -26,7 +27,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace lab {
+namespace test_support {
 
 // What happened at one call site, or in a whole run.
 struct Degree_tally
@@ -247,14 +248,14 @@ private:
   int denominator_ = 0;
 };
 
-} // namespace lab
+} // namespace test_support
 
 namespace CGAL {
 
 // An exact field. The package computes with the numbers of an exact field themselves.
 template <>
-class Algebraic_structure_traits<lab::Degree_number>
-  : public Algebraic_structure_traits_base<lab::Degree_number, Field_tag>
+class Algebraic_structure_traits<test_support::Degree_number>
+  : public Algebraic_structure_traits_base<test_support::Degree_number, Field_tag>
 {
 public:
   using Is_exact = Tag_true;
@@ -262,11 +263,11 @@ public:
 };
 
 template <>
-class Real_embeddable_traits<lab::Degree_number>
-  : public INTERN_RET::Real_embeddable_traits_base<lab::Degree_number, Tag_true>
+class Real_embeddable_traits<test_support::Degree_number>
+  : public INTERN_RET::Real_embeddable_traits_base<test_support::Degree_number, Tag_true>
 {
 public:
-  using Type = lab::Degree_number;
+  using Type = test_support::Degree_number;
 
   struct Sgn
   {
@@ -300,4 +301,4 @@ public:
 
 } // namespace CGAL
 
-#endif // THICK_INTERSECTION_BENCHMARK_LABORATORY_DEGREE_NUMBER_H
+#endif // THICK_INTERSECTION_TEST_SUPPORT_DEGREE_NUMBER_H
