@@ -33,8 +33,8 @@ is_in_text {
   type_of[name] = type_of[name] == "" ? FILENAME : type_of[name]
 }
 !is_second && /^using [A-Za-z_0-9]+ =/ { if(type_of[$2] == "") type_of[$2] = FILENAME }
-!is_second && /^constexpr [A-Za-z_:]+ [A-Za-z_0-9]+( |$|;)/ {
-  name = $3
+!is_second && /^inline constexpr [A-Za-z_:]+ [A-Za-z_0-9]+( |$|;)/ {
+  name = $4
   sub(/;$/, "", name)
   type_of[name] = FILENAME
 }

@@ -5,10 +5,13 @@
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 
+#include <CGAL/Exact_integer.h>
+
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 BOOST_AUTO_TEST_SUITE(exact_number)
 
@@ -28,6 +31,16 @@ BOOST_AUTO_TEST_CASE(numbers_are_converted_without_rounding)
   BOOST_CHECK(to_exact_rational(third)
               == Exact(head) + Exact(static_cast<double>(third - static_cast<long double>(head))));
   BOOST_CHECK(to_exact_rational(CGAL::Quotient<int>(1, 3)) == Exact(1) / 3);
+}
+
+// A bound of 1.5 is to be held as well.
+BOOST_AUTO_TEST_CASE(exact_numbers_hold_doubles)
+{
+  using namespace CGAL::Thick_intersection_d::internal;
+  static_assert(std::is_same_v<Exact_number_t<CGAL::Exact_integer>, CGAL::Exact_rational>);
+  static_assert(std::is_same_v<Exact_number_t<CGAL::Exact_rational>, CGAL::Exact_rational>);
+  BOOST_CHECK(Exact_number_t<double>(1.5) * Exact_number_t<double>(2) == Exact_number_t<double>(3));
+  BOOST_CHECK(Exact_number_t<CGAL::Exact_integer>(1.5) * 2 == 3);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

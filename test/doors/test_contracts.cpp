@@ -10,6 +10,8 @@
 #include "support/lattice_traits.h"
 #include "support/scenes.h"
 
+#include <CGAL/Exact_integer.h>
+#include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Thick_ball_traits_d.h>
 #include <CGAL/closest_pair.h>
@@ -174,6 +176,25 @@ BOOST_AUTO_TEST_CASE(bound_of_any_number_type)
   BOOST_CHECK(near_pairs(points, CGAL::within_squared_distance(25).open()) == (Pairs{{1, 2}}));
   BOOST_CHECK(near_pairs(points, CGAL::within_distance(std::nextafter(5., 0.)))
               == (Pairs{{1, 2}}));
+}
+
+// Integers of any length hold neither 1.5 nor a third; the squared bound is none of them.
+BOOST_AUTO_TEST_CASE(integers_as_coordinates_take_bounds_that_are_no_integers)
+{
+  using Point = CGAL::Simple_cartesian<CGAL::Exact_integer>::Point_2;
+  CGAL::Exact_integer far = 1; // no double holds far + 1
+  for(int i = 0; i < 120; ++i)
+    far *= 2;
+  const std::vector<Point> points
+    = {{0, 0}, {1, 1}, {3, 3}, {3, 4}, {far, far}, {far + 1, far + 1}};
+  const Pairs near = {{0, 1}, {2, 3}, {4, 5}};
+  BOOST_CHECK(sorted(near_pairs(points, CGAL::within_distance(1.5))) == near);
+  BOOST_CHECK(sorted(near_pairs(points, CGAL::within_squared_distance(2.5))) == near);
+  BOOST_CHECK_EQUAL(near_pairs(points, CGAL::within_distance(CGAL::Exact_rational(4) / 3)).size(),
+                    1u);
+  BOOST_CHECK(CGAL::has_close_pair(points, CGAL::within_distance(1.5)));
+  BOOST_CHECK(!CGAL::has_close_pair(points, CGAL::within_distance(0.5)));
+  BOOST_CHECK(CGAL::closest_pair(points) == Pair(2, 3));
 }
 
 BOOST_AUTO_TEST_CASE(infinite_bound_reports_all_pairs)

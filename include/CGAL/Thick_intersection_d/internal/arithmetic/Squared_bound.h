@@ -58,7 +58,7 @@ public:
 
     if constexpr(std::is_same_v<NT, Exact>)
       numerator_ = square_of(bound.value(), bound.is_squared());
-    else if constexpr(is_held_by_double_v<NT>)
+    else if constexpr(is_held_by_double_v<NT>) // which Exact holds as well
       numerator_ = square_of(Exact(static_cast<double>(bound.value())), bound.is_squared());
     else
       decompose(square_of(to_exact_rational(bound.value()), bound.is_squared()),

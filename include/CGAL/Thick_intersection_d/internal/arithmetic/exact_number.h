@@ -130,14 +130,22 @@ Exact_rational to_exact_rational(const NT& x)
   }
 }
 
-// The type that computes squared distances of points with coordinates of type FT without error. It
-// is FT itself if FT is exact. For floats and doubles it is a type without the cost of fractions.
-// It is not Quotient, which keeps common divisors and so grows with each sum.
+// Integers of any length: exact, but they do not hold a bound such as 1.5.
+template <class NT>
+constexpr bool is_integer_type_v
+  = std::is_convertible_v<typename Algebraic_structure_traits<NT>::Algebraic_category,
+                          Unique_factorization_domain_tag>;
+
+// The type that computes squared distances of points with coordinates of type FT without error, and
+// holds every double. It is FT itself if FT is exact and holds doubles. For floats and doubles it
+// is a type without the cost of fractions. It is not Quotient, which keeps common divisors and so
+// grows with each sum.
 template <class FT>
 struct Exact_number
 {
   using type = std::conditional_t<Algebraic_structure_traits<FT>::Is_exact::value
-                                    && !std::is_arithmetic_v<FT> && !Is_quotient<FT>::value,
+                                    && !std::is_arithmetic_v<FT> && !Is_quotient<FT>::value
+                                    && !is_integer_type_v<FT>,
                                   FT, Exact_rational>;
 };
 #ifdef CGAL_HAS_MPZF

@@ -16,11 +16,11 @@ namespace internal {
 
 // Squares below the first constant lose bits to underflow: at most d 2^-1022 in a sum of d squares.
 // If a computed sum is above the second constant, the true sum is above the first.
-constexpr double min_safe_square = 0x1p-960;
-constexpr double min_safe_threshold = 0x1p-950;
+inline constexpr double min_safe_square = 0x1p-960;
+inline constexpr double min_safe_threshold = 0x1p-950;
 
 // Sums of squares beyond this constant may overflow.
-constexpr double max_safe_square = 0x1p1020;
+inline constexpr double max_safe_square = 0x1p1020;
 
 // Returns a bound c on the relative error of the computed squared distance of two points. It covers
 // the comparison with a rounded threshold as well. It holds in every rounding mode, with and

@@ -18,47 +18,47 @@ namespace internal {
 
 // The closest pair of so few points is not worth a join. 5000 points in the plane: 1.02 with 100,
 // 1.81 with 10,000. 1000 points: 0.60 with 100 in the plane, 1.12 in space.
-constexpr std::size_t small_size = 1000;
+inline constexpr std::size_t small_size = 1000;
 
 // A sample of the points finds how far the join has to look: each point is drawn with a probability
 // of 1/8, by steps of 1 to 15. Uniform points in the plane: 1.29 by steps to 7, 1.19 to 31.
-constexpr std::size_t max_sample_step = 15;
+inline constexpr std::size_t max_sample_step = 15;
 
 // Each thread of a join visits at most 100 pairs per point of all points, and gives up then. Cells
 // of twice the distance with points that far apart in them, a lattice in space, give about 50 pairs
 // per point: 5.07 with 20. Clusters give more, and are left to other methods.
-constexpr std::size_t max_visits_per_point = 100;
+inline constexpr std::size_t max_visits_per_point = 100;
 
 // The cells of a join are 2 to 16 distances long. If the points are uniform then one cell in 64 has
 // a point in it, so that most points are alone in their cell. At least 1: 1.41 for the lattice, and
 // 1.52 for 5000 points. At least 4: 6.31 for the lattice. At most 4: 1.30 for uniform points. One
 // cell in 512: 1.17 for uniform points in space.
-constexpr double min_cell_side = 2;
-constexpr double max_cell_side = 16;
-constexpr double cells_per_point = 64;
+inline constexpr double min_cell_side = 2;
+inline constexpr double max_cell_side = 16;
+inline constexpr double cells_per_point = 64;
 
 // The entries of a join are distributed over lists of so many, which fit in a cache with their hash
 // table. Uniform points in the plane: 1.15 with 1024, 1.09 with 16,384. There are at most 2^11
 // lists, because each has a page of its own; 10^7 points: 0.87 with 2^9, 1.01 with 2^13.
-constexpr std::size_t entries_per_list = 4096;
-constexpr int max_list_bits = 11;
+inline constexpr std::size_t entries_per_list = 4096;
+inline constexpr int max_list_bits = 11;
 
 // In parallel, this many blocks of points are entered into lists of their own: more than threads,
 // so that these finish at about the same time.
-constexpr std::size_t max_entry_block_count = 16;
+inline constexpr std::size_t max_entry_block_count = 16;
 
 // The first look for a close pair takes this part of the points, the first ones of the range: where
 // cells are heavy, these points will do. With a 16th, to find that there is no close pair takes
 // 1.44 times as long in the plane, 1.91 times in space.
-constexpr std::size_t first_look_divisor = 128;
+inline constexpr std::size_t first_look_divisor = 128;
 
 // A cell has 3^5 - 1 neighbors in dimension 5, and 728 in dimension 6.
-constexpr int max_bucket_dimension = 5;
+inline constexpr int max_bucket_dimension = 5;
 
 // The divide and conquer compares the points of a leaf directly. 200,000 points: 1.02 with 2 and
 // with 8, 1.15 with 16. It gives no smaller range than a task to another thread.
-constexpr std::size_t max_leaf_size = 3;
-constexpr std::size_t min_task_size = 2000;
+inline constexpr std::size_t max_leaf_size = 3;
+inline constexpr std::size_t min_task_size = 2000;
 
 } // namespace internal
 } // namespace Thick_intersection_d

@@ -22,7 +22,7 @@ namespace internal {
 // time of a search goes into moving points.
 using Place = std::uint32_t;
 
-constexpr Place max_place = (std::numeric_limits<Place>::max)();
+inline constexpr Place max_place = (std::numeric_limits<Place>::max)();
 
 // Two positions, the smaller position first.
 using Position_pair = std::pair<std::size_t, std::size_t>;

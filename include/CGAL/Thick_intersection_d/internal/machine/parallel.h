@@ -26,12 +26,12 @@ namespace Thick_intersection_d {
 namespace internal {
 
 template <class ConcurrencyTag>
-constexpr bool is_parallel_v = std::is_convertible_v<ConcurrencyTag, Parallel_tag>;
+inline constexpr bool is_parallel_v = std::is_convertible_v<ConcurrencyTag, Parallel_tag>;
 
 #ifdef CGAL_LINKED_WITH_TBB
-constexpr bool has_tbb = true;
+inline constexpr bool has_tbb = true;
 #else
-constexpr bool has_tbb = false;
+inline constexpr bool has_tbb = false;
 #endif
 
 // Runs the tasks. Each task returns whether to go on. Returns whether all tasks returned true. In

@@ -37,12 +37,12 @@ using Member_iterator = Members::iterator;
 inline bool share_a_side(const Member& a, const Member& b) { return (a.sides & b.sides) != 0; }
 
 // At most this many axes are cut, because each takes two bits. Do_intersect_d covers the others.
-constexpr int max_cut_axes = 31;
+inline constexpr int max_cut_axes = 31;
 
 inline std::uint64_t lower_side_bit(int axis) { return std::uint64_t(1) << (2 * axis); }
 inline std::uint64_t upper_side_bit(int axis) { return std::uint64_t(2) << (2 * axis); }
-constexpr std::uint64_t first_set_bit = std::uint64_t(1) << (2 * max_cut_axes);
-constexpr std::uint64_t second_set_bit = first_set_bit << 1;
+inline constexpr std::uint64_t first_set_bit = std::uint64_t(1) << (2 * max_cut_axes);
+inline constexpr std::uint64_t second_set_bit = first_set_bit << 1;
 
 // The predicates of a traits class, on members.
 template <class Elements, class Sets, class Traits>

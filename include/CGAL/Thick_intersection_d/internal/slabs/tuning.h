@@ -23,40 +23,40 @@ namespace internal {
 // The height of slabs and strips, in reaches. Lower ones have more points in their borders, higher
 // ones have more candidates that are far apart along other axes. Dense points in space: 1.38 with
 // 1, 1.07 with 3, 1.34 with 4. Sparse points in space: 1.56 with 1, 0.86 with 3, 0.81 with 4.
-constexpr double usual_height = 2;
+inline constexpr double usual_height = 2;
 
 // The height, in reaches, from which on points far from each other may crowd in a slab or strip.
 // Twice of it costs clusters in space 0.85, but more candidates; 3/4 of it costs them 1.03.
-constexpr double max_height = 2 * usual_height;
+inline constexpr double max_height = 2 * usual_height;
 
 // A scatter into more slabs misses the translation buffer of the processor (TLB). 10^7 sparse
 // points in the plane: 1.22 with 256, 1.35 with 4096. With 10^6 points there is no difference.
-constexpr double max_slab_count = 1024;
+inline constexpr double max_slab_count = 1024;
 
 // How many candidates per point a strip may have before it counts as crowded. Uniform points have
 // less. Very sparse points (k = n/100) in the plane: 1.15 with 4. Levy flights in the plane: 0.88
 // with 16, 0.78 with 64; but then every scene may cost so many candidates per point.
-constexpr double usual_candidates = 8;
+inline constexpr double usual_candidates = 8;
 
 // How often a crowded slab, or a crowded bucket, is cut into equal pieces before it is sorted. Two
 // levels of buckets resolve clusters in clusters; beyond them comparisons take O(n log n).
-constexpr int max_cut_depth = 2;
+inline constexpr int max_cut_depth = 2;
 
 // So few points are sorted by rank rather than by buckets. Levy flights in space: 1.10 with 8;
 // clusters in space: 1.08 with 60. Elsewhere there is no difference.
-constexpr int few_points = 16;
+inline constexpr int few_points = 16;
 
 // If the whole range of the coordinates is much longer than that of a sample without its tails,
 // then the slabs cover the latter with a margin: a single outlier would leave all other points in
 // one slab. The numbers are not critical: points outside belong to the first and the last slab,
 // which are cut again if they are crowded.
-constexpr Place sample_size = 512;
-constexpr Place sample_tail = sample_size / 64; // points left out at either end of the sample
-constexpr double sample_margin = 1. / 16;       // in ranges of the sample
-constexpr double max_stretch = 4;               // of the whole range, in ranges of the sample
+inline constexpr Place sample_size = 512;
+inline constexpr Place sample_tail = sample_size / 64; // points left out at either end
+inline constexpr double sample_margin = 1. / 16;       // in ranges of the sample
+inline constexpr double max_stretch = 4;               // in ranges of the sample
 
 // A slab is swept in at most so many blocks: the progress functor is called a thousand times.
-constexpr double max_block_count = 1024;
+inline constexpr double max_block_count = 1024;
 
 // How a search cuts its points. Tests set small numbers, to get many slabs of few points.
 struct Slab_tuning

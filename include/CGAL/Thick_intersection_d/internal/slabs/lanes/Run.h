@@ -18,7 +18,7 @@ namespace Thick_intersection_d {
 namespace internal {
 
 // How many pairs are computed at once.
-constexpr Place lanes = 8;
+inline constexpr Place lanes = 8;
 
 // Behind the last point there are `lanes` points whose coordinate along axis 0 is NaN. They are not
 // near any point, so they end all loops.
