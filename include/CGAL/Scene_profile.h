@@ -254,6 +254,7 @@ returns the profile of the scene of `points` and `bound`, in one pass over the c
 
 \throws std::invalid_argument if a coordinate is NaN or infinite, if the points differ in dimension,
 or if the bound is negative or NaN. The message gives the position of the point.
+\throws std::runtime_error if the processor is set to flush denormal numbers to zero.
 */
 template <class PointRange, class NT, class NamedParameters = parameters::Default_named_parameters>
 Scene_profile profile_scene(const PointRange& points, const Distance_bound<NT>& bound,

@@ -30,9 +30,9 @@ and radii. They have degree 1 and 2 \cgalCite{v-riato-03}. With squared radii, a
 degree would be 4.
 
 The reach along each axis is twice the largest radius. So the time grows with the ratio of the
-largest ball to the typical ball. If all balls of a search have the same radius, the search neither
-reads nor stores radii. It searches the centers as points within twice the radius, as
-`fixed_radius_near_neighbors()` does.
+largest ball to the typical ball. If all balls of a search have the same radius, it searches the
+centers as points within twice the radius, as `fixed_radius_near_neighbors()` does; the search reads
+the radii only to find this out.
 
 Objects of this class may be used by several threads at once.
 

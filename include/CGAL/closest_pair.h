@@ -82,6 +82,7 @@ they are the closest of the pairs that were compared so far. (0, 1) is the first
 infinite, or if the points differ in dimension. The message gives the position of the point.
 Exceptions of the progress functor pass through.
 \throws std::length_error if there are \f$ 2^{32} - 1 \f$ points or more.
+\throws std::runtime_error if the processor is set to flush denormal numbers to zero.
 
 \sa `find_close_pair()`
 */
@@ -155,6 +156,7 @@ the bound, or if the progress functor cancels the search before it has found a p
 or if the bound is negative or NaN. All points are checked, wherever the pair is. Exceptions of the
 progress functor pass through.
 \throws std::length_error if there are \f$ 2^{32} - 1 \f$ points or more.
+\throws std::runtime_error if the processor is set to flush denormal numbers to zero.
 
 \sa `closest_pair()`
 \sa `fixed_radius_near_neighbors()`

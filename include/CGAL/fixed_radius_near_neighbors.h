@@ -152,12 +152,10 @@ bool fixed_radius_near_neighbors(const PointRangeA& points_a, const PointRangeB&
                                  const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
-  const auto elements_a = internal::make_elements(points_a, np);
-  const auto elements_b = internal::make_elements(points_b, np);
-  const internal::Joined_elements elements(elements_a, elements_b);
-  const internal::Two_sets sets = {elements_a.size()};
-  return internal::report_near_pairs<ConcurrencyTag>(elements, sets, bound, callback,
-                                                     np);
+  return internal::with_two_ranges(points_a, points_b, np, [&](const auto& elements, auto size_a) {
+    return internal::report_near_pairs<ConcurrencyTag>(elements, internal::Two_sets{size_a}, bound,
+                                                       callback, np);
+  });
 }
 
 /*!
@@ -174,12 +172,10 @@ bool fixed_radius_near_neighbors(const PointRangeA& points_a, const PointRangeB&
                                  const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
-  const auto elements_a = internal::make_elements(points_a, np);
-  const auto elements_b = internal::make_elements(points_b, np);
-  const internal::Joined_elements elements(elements_a, elements_b);
-  const internal::Two_sets sets = {elements_a.size()};
-  return internal::report_near_pairs<ConcurrencyTag>(elements, sets, bound, callback,
-                                                     profile, np);
+  return internal::with_two_ranges(points_a, points_b, np, [&](const auto& elements, auto size_a) {
+    return internal::report_near_pairs<ConcurrencyTag>(elements, internal::Two_sets{size_a}, bound,
+                                                       callback, profile, np);
+  });
 }
 
 /*!

@@ -15,6 +15,8 @@
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
+#include <cstddef>
+
 namespace CGAL {
 
 /*!
@@ -117,11 +119,11 @@ bool thick_intersection_d(const ObjectRangeA& objects_a, const ObjectRangeB& obj
                           const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
-  const auto elements_a = internal::make_elements(objects_a, np);
-  const auto elements_b = internal::make_elements(objects_b, np);
-  const internal::Joined_elements elements(elements_a, elements_b);
-  const internal::Two_sets sets = {elements_a.size()};
-  return internal::report_object_pairs<ConcurrencyTag>(elements, sets, callback, np);
+  const auto report = [&](const auto& elements, std::size_t size_a) {
+    const internal::Two_sets sets = {size_a};
+    return internal::report_object_pairs<ConcurrencyTag>(elements, sets, callback, np);
+  };
+  return internal::with_two_ranges(objects_a, objects_b, np, report);
 }
 
 } // namespace CGAL

@@ -30,17 +30,17 @@ struct Near_along_axis_0
   internal::Near_question question;
 
   template <class Flush>
-  void collect_within(const Run& run, internal::Candidates& candidates, const Flush& flush) const
+  void collect_within(const Run& run, internal::Found_pairs& candidates, const Flush& flush) const
   {
     internal::Near_points_plain::collect_within(run, question, candidates, flush);
   }
   template <class Flush>
-  void collect_between(const Run& a, const Run& b, internal::Candidates& candidates,
+  void collect_between(const Run& a, const Run& b, internal::Found_pairs& candidates,
                        const Flush& flush) const
   {
     internal::Near_points_plain::collect_between(a, b, question, candidates, flush);
   }
-  bool is_pair(const Run& a, const Run& b, internal::Candidate pair,
+  bool is_pair(const Run& a, const Run& b, internal::Found_pair pair,
                internal::Decision_counts& counts) const
   {
     counts.add(CGAL::Arithmetic_tier::INT64);

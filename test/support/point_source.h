@@ -40,11 +40,11 @@ public:
   {
     return points_[position][static_cast<std::size_t>(axis)];
   }
-  std::array<double, Dimension> coordinates(std::size_t position) const
+  void put(std::size_t position,
+           CGAL::Thick_intersection_d::internal::Slab_point<Dimension>& place) const
   {
-    std::array<double, Dimension> x;
-    std::copy_n(points_[position].begin(), Dimension, x.begin());
-    return x;
+    std::copy_n(points_[position].begin(), Dimension, place.x.begin());
+    place.position = static_cast<CGAL::Thick_intersection_d::internal::Place>(position);
   }
 
 private:
@@ -56,10 +56,9 @@ std::vector<CGAL::Thick_intersection_d::internal::Slab_point<Dimension>>
 slab_points(const Points& points)
 {
   const Point_source<Dimension> source(points);
-  std::vector<CGAL::Thick_intersection_d::internal::Slab_point<Dimension>> result;
+  std::vector<CGAL::Thick_intersection_d::internal::Slab_point<Dimension>> result(points.size());
   for(std::size_t i = 0; i < points.size(); ++i)
-    result.push_back(
-      {source.coordinates(i), static_cast<CGAL::Thick_intersection_d::internal::Place>(i)});
+    source.put(i, result[i]);
   return result;
 }
 

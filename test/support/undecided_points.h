@@ -12,7 +12,7 @@
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Candidates.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_question.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/near_points.h>
@@ -45,25 +45,24 @@ struct Undecided_points
     return interval;
   }
   double coordinate(std::size_t position, int axis) const { return points[position][axis]; }
-  std::array<double, Dimension> coordinates(std::size_t position) const
+  void put(std::size_t position, Point& place) const
   {
-    std::array<double, Dimension> x;
-    std::copy_n(points[position].begin(), Dimension, x.begin());
-    return x;
+    std::copy_n(points[position].begin(), Dimension, place.x.begin());
+    place.position = static_cast<internal::Place>(position);
   }
 
   template <class Flush>
-  void collect_within(const Run& run, internal::Candidates& candidates, const Flush& flush) const
+  void collect_within(const Run& run, internal::Found_pairs& found, const Flush& flush) const
   {
-    internal::Near_points_lanes::collect_within(run, question, candidates, flush);
+    internal::Near_points_lanes::collect_within(run, question, found, flush);
   }
   template <class Flush>
-  void collect_between(const Run& a, const Run& b, internal::Candidates& candidates,
+  void collect_between(const Run& a, const Run& b, internal::Found_pairs& found,
                        const Flush& flush) const
   {
-    internal::Near_points_lanes::collect_between(a, b, question, candidates, flush);
+    internal::Near_points_lanes::collect_between(a, b, question, found, flush);
   }
-  bool is_pair(const Run&, const Run&, internal::Candidate, internal::Decision_counts&) const
+  bool is_pair(const Run&, const Run&, internal::Found_pair, internal::Decision_counts&) const
   {
     ++count;
     return false;

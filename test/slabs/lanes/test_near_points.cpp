@@ -63,7 +63,7 @@ template <class Collect>
 Collected collected(const Collect& collect)
 {
   Collected all;
-  internal::Candidates candidates;
+  internal::Found_pairs candidates;
   const auto flush = [&] {
     for(internal::Place c = 0; c < candidates.count; ++c)
       all.pairs.emplace_back(candidates.pairs[c].i, candidates.pairs[c].j);
@@ -80,7 +80,7 @@ Collected collected(const Collect& collect)
 template <class Lanes, int Dimension>
 Collected within(const Run_of_points<Dimension>& a, double r)
 {
-  return collected([&](internal::Candidates& candidates, const auto& flush) {
+  return collected([&](internal::Found_pairs& candidates, const auto& flush) {
     Lanes::collect_within(a.run(), question(r), candidates, flush);
   });
 }
@@ -88,7 +88,7 @@ Collected within(const Run_of_points<Dimension>& a, double r)
 template <class Lanes, int Dimension>
 Collected between(const Run_of_points<Dimension>& a, const Run_of_points<Dimension>& b, double r)
 {
-  return collected([&](internal::Candidates& candidates, const auto& flush) {
+  return collected([&](internal::Found_pairs& candidates, const auto& flush) {
     Lanes::collect_between(a.run(), b.run(), question(r), candidates, flush);
   });
 }
@@ -174,7 +174,7 @@ void check_undecided()
     return;
   Random random(2);
   const Run_of_points<2> a(integer_points(2, 40, 30, random));
-  const Collected found = collected([&](internal::Candidates& candidates, const auto& flush) {
+  const Collected found = collected([&](internal::Found_pairs& candidates, const auto& flush) {
     Lanes::collect_within(a.run(), {3, internal::Distance_filter()}, candidates, flush);
   });
   const Pairs pairs = sorted(found.pairs);
@@ -200,11 +200,11 @@ void check_stop()
   if(!Lanes::is_supported())
     return;
   const Run_of_points<2> a(identical_points(2, 200, 1)); // 19900 pairs
-  internal::Candidates candidates;
+  internal::Found_pairs candidates;
   int calls = 0;
   const auto stop = [&] {
     ++calls;
-    BOOST_CHECK_GE(candidates.count, internal::Candidates::capacity);
+    BOOST_CHECK_GE(candidates.count, internal::Found_pairs::capacity);
     candidates.count = 0;
     return false;
   };

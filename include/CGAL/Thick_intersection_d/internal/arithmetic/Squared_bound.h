@@ -9,6 +9,8 @@
 // between two doubles, and the reach along an axis.
 
 #include <CGAL/Distance_bound.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Fraction_traits.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 

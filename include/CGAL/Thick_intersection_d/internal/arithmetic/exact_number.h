@@ -8,6 +8,7 @@
 // Numbers without error. Converts each number type of the user to a type that computes and compares
 // squared distances exactly, and to doubles that enclose the number.
 
+#include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Fraction_traits.h>
 #include <CGAL/Lazy_exact_nt.h>
@@ -16,6 +17,7 @@
 #include <CGAL/number_utils.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <sstream>
 #include <type_traits>

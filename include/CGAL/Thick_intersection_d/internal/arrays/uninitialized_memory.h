@@ -9,6 +9,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/machine/huge_pages.h>
 
+#include <cstddef>
 #include <memory>
 
 namespace CGAL {

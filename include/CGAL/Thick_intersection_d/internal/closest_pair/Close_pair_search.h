@@ -81,6 +81,8 @@ public:
       buckets_(points, scene, is_within_), progress_(progress)
   {}
 
+  Close_pair_search(const Close_pair_search&) = delete; // the buckets refer to another member
+
   // Returns a close pair, if there is one and if it was found before the search was cancelled.
   Found find() const
   {

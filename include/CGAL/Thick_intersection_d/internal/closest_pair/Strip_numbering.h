@@ -34,7 +34,7 @@ public:
   }
 
 private:
-  const Is_beyond& is_beyond_;
+  Is_beyond is_beyond_;
   Element first_ = Element(); // the first element of the strip
   Cell_number number_ = 0;
 };

@@ -24,7 +24,7 @@ inline constexpr std::size_t small_size = 1000;
 // of 1/8, by steps of 1 to 15. Uniform points in the plane: 1.29 by steps to 7, 1.19 to 31.
 inline constexpr std::size_t max_sample_step = 15;
 
-// Each thread of a join visits at most 100 pairs per point of all points, and gives up then. Cells
+// Each task of a join visits at most 100 pairs per point of all points, and gives up then. Cells
 // of twice the distance with points that far apart in them, a lattice in space, give about 50 pairs
 // per point: 5.07 with 20. Clusters give more, and are left to other methods.
 inline constexpr std::size_t max_visits_per_point = 100;

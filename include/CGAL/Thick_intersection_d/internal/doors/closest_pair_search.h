@@ -30,7 +30,7 @@ namespace internal {
 // Returns the scene of the points. Throws if there are too many points, if points differ in
 // dimension, or if a coordinate is not finite.
 template <class ConcurrencyTag, class Elements>
-Scene check_points(const Elements& points)
+Scene scan_checked_points(const Elements& points)
 {
   check_size(points.size());
   return scan_points<ConcurrencyTag>(points, "point");
@@ -39,7 +39,7 @@ Scene check_points(const Elements& points)
 template <class ConcurrencyTag, class Elements, class NamedParameters>
 Position_pair find_closest_pair(const Elements& points, const NamedParameters& np)
 {
-  const Scene scene = check_points<ConcurrencyTag>(points);
+  const Scene scene = scan_checked_points<ConcurrencyTag>(points);
   if(points.size() < 2)
     throw std::invalid_argument("There is no closest pair of fewer than two points.");
   const unsigned int seed
@@ -59,7 +59,7 @@ std::optional<Position_pair> find_pair_within(const Elements& points,
 {
   using Number = Coordinate_t<typename Elements::value_type>;
   const Squared_bound<Exact_number_t<Number>> squared_bound(bound);
-  const Scene scene = check_points<ConcurrencyTag>(points);
+  const Scene scene = scan_checked_points<ConcurrencyTag>(points);
   auto progress = make_progress(np, points.size());
   const Close_pair_search<ConcurrencyTag, Elements, decltype(progress)> search(
     points, squared_bound, scene, progress);

@@ -78,7 +78,7 @@ public:
 
 private:
   // Slabs take points of the plane and of space, if finite doubles enclose their coordinates.
-  // Places have 32 bits, and one bit is for the places that end runs.
+  // Places have 32 bits; runs need up to as many places again as there are points, for their ends.
   bool can_be_in_slabs() const
   {
     if(scene_.dimension() != 2 && scene_.dimension() != 3)

@@ -135,6 +135,17 @@ auto make_elements(const Range& range, const NamedParameters& np)
              parameters::get_parameter(np, internal_np::point_map)));
 }
 
+// Returns task(elements, first_size) for the elements of two ranges in one numbering, and the
+// number of elements of the first range.
+template <class RangeA, class RangeB, class NamedParameters, class Task>
+auto with_two_ranges(const RangeA& range_a, const RangeB& range_b, const NamedParameters& np,
+                     const Task& task)
+{
+  const auto elements_a = make_elements(range_a, np);
+  const auto elements_b = make_elements(range_b, np);
+  return task(Joined_elements(elements_a, elements_b), elements_a.size());
+}
+
 } // namespace internal
 } // namespace Thick_intersection_d
 } // namespace CGAL

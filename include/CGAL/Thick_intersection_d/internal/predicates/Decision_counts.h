@@ -13,6 +13,7 @@
 #include <CGAL/Arithmetic_tier.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <mutex>
 

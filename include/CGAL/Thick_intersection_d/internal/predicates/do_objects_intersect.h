@@ -8,13 +8,17 @@
 // The intersection test of kernel objects, exact for the coordinates that they hold. It is the test
 // of the kernel, if the kernel is exact, and otherwise the test of a kernel with exact predicates.
 
+#include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Cartesian_converter.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/intersections.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+
+#include <type_traits>
 
 namespace CGAL {
 namespace Thick_intersection_d {

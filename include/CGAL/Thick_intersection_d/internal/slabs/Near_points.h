@@ -6,7 +6,7 @@
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_NEAR_POINTS_H
 
 // Points within a distance, as the slab route sees them: the points that it moves into slabs, the
-// lanes that find candidates, and the test that decides candidates.
+// lanes that find pairs, and the test that decides the found pairs.
 
 #include <CGAL/Arithmetic_tier.h>
 
@@ -18,7 +18,7 @@
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Is_within_distance.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Candidates.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_question.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/near_points.h>
@@ -60,7 +60,7 @@ class Near_points
 
 public:
   using Point = Slab_point<Dimension>;
-  using Run = internal::Run<Dimension>;
+  using Run = typename Point::Run;
 
   Near_points(const Elements& points, const Scene& scene, const All_doubles& doubles,
               const Is_within_distance<Element>& is_within)
@@ -75,9 +75,10 @@ public:
   // An axis here is an index among the axes that are searched.
   Interval interval(int axis) const { return scene_.box[axes_[axis]]; }
   double coordinate(std::size_t position, int axis) const { return doubles_.at(position, axis); }
-  std::array<double, Dimension> coordinates(std::size_t position) const
+  void put(std::size_t position, Point& place) const
   {
-    return doubles_.template at<Dimension>(position);
+    place.x = doubles_.template at<Dimension>(position);
+    place.position = static_cast<Place>(position);
   }
 
   // Whether all pairs of points of the scene are certainly within the bound.
@@ -90,20 +91,20 @@ public:
   }
 
   template <class Flush>
-  void collect_within(const Run& run, Candidates& candidates, const Flush& flush) const
+  void collect_within(const Run& run, Found_pairs& found, const Flush& flush) const
   {
-    Near_points_lanes::collect_within(run, near_, candidates, flush);
+    Near_points_lanes::collect_within(run, near_, found, flush);
   }
 
   template <class Flush>
-  void collect_between(const Run& a, const Run& b, Candidates& candidates,
+  void collect_between(const Run& a, const Run& b, Found_pairs& found,
                        const Flush& flush) const
   {
-    Near_points_lanes::collect_between(a, b, near_, candidates, flush);
+    Near_points_lanes::collect_between(a, b, near_, found, flush);
   }
 
-  // Whether a candidate is within the bound. The runs are in the cache, the user's points are not.
-  bool is_pair(const Run& a, const Run& b, Candidate pair, Decision_counts& counts) const
+  // Whether a found pair is within the bound. The runs are in the cache, the user's points are not.
+  bool is_pair(const Run& a, const Run& b, Found_pair pair, Decision_counts& counts) const
   {
     if(squared_distance(a, b, pair) <= near_.filter.inside) { // the lanes found this, and forgot it
       counts.add(Arithmetic_tier::DOUBLE);
@@ -129,7 +130,7 @@ private:
       return Some_doubles(doubles, axes);
   }
 
-  static double squared_distance(const Run& a, const Run& b, Candidate pair)
+  static double squared_distance(const Run& a, const Run& b, Found_pair pair)
   {
     double s = 0;
     for(int axis = 0; axis < Dimension; ++axis) {

@@ -5,14 +5,15 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_PAIR_SWEEP_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_PAIR_SWEEP_H
 
-// Sweeps one or two sorted runs: collects candidates by lanes, decides them, and reports the pairs.
-// It knows neither where the runs come from nor what makes two elements a pair.
+// Sweeps one or two sorted runs: lanes find pairs, the test decides those that lanes left
+// undecided, and the report gets the rest. It knows neither where the runs come from nor what makes
+// a pair.
 
 #include <CGAL/Arithmetic_tier.h>
 
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Candidates.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
 
 #include <boost/config.hpp> // BOOST_NOINLINE
 
@@ -22,14 +23,14 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// `Test` has a type of runs, and decides what a pair is. It has
+// `Test` decides what a pair is. It has
 //
-//   Run                                               sorted elements in columns, with positions
-//                                                     and block()
-//   collect_within(run, candidates, flush)            collects the candidates in a run, by lanes
-//   collect_between(a, b, candidates, flush)          collects the candidates between two runs
-//   is_pair(a, b, candidate, counts)                  decides about a candidate; called if lanes
-//                                                     left any candidate undecided
+//   Run                                 sorted elements in columns, with positions and block()
+//   collect_within(run, found, flush)   finds the pairs in a run that are not certainly no pairs,
+//                                       by lanes
+//   collect_between(a, b, found, flush) finds such pairs between two runs
+//   is_pair(a, b, pair, counts)         decides about a found pair; called if lanes left any
+//                                       found pair undecided
 //
 // `Report` takes two positions, returns false to stop, and has is_stopped().
 template <class Test, class Report>
@@ -56,7 +57,7 @@ public:
   void within(const Run& run)
   {
     const Run a = block_of(run);
-    test_.collect_within(a, candidates_, [&] { return flush(a, a); });
+    test_.collect_within(a, found_, [&] { return flush(a, a); });
     flush(a, a);
   }
 
@@ -64,7 +65,7 @@ public:
   void between(const Run& run, const Run& b)
   {
     const Run a = block_of(run);
-    test_.collect_between(a, b, candidates_, [&] { return flush(a, b); });
+    test_.collect_between(a, b, found_, [&] { return flush(a, b); });
     flush(a, b);
   }
 
@@ -74,13 +75,13 @@ private:
     return block_count_ == 1 ? run : run.block(block_index_, block_count_);
   }
 
-  // Reports the candidates that are pairs. Returns false to stop. Not inline, so that the loops of
-  // lanes stay short. They call this function once per thousand candidates.
+  // Reports the found pairs that are pairs. Returns false to stop. Not inline, so that the loops of
+  // lanes stay short. They call this function once per thousand found pairs.
   BOOST_NOINLINE bool flush(const Run& a, const Run& b)
   {
-    const Place count = candidates_.count;
-    candidates_.count = 0;
-    const bool is_any_undecided = std::exchange(candidates_.is_any_undecided, false);
+    const Place count = found_.count;
+    found_.count = 0;
+    const bool is_any_undecided = std::exchange(found_.is_any_undecided, false);
     if(report_.is_stopped())
       is_stopped_ = true;
     else if(is_any_undecided)
@@ -92,16 +93,17 @@ private:
     return !is_stopped_;
   }
 
-  // If all candidates are decided, the loop itself stores nothing. This makes short callbacks fast.
+  // If all found pairs are decided, the loop itself stores nothing. This makes short callbacks
+  // fast.
   template <bool is_any_undecided>
   bool report_pairs(const Run& a, const Run& b, Place count)
   {
     for(Place c = 0; c < count; ++c) {
-      const Candidate candidate = candidates_.pairs[c];
-      const Place i = a.positions[candidate.i];
-      const Place j = b.positions[candidate.j];
+      const Found_pair found = found_.pairs[c];
+      const Place i = a.positions[found.i];
+      const Place j = b.positions[found.j];
       if constexpr(is_any_undecided)
-        if(!test_.is_pair(a, b, candidate, counts_))
+        if(!test_.is_pair(a, b, found, counts_))
           continue;
       const Place swapped = (i ^ j) & (Place(0) - static_cast<Place>(j < i)); // no branch
       if(!report_(i ^ swapped, j ^ swapped))
@@ -116,7 +118,7 @@ private:
   Place block_count_ = 1;
   bool is_stopped_ = false;
   Decision_counts counts_;
-  Candidates candidates_;
+  Found_pairs found_;
 };
 
 } // namespace internal

@@ -9,6 +9,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
 
 #include <array>
 
@@ -17,11 +18,21 @@ namespace Thick_intersection_d {
 namespace internal {
 
 // The coordinates of a point as doubles, along the axes that are searched, and its position.
+//
+// Another kind of element in the slabs is another class like this one: slabs, strips and buckets
+// order it by x, and its runs have the columns that its lanes ask for.
 template <int Dimension>
 struct Slab_point
 {
   static constexpr int dimension = Dimension;
   static constexpr int slab_axis = Dimension - 1; // the axis that slabs are cut along
+
+  // The columns of a run: coordinates, and which of them bound the element along an axis.
+  using Run = internal::Run<Dimension>;
+  static constexpr int column_count = Dimension;
+  static constexpr int low_column(int axis) { return axis; }
+  static constexpr int high_column(int axis) { return axis; }
+  double column(int index) const { return x[index]; }
 
   std::array<double, Dimension> x;
   Place position;

@@ -31,8 +31,9 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// `Test` is a source for Slabs and a test for Pair_sweep. It also has the functions size(),
-// reach(), are_all_pairs() and publish(counts), as Near_points does.
+// `Test` is a source for Slabs and a test for Pair_sweep. It also has a type Point, like
+// Slab_point, whose runs are its own, and the functions size(), reach(), are_all_pairs() and
+// publish(counts), as Near_points does.
 template <class ConcurrencyTag, class Test>
 class Slab_route
 {

@@ -31,7 +31,7 @@ class Slabs
 {
 public:
   // Takes the points at the positions [first, last) of `source`. The source has the functions
-  // interval(axis), coordinate(position, axis) and coordinates(position).
+  // interval(axis), coordinate(position, axis) and put(position, place).
   template <class ConcurrencyTag, class Source>
   Slabs(ConcurrencyTag, const Source& source, std::size_t first, std::size_t last, double reach,
         const Slab_tuning& tuning = Slab_tuning())
@@ -88,8 +88,8 @@ private:
     for_each_numbered_block<ConcurrencyTag>(
       blocks, size, [&](std::size_t block, std::size_t i, std::size_t end) {
         for(; i != end; ++i) {
-          const auto x = source.coordinates(first + i);
-          points_[next[block * count + cut_(x[axis])]++] = {x, static_cast<Place>(first + i)};
+          const Place slab = cut_(source.coordinate(first + i, axis));
+          source.put(first + i, points_[next[block * count + slab]++]);
         }
       });
   }

@@ -52,11 +52,11 @@ public:
   double candidates() const { return candidates_; }
   void set_candidates(double candidates) { candidates_ = candidates; }
 
-  Run<dimension> run(const Strip_of_points& strip) const
+  typename Point::Run run(const Strip_of_points& strip) const
   {
-    Run<dimension> run;
-    for(int axis = 0; axis < dimension; ++axis)
-      run.x[axis] = columns_[axis].data() + strip.begin;
+    typename Point::Run run;
+    for(int c = 0; c < Point::column_count; ++c)
+      run.x[c] = columns_[c].data() + strip.begin;
     run.positions = positions_.data() + strip.begin;
     run.size = strip.size();
     return run;
@@ -82,29 +82,32 @@ public:
     Strip_of_points strip{end_, end_, {}};
     for(; first != last; ++first) {
       const Point& p = *first;
-      for(int axis = 0; axis < dimension; ++axis) {
-        columns_[axis].data()[strip.end] = p.x[axis];
-        strip.box[axis].add(p.x[axis]);
-      }
+      for(int c = 0; c < Point::column_count; ++c)
+        columns_[c].data()[strip.end] = p.column(c);
+      for(int axis = 0; axis < dimension; ++axis)
+        strip.box[axis].add(
+          Interval{p.column(Point::low_column(axis)), p.column(Point::high_column(axis))});
       positions_.data()[strip.end++] = p.position;
     }
     close(strip);
   }
 
-  // Appends the border of a strip of `other`: the points whose coordinate along `axis` is in
-  // `interval`. `kept` has room for a place per point of the strip.
+  // Appends the border of a strip of `other`: the points that meet `interval` along `axis`. `kept`
+  // has room for a place per point of the strip.
   void append_border(const Strips& other, const Strip_of_points& strip, int axis,
                      const Interval& interval, Place* kept)
   {
-    const double* x = other.columns_[axis].data();
+    const double* low = other.columns_[Point::low_column(axis)].data();
+    const double* high = other.columns_[Point::high_column(axis)].data();
     Place count = 0;
     for(Place i = strip.begin; i != strip.end; ++i) {
       kept[count] = i;
-      count += static_cast<Place>(x[i] >= interval.low) & static_cast<Place>(x[i] <= interval.high);
+      count += static_cast<Place>(high[i] >= interval.low)
+               & static_cast<Place>(low[i] <= interval.high);
     }
-    for(int each = 0; each < dimension; ++each) {
-      const double* from = other.columns_[each].data();
-      double* to = columns_[each].data() + end_;
+    for(int c = 0; c < Point::column_count; ++c) {
+      const double* from = other.columns_[c].data();
+      double* to = columns_[c].data() + end_;
       for(Place k = 0; k < count; ++k)
         to[k] = from[kept[k]];
     }
@@ -119,9 +122,9 @@ private:
   {
     for(Place lane = 0; lane < lanes; ++lane)
       columns_[0].data()[strip.end + lane] = std::numeric_limits<double>::quiet_NaN();
-    for(int axis = 1; axis < dimension; ++axis) // the sweep reads these, but does not use them
+    for(int c = 1; c < Point::column_count; ++c) // the sweep reads these, but does not use them
       for(Place lane = 0; lane < lanes; ++lane)
-        columns_[axis].data()[strip.end + lane] = 0;
+        columns_[c].data()[strip.end + lane] = 0;
     end_ = strip.end + lanes;
     if(strip.size() == 0)
       return;
@@ -131,7 +134,7 @@ private:
       box_[axis].add(strip.box[axis]);
   }
 
-  std::array<Buffer<double>, dimension> columns_;
+  std::array<Buffer<double>, Point::column_count> columns_;
   Buffer<Place> positions_;
   std::vector<Strip_of_points> strips_;
   Box<dimension> box_;

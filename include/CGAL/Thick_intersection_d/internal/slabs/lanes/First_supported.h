@@ -11,7 +11,7 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Collects candidates by the first kind of lanes that the processor supports. All kinds collect the
+// Finds pairs by the first kind of lanes that the processor supports. All kinds collect the
 // same pairs in the same order, but a kind may leave out near ties that are beyond the bound.
 template <class First, class... Others>
 struct First_supported

@@ -11,7 +11,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Candidates.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_question.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/near_points_plain.h>
@@ -29,16 +29,16 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-static_assert(lanes == 8 && sizeof(Candidate) == 8, "A vector holds eight doubles or pairs.");
+static_assert(lanes == 8 && sizeof(Found_pair) == 8, "A vector holds eight doubles or pairs.");
 
 // The near pairs of eight lanes: {i + lane, j + lane} or {i + lane, j}, for growing j.
 class Near_lanes_avx512
 {
 public:
   CGAL_THICK_INTERSECTION_D_AVX512
-  Near_lanes_avx512(const Distance_filter& filter, Candidates& candidates)
+  Near_lanes_avx512(const Distance_filter& filter, Found_pairs& found)
     : inside_(_mm512_set1_pd(filter.inside)), outside_(_mm512_set1_pd(filter.outside)),
-      candidates_(candidates), count_(candidates.count)
+      found_(found), count_(found.count)
   {}
 
   template <bool moves_j>
@@ -57,29 +57,29 @@ public:
   {
     const __mmask8 near = _mm512_cmp_pd_mask(squared_distances, outside_, _CMP_LE_OQ);
     undecided_ |= near & _mm512_cmp_pd_mask(squared_distances, inside_, _CMP_GT_OQ);
-    _mm512_storeu_si512(&candidates_.pairs[count_], _mm512_maskz_compress_epi64(near, pairs_));
+    _mm512_storeu_si512(&found_.pairs[count_], _mm512_maskz_compress_epi64(near, pairs_));
     count_ += static_cast<Place>(__builtin_popcount(near));
     pairs_ = _mm512_add_epi64(pairs_, _mm512_set1_epi64(1LL << 32));
-    if(count_ < Candidates::capacity)
+    if(count_ < Found_pairs::capacity)
       return true;
     finish();
     const bool goes_on = flush();
-    count_ = candidates_.count;
+    count_ = found_.count;
     undecided_ = 0;
     return goes_on;
   }
 
   void finish()
   {
-    candidates_.count = count_;
-    candidates_.is_any_undecided |= undecided_ != 0;
+    found_.count = count_;
+    found_.is_any_undecided |= undecided_ != 0;
   }
 
 private:
   const __m512d inside_;
   const __m512d outside_;
   __m512i pairs_;
-  Candidates& candidates_;
+  Found_pairs& found_;
   Place count_;
   unsigned int undecided_ = 0;
 };
@@ -94,11 +94,11 @@ struct Near_points_avx512
 
   template <int Dimension, class Flush>
   CGAL_THICK_INTERSECTION_D_AVX512 static void
-  collect_within(const Run<Dimension>& run, Near_question near, Candidates& candidates,
+  collect_within(const Run<Dimension>& run, Near_question near, Found_pairs& found,
                  const Flush& flush)
   {
     const __m512d reach = _mm512_set1_pd(near.reach);
-    Near_lanes_avx512 lanes_of_run(near.filter, candidates);
+    Near_lanes_avx512 lanes_of_run(near.filter, found);
     for(Place i = 0; i < run.size; i += lanes) {
       __m512d p[Dimension];
       for(int axis = 0; axis < Dimension; ++axis)
@@ -123,10 +123,10 @@ struct Near_points_avx512
   template <int Dimension, class Flush>
   CGAL_THICK_INTERSECTION_D_AVX512 static void
   collect_between(const Run<Dimension>& a, const Run<Dimension>& b, Near_question near,
-                  Candidates& candidates, const Flush& flush)
+                  Found_pairs& found, const Flush& flush)
   {
     Place first = 0;
-    Near_lanes_avx512 lanes_of_a(near.filter, candidates);
+    Near_lanes_avx512 lanes_of_a(near.filter, found);
     for(Place i = 0; i < a.size; i += lanes) {
       const double low = a.x[0][i] - near.reach;
       while(b.x[0][first] < low)

@@ -13,7 +13,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Candidates.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_question.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
 
@@ -34,7 +34,7 @@ struct Near_points_plain
   // own, the same number for all lanes. The number grows until no lane is within reach.
   template <int Dimension, class Flush>
   static void collect_within(const Run<Dimension>& run, Near_question near,
-                             Candidates& candidates, const Flush& flush)
+                             Found_pairs& found, const Flush& flush)
   {
     for(Place i = 0; i < run.size; i += lanes) {
       for(Place j = i + 1;; ++j) {
@@ -52,8 +52,8 @@ struct Near_points_plain
             const double gap = run.x[axis][j + lane] - run.x[axis][i + lane];
             s[lane] += gap * gap;
           }
-        append<true>(i, j, s, near.filter, candidates);
-        if(candidates.count >= Candidates::capacity && !flush())
+        append<true>(i, j, s, near.filter, found);
+        if(found.count >= Found_pairs::capacity && !flush())
           return;
       }
     }
@@ -63,7 +63,7 @@ struct Near_points_plain
   // of a. All lanes take the same point of b.
   template <int Dimension, class Flush>
   static void collect_between(const Run<Dimension>& a, const Run<Dimension>& b,
-                              Near_question near, Candidates& candidates,
+                              Near_question near, Found_pairs& found,
                               const Flush& flush)
   {
     Place first = 0; // points of b before it are too low for all later points of a
@@ -81,8 +81,8 @@ struct Near_points_plain
             s[lane] += gap * gap;
           }
         }
-        append<false>(i, j, s, near.filter, candidates);
-        if(candidates.count >= Candidates::capacity && !flush())
+        append<false>(i, j, s, near.filter, found);
+        if(found.count >= Found_pairs::capacity && !flush())
           return;
       }
     }
@@ -93,18 +93,18 @@ private:
   // beyond the bound.
   template <bool moves_j>
   static void append(Place i, Place j, const double (&squared_distances)[lanes],
-                     const Distance_filter& filter, Candidates& candidates)
+                     const Distance_filter& filter, Found_pairs& found)
   {
     int is_any_undecided = 0;
-    Place count = candidates.count;
+    Place count = found.count;
     for(Place lane = 0; lane < lanes; ++lane) {
       const double s = squared_distances[lane];
-      candidates.pairs[count] = {i + lane, moves_j ? j + lane : j};
+      found.pairs[count] = {i + lane, moves_j ? j + lane : j};
       count += s <= filter.outside;
       is_any_undecided |= (s > filter.inside) & (s <= filter.outside);
     }
-    candidates.count = count;
-    candidates.is_any_undecided |= is_any_undecided != 0;
+    found.count = count;
+    found.is_any_undecided |= is_any_undecided != 0;
   }
 };
 

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_CANDIDATES_H
-#define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_CANDIDATES_H
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_FOUND_PAIRS_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_FOUND_PAIRS_H
 
 // Pairs that lanes have found, and that Pair_sweep decides and reports.
 
@@ -17,23 +17,23 @@ namespace Thick_intersection_d {
 namespace internal {
 
 // The point at place i of one run, and the point at place j of the same run or another run.
-struct Candidate
+struct Found_pair
 {
   Place i;
   Place j;
 };
 
-struct Candidates
+struct Found_pairs
 {
   static constexpr Place capacity = 1024;
 
   Place count = 0;
   bool is_any_undecided = false; // whether the filter left a pair undecided
-  std::array<Candidate, capacity + lanes> pairs; // `lanes` more before a look at count
+  std::array<Found_pair, capacity + lanes> pairs; // `lanes` more before a look at count
 };
 
 } // namespace internal
 } // namespace Thick_intersection_d
 } // namespace CGAL
 
-#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_CANDIDATES_H
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_FOUND_PAIRS_H
