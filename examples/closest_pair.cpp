@@ -29,7 +29,7 @@ std::ifstream open(const std::string& file)
   return in;
 }
 
-// A place on the Earth, in metres from its centre.
+// A place on the Earth, in meters from its center.
 Point on_sphere(double latitude, double longitude)
 {
   const double radius = 6371008.8, degree = std::acos(-1.) / 180;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 // Traits of one's own: aircraft in conflict, closer than 9260 m horizontally and than 305 m
-// vertically. The distances are a state of the traits. All numbers are whole metres, so the
+// vertically. The distances are a state of the traits. All numbers are whole meters, so the
 // predicates are exact.
 
 #include <CGAL/thick_intersection_d.h>

@@ -21,7 +21,7 @@ int main()
                                                    {Point(5, 0), Point(6, 0)}};
   CGAL::thick_self_intersection_d(segments, print);
 
-  std::cout << "overlapping balls\n"; // a centre and a radius
+  std::cout << "overlapping balls\n"; // a center and a radius
   const std::vector<std::pair<Point, double>> balls = {{Point(0, 0), 2.},
                                                        {Point(3, 0), 1.},
                                                        {Point(0, 1), 0.5}};

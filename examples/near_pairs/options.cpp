@@ -39,7 +39,7 @@ void add_scene_options(po::options_description& all, Options& options)
      "lon*); with --geographic latitude,longitude")
     ("geographic", po::bool_switch(&options.geographic),
      "latitude and longitude in degrees are put on a sphere of radius 6371008.8 m; the distance is "
-     "the straight chord in metres")
+     "the straight chord in meters")
     ("decimal", po::bool_switch(&options.decimal),
      "take decimal coordinates exactly, as integers at one power of ten for the file, instead of "
      "rounding each to a double");

@@ -16,10 +16,10 @@
 namespace near_pairs {
 namespace {
 
-// Colours of Okabe and Ito, which colour-blind people can tell apart too.
-const char* const pair_colour = "#D55E00";
-const char* const inset_colour = "#0072B2";
-const char* const point_colour = "#555555";
+// Colors of Okabe and Ito, which color-blind people can tell apart too.
+const char* const pair_color = "#D55E00";
+const char* const inset_color = "#0072B2";
+const char* const point_color = "#555555";
 
 constexpr double main_left = 96, main_top = 64, main_width = 600, main_height = 520;
 constexpr double caption_width = 500, legend_width = 330, inset_side = 300;
@@ -101,10 +101,10 @@ void Picture::place_main_panel()
 void Picture::place_inset()
 {
   for(double side = 16 * reach_; ; side /= 2) {
-    const Position centre = densest_place(side / 4);
-    const double aspect = aspect_at(centre.y);
-    inset_.low = {centre.x - side / aspect / 2, centre.y - side / 2};
-    inset_.high = {centre.x + side / aspect / 2, centre.y + side / 2};
+    const Position center = densest_place(side / 4);
+    const double aspect = aspect_at(center.y);
+    inset_.low = {center.x - side / aspect / 2, center.y - side / 2};
+    inset_.high = {center.x + side / aspect / 2, center.y + side / 2};
     inset_.y_scale = inset_side / side;
     inset_.x_scale = inset_.y_scale * aspect;
     const auto count = std::count_if(positions_.begin(), positions_.end(),
@@ -119,7 +119,7 @@ void Picture::place_inset()
 // The mean of the points in the fullest cell of a grid with this side.
 Position Picture::densest_place(double side) const
 {
-  const double aspect = aspect_at(main_.centre().y);
+  const double aspect = aspect_at(main_.center().y);
   const auto cell = [&](Position p) {
     return std::make_pair(std::floor(p.x * aspect / side), std::floor(p.y / side));
   };
@@ -176,7 +176,7 @@ void Picture::write(std::ostream& svg) const
   write_axes(svg, main_, axis_names_[0], axis_names_[1]);
   if(has_inset_) {
     write_points(svg, main_, 1.6);
-    write_dots(svg, marks_, pair_colour, 3);
+    write_dots(svg, marks_, pair_color, 3);
     write_inset(svg);
   }
   else {
@@ -193,13 +193,13 @@ void Picture::write_points(std::ostream& svg, const Panel& panel, double size) c
   for(const Position& p : positions_)
     if(panel.shows(p))
       places.insert(pixels(panel.place(p)));
-  write_dots(svg, places, point_colour, size);
+  write_dots(svg, places, point_color, size);
 }
 
 // A pair across the 180th meridian would run around the map: it is left out.
 void Picture::write_pairs(std::ostream& svg, const Panel& panel, const Pairs& pairs) const
 {
-  svg << "<path fill='none' stroke-opacity='0.7' stroke='" << pair_colour << "' d='";
+  svg << "<path fill='none' stroke-opacity='0.7' stroke='" << pair_color << "' d='";
   for(const auto& [i, j] : pairs)
     if(!geographic_ || std::abs(positions_[i].x - positions_[j].x) < 180)
       svg << 'M' << pixels(panel.place(positions_[i])) << 'L'
@@ -209,16 +209,16 @@ void Picture::write_pairs(std::ostream& svg, const Panel& panel, const Pairs& pa
 
 void Picture::write_inset(std::ostream& svg) const
 {
-  const Position centre = main_.place(inset_.centre());
-  svg << "<circle cx='" << centre.x << "' cy='" << centre.y << "' r='9' fill='none' stroke='"
-      << inset_colour << "' stroke-width='2'/>\n<g clip-path='url(#inset)'>\n";
+  const Position center = main_.place(inset_.center());
+  svg << "<circle cx='" << center.x << "' cy='" << center.y << "' r='9' fill='none' stroke='"
+      << inset_color << "' stroke-width='2'/>\n<g clip-path='url(#inset)'>\n";
   write_pairs(svg, inset_, inset_pairs_);
   write_points(svg, inset_, 3);
   svg << "</g>\n";
-  write_frame(svg, inset_, inset_colour);
+  write_frame(svg, inset_, inset_color);
   write_scale_bar(svg, inset_, units_per_position_, unit_);
   write_text(svg, {inset_.left, main_top - 13}, "detail around "
-             + short_number(inset_.centre().x, 6) + ", " + short_number(inset_.centre().y, 6));
+             + short_number(inset_.center().x, 6) + ", " + short_number(inset_.center().y, 6));
 }
 
 void Picture::write_legend(std::ostream& svg) const
@@ -230,15 +230,15 @@ void Picture::write_legend(std::ostream& svg) const
     write_text(svg, {x + 22, y + 5}, text);
     y += 24;
   };
-  const std::string orange = std::string(" stroke='") + pair_colour + "'";
-  row(std::string("<circle r='1.6' fill='") + point_colour + "'/>", "point");
+  const std::string orange = std::string(" stroke='") + pair_color + "'";
+  row(std::string("<circle r='1.6' fill='") + point_color + "'/>", "point");
   if(has_inset_)
     row("<path d='M0 0h0' stroke-linecap='round' stroke-width='5'" + orange + "/>",
         "place with at least one pair");
   row("<path d='M-10 0h20' stroke-width='1.5'" + orange + "/>",
       has_inset_ ? "pair, in the detail" : "pair");
   if(has_inset_)
-    row(std::string("<circle r='9' fill='none' stroke-width='2' stroke='") + inset_colour + "'/>",
+    row(std::string("<circle r='9' fill='none' stroke-width='2' stroke='") + inset_color + "'/>",
         "the densest place, in the detail");
   if(pairs_ > most_lines && (main_pairs_.size() == most_lines || inset_pairs_.size() == most_lines))
     write_text(svg, {x - 12, y + 5}, "only " + std::to_string(most_lines) + " lines are drawn");

@@ -50,7 +50,7 @@ private:
   std::string unit_;          // of the scale bar
   bool geographic_;
   double reach_;              // the distance, in the unit of the positions
-  double units_per_position_; // of the distance: metres in a degree, or 1
+  double units_per_position_; // of the distance: meters in a degree, or 1
   std::vector<Position> positions_;
 
   Panel main_;

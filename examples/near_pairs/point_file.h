@@ -38,7 +38,7 @@ struct Scene
   double distance(std::size_t i, std::size_t j) const;
 };
 
-// The radius of the sphere of --geographic, in metres.
+// The radius of the sphere of --geographic, in meters.
 constexpr double earth_radius = 6371008.8;
 
 // Throws Error, with file and line, if anything in the file cannot be taken at its word.

@@ -89,20 +89,20 @@ void write_text(std::ostream& svg, Position p, const std::string& text, const ch
       << "</text>\n";
 }
 
-void write_dots(std::ostream& svg, const std::set<std::string>& places, const char* colour,
+void write_dots(std::ostream& svg, const std::set<std::string>& places, const char* color,
                 double size)
 {
-  svg << "<path stroke-linecap='round' stroke='" << colour << "' stroke-width='" << size
+  svg << "<path stroke-linecap='round' stroke='" << color << "' stroke-width='" << size
       << "' d='";
   for(const std::string& place : places)
     svg << 'M' << place << "h0";
   svg << "'/>\n";
 }
 
-void write_frame(std::ostream& svg, const Panel& panel, const char* colour)
+void write_frame(std::ostream& svg, const Panel& panel, const char* color)
 {
   svg << "<rect x='" << panel.left << "' y='" << panel.top << "' width='" << panel.width()
-      << "' height='" << panel.height() << "' fill='none' stroke='" << colour << "'/>\n";
+      << "' height='" << panel.height() << "' fill='none' stroke='" << color << "'/>\n";
 }
 
 void write_axes(std::ostream& svg, const Panel& panel, const std::string& x_name,

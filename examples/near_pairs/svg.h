@@ -27,7 +27,7 @@ struct Panel
   double width() const { return (high.x - low.x) * x_scale; }
   double height() const { return (high.y - low.y) * y_scale; }
   double bottom() const { return top + height(); }
-  Position centre() const { return {(low.x + high.x) / 2, (low.y + high.y) / 2}; }
+  Position center() const { return {(low.x + high.x) / 2, (low.y + high.y) / 2}; }
   Position place(Position p) const
   {
     return {left + (p.x - low.x) * x_scale, top + (high.y - p.y) * y_scale};
@@ -48,10 +48,10 @@ std::string pixels(Position p);
 void write_text(std::ostream& svg, Position p, const std::string& text, const char* style = "");
 
 // Draws a dot at each of the places, which pixels() made: dots that look the same are drawn once.
-void write_dots(std::ostream& svg, const std::set<std::string>& places, const char* colour,
+void write_dots(std::ostream& svg, const std::set<std::string>& places, const char* color,
                 double size);
 
-void write_frame(std::ostream& svg, const Panel& panel, const char* colour);
+void write_frame(std::ostream& svg, const Panel& panel, const char* color);
 
 // The frame of a panel with ticks, their numbers and the names of the axes.
 void write_axes(std::ostream& svg, const Panel& panel, const std::string& x_name,
