@@ -41,9 +41,9 @@ public:
   template <class Exact>
   Twofold_filter(const Squared_bound<Exact>& bound, int dimension)
   {
-    static const double least = std::ldexp(1., -800); // above it, no part of a product underflows
-    static const double greatest = std::ldexp(1., 1000);
-    if(bound.squared().first > least && bound.squared().second < greatest) {
+    constexpr double min_square = 0x1p-800; // above it, no part of a product underflows
+    constexpr double max_square = 0x1p1000;
+    if(bound.squared().first > min_square && bound.squared().second < max_square) {
       squared_bound_ = {bound.squared().first, bound.excess(bound.squared().first)};
       slack_ = std::ldexp(bound.squared().second, -96) * (dimension + 8);
     }
