@@ -7,6 +7,7 @@
 #include "support/point_generators.h"
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_tier.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Near_tie_predicate.h>
 
 #include <boost/test/unit_test.hpp>
@@ -76,14 +77,16 @@ void check_tiers(double r, bool is_open)
   const auto closed = CGAL::within_distance(r);
   const Bound bound(is_open ? closed.open() : closed);
   const internal::Scene scene = integer_scene();
-  const internal::Near_tie_predicate in_64_bits(bound, scene, Arithmetic_tier::INT64);
+  const bool fits_64_bits = internal::fits_int64(r, 2);
+  const internal::Near_tie_predicate in_64_bits(
+    bound, scene, fits_64_bits ? Arithmetic_tier::INT64 : Arithmetic_tier::INT128);
   const internal::Near_tie_predicate in_128_bits(bound, scene, Arithmetic_tier::INT128);
   const internal::Near_tie_predicate twofold(bound, scene, Arithmetic_tier::FILTERED_EXACT);
   for(const auto& [x, y] : points_near_circle(r)) {
     const Integer excess = Integer(x) * Integer(x) + Integer(y) * Integer(y)
                            - Integer(r) * Integer(r);
     const bool expected = is_open ? excess < 0 : excess <= 0;
-    if(r < 0x1p31)
+    if(fits_64_bits)
       BOOST_CHECK(decision(in_64_bits, x, y, Arithmetic_tier::INT64) == expected);
     BOOST_CHECK(decision(in_128_bits, x, y, Arithmetic_tier::INT128) == expected);
     const std::optional<bool> in_doubles = decision(twofold, x, y, Arithmetic_tier::DOUBLE);
