@@ -155,7 +155,31 @@ BOOST_AUTO_TEST_CASE(avx512_lanes_collect_the_near_pairs_in_the_same_order)
   check_all_lanes<internal::Near_points_avx512>();
 }
 
-BOOST_AUTO_TEST_CASE(lanes_that_are_supported_are_chosen)
+// Lanes that write down who was called.
+template <int number, bool supported>
+struct Noted_lanes
+{
+  static bool is_supported() { return supported; }
+  static void collect_within(int& called) { called = number; }
+  static void collect_between(int& called) { called = -number; }
+};
+
+// The last ones are taken without a question: plain loops run everywhere.
+BOOST_AUTO_TEST_CASE(first_lanes_that_are_supported_are_chosen)
+{
+  using Second = internal::First_supported<Noted_lanes<1, false>, Noted_lanes<2, true>,
+                                           Noted_lanes<3, true>>;
+  using Last = internal::First_supported<Noted_lanes<1, false>, Noted_lanes<2, false>>;
+  int called = 0;
+  Second::collect_within(called);
+  BOOST_CHECK_EQUAL(called, 2);
+  Second::collect_between(called);
+  BOOST_CHECK_EQUAL(called, -2);
+  Last::collect_within(called);
+  BOOST_CHECK_EQUAL(called, 2);
+}
+
+BOOST_AUTO_TEST_CASE(chosen_lanes_collect_the_pairs_of_plain_lanes)
 {
   check_all_lanes<internal::Near_points_plain>();
   Random random(1);
