@@ -7,8 +7,11 @@
 
 // Closed balls with individual radii.
 
+#include <CGAL/Dimension.h>
+
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/doors/ball_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/input/Ball_centers.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Do_balls_intersect.h>
 
@@ -39,6 +42,7 @@ Objects of this class may be used by several threads at once.
 \tparam Point is `Point_2`, `Point_3` or `Point_d` of a kernel of \cgal.
 
 \cgalModels{ThickIntersectionTraits_d}
+\cgalModels{ThickIntersectionIntervalTraits_d}
 */
 template <class Point>
 class Thick_ball_traits_d
@@ -87,6 +91,21 @@ public:
   /// It has `bool operator()(const Object_d& a, const Object_d& b) const`, of degree 2.
   using Do_intersect_d = Thick_intersection_d::internal::Do_balls_intersect<Point>;
 
+  /// encloses a ball along an axis.
+  class Interval_d
+  {
+  public:
+    /// returns an interval that holds the ball `a` along axis `i`: the center minus and plus the
+    /// radius, rounded outwards.
+    std::pair<double, double> operator()(const Object_d& a, int i) const
+    {
+      return Thick_intersection_d::internal::ball_interval(a, i);
+    }
+  };
+
+  /// the dimension of the balls.
+  using Dimension = typename Ambient_dimension<Point>::type;
+
   /// @}
   /// \name Creation
   /// @{
@@ -125,6 +144,7 @@ public:
     return Is_close_along_axis_d(2 * largest_radius_);
   }
   Do_intersect_d do_intersect_d_object() const { return Do_intersect_d(dimension_); }
+  Interval_d interval_d_object() const { return Interval_d(); }
 
   /// @}
 

@@ -9,6 +9,7 @@
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Bbox_3.h>
+#include <CGAL/Dimension.h>
 
 #include <CGAL/Thick_intersection_d/internal/input/check_vertices.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
@@ -45,6 +46,7 @@ Objects of this class may be used by several threads at once.
 `Kernel_traits`.
 
 \cgalModels{ThickIntersectionTraits_d}
+\cgalModels{ThickIntersectionIntervalTraits_d}
 */
 template <class Object>
 class Thick_object_traits_d
@@ -104,6 +106,21 @@ public:
     }
   };
 
+  /// gives the bounding box of an object, one axis at a time.
+  class Interval_d
+  {
+  public:
+    /// returns the ends of the box of `a` along axis `i`.
+    std::pair<double, double> operator()(const Object& a, int i) const
+    {
+      const auto box = Thick_object_traits_d::box(a);
+      return {(box.min)(i), (box.max)(i)};
+    }
+  };
+
+  /// the dimension of the objects.
+  using Dimension = Dimension_tag<dimension_>;
+
   /// @}
   /// \name Creation
   /// @{
@@ -123,6 +140,12 @@ public:
   {
     Thick_intersection_d::internal::check_vertices(object, position);
   }
+
+  // For the box route, which asks for whole boxes. If objects are boxes of doubles themselves,
+  // their boxes decide whether they intersect.
+  static Box box(const Object& object) { return object.bbox(); }
+  static constexpr bool do_boxes_decide
+    = Thick_intersection_d::internal::Is_box_of_doubles<Object>::value;
 #endif
 
   /// \name Operations
@@ -137,6 +160,7 @@ public:
     return Is_close_along_axis_d(reaches_);
   }
   Do_intersect_d do_intersect_d_object() const { return Do_intersect_d(); }
+  Interval_d interval_d_object() const { return Interval_d(); }
 
   /// @}
 

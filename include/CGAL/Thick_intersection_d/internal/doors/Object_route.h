@@ -7,7 +7,11 @@
 
 // Chooses the route of objects by their traits.
 
+#include <CGAL/Thick_intersection_d/internal/doors/Traits_boxes.h>
+#include <CGAL/Thick_intersection_d/internal/doors/box_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/doors/recursive_search.h>
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 
 #include <cstddef>
 #include <type_traits>
@@ -35,7 +39,29 @@ void check_objects(const Elements& objects, const Traits& traits)
       traits.check(objects[position], position);
 }
 
-// The recursive route. A specialization for some traits may take a faster route.
+// Reports the pairs by the route that the traits allow. Boxes of finite doubles are for the box
+// route. Objects beyond the range of doubles have boxes that all meet there, so they take the
+// recursive route, if the traits have its predicates.
+template <class ConcurrencyTag, class Elements, class Sets, class Traits, class Callback,
+          class NamedParameters>
+bool report_objects(const Elements& objects, const Sets& sets, const Traits& traits,
+                    Callback& callback, const NamedParameters& np)
+{
+  if constexpr(Has_intervals<Traits>::value) {
+    const Traits_boxes<Elements, Traits> boxes(objects, traits);
+    const bool are_finite = boxes.are_finite() && objects.size() < max_place / 2;
+    if(are_finite || !Has_close_predicate<Traits>::value) {
+      auto progress = make_progress(np, objects.size());
+      return report_meeting_boxes<ConcurrencyTag>(boxes, sets, callback, progress);
+    }
+  }
+  if constexpr(Has_close_predicate<Traits>::value)
+    return report_recursively<ConcurrencyTag>(objects, sets, traits, callback, np);
+  else
+    return true;
+}
+
+// A specialization for some traits may take a faster route.
 template <class Traits>
 struct Object_route
 {
@@ -45,7 +71,7 @@ struct Object_route
                      Callback& callback, const NamedParameters& np)
   {
     check_objects(objects, traits);
-    return report_recursively<ConcurrencyTag>(objects, sets, traits, callback, np);
+    return report_objects<ConcurrencyTag>(objects, sets, traits, callback, np);
   }
 };
 

@@ -13,7 +13,6 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/doors/Object_route.h>
 #include <CGAL/Thick_intersection_d/internal/doors/near_pairs_search.h>
-#include <CGAL/Thick_intersection_d/internal/doors/recursive_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/Ball_centers.h>
 
 #include <type_traits>
@@ -38,7 +37,7 @@ struct Object_route<Thick_ball_traits_d<Point>>
     check_objects(balls, traits);
     const auto radius = common_radius(balls);
     if(!radius)
-      return report_recursively<ConcurrencyTag>(balls, sets, traits, callback, np);
+      return report_objects<ConcurrencyTag>(balls, sets, traits, callback, np);
     using Exact = Exact_number_t<std::decay_t<decltype(*radius)>>;
     const Exact diameter(Exact(2) * to_exact_number(*radius));
     return report_near_pairs<ConcurrencyTag>(Ball_centers<Balls>(balls), sets,

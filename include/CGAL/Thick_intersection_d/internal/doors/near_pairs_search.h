@@ -14,6 +14,8 @@
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/doors/Near_point_boxes.h>
+#include <CGAL/Thick_intersection_d/internal/doors/box_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/doors/recursive_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/Point_doubles.h>
@@ -65,24 +67,28 @@ public:
     if(points_.size() == 0)
       return true;
     const Is_within_distance<Point> is_within(bound_, scene_, profile_.tier(), counts);
-    if(can_be_in_slabs()) {
+    if(are_finite_doubles() && (scene_.dimension() == 2 || scene_.dimension() == 3)) {
       if constexpr(dimension_or<Point>(3) == 3)
         if(scene_.extended_axis_count() == 3)
           return report_by_slabs<3>(is_within, sets, callback, np);
       if constexpr(dimension_or<Point>(2) == 2 || dimension_or<Point>(3) == 3)
         return report_by_slabs<2>(is_within, sets, callback, np);
     }
+    if constexpr(dimension_or<Point>(0) != 2 && dimension_or<Point>(0) != 3)
+      if(are_finite_doubles() && scene_.dimension() > 0) {
+        auto progress = make_progress(np, points_.size());
+        return report_meeting_boxes<ConcurrencyTag>(Near_point_boxes(points_, is_within), sets,
+                                                    callback, progress);
+      }
     const Thick_point_traits_d<Point> traits(is_within);
     return report_recursively<ConcurrencyTag>(points_, sets, traits, callback, np);
   }
 
 private:
-  // Slabs take points of the plane and of space, if finite doubles enclose their coordinates.
-  // Places have 32 bits; runs need up to as many places again as there are points, for their ends.
-  bool can_be_in_slabs() const
+  // Whether finite doubles enclose the coordinates, as slabs and boxes need. Places have 32 bits;
+  // runs need up to as many places again as there are points, for their ends.
+  bool are_finite_doubles() const
   {
-    if(scene_.dimension() != 2 && scene_.dimension() != 3)
-      return false;
     for(const Interval& interval : scene_.box)
       if(!std::isfinite(interval.low) || !std::isfinite(interval.high))
         return false;

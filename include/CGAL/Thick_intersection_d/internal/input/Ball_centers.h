@@ -8,9 +8,13 @@
 // Balls of one radius intersect if their centers are within twice the radius. So the search needs
 // only the centers.
 
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
+#include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -44,6 +48,18 @@ public:
 private:
   const Balls& balls_;
 };
+
+// Returns an interval of doubles that holds a ball along an axis. The next double is beyond what
+// one addition may lose, in every rounding mode.
+template <class Ball>
+std::pair<double, double> ball_interval(const Ball& ball, int axis)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const std::pair<double, double> center = coordinate_bounds(ball.first, axis);
+  const double radius = bounds(ball.second).second;
+  return {std::nextafter(center.first - radius, -infinity),
+          std::nextafter(center.second + radius, infinity)};
+}
 
 // Returns the radius that all balls have, if there is one.
 template <class Balls>

@@ -18,6 +18,7 @@
 #include <CGAL/Triangle_2.h>
 #include <CGAL/Triangle_3.h>
 
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 
 #include <cmath>
@@ -36,6 +37,18 @@ template <class K>
 struct Is_hypersphere<Circle_2<K>> : std::true_type {};
 template <class K>
 struct Is_hypersphere<Sphere_3<K>> : std::true_type {};
+
+// Whether the bounding box of an object is the object.
+template <class Object>
+struct Is_box_of_doubles : std::false_type {};
+template <class K>
+struct Is_box_of_doubles<Iso_rectangle_2<K>>
+  : std::bool_constant<is_held_by_double_v<typename K::FT>>
+{};
+template <class K>
+struct Is_box_of_doubles<Iso_cuboid_3<K>>
+  : std::bool_constant<is_held_by_double_v<typename K::FT>>
+{};
 
 // The number of vertices of a kernel object; 0 for other types.
 template <class Object>

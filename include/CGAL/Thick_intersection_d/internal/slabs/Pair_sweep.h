@@ -79,32 +79,39 @@ private:
   // lanes stay short. They call this function once per thousand found pairs.
   BOOST_NOINLINE bool flush(const Run& a, const Run& b)
   {
-    const Place count = found_.count;
+    Place count = found_.count;
     found_.count = 0;
     const bool is_any_undecided = std::exchange(found_.is_any_undecided, false);
     if(report_.is_stopped())
       is_stopped_ = true;
-    else if(is_any_undecided)
-      is_stopped_ = !report_pairs<true>(a, b, count);
     else {
-      counts_.add(Arithmetic_tier::DOUBLE, count);
-      is_stopped_ = !report_pairs<false>(a, b, count);
+      if(is_any_undecided)
+        count = remove_others(a, b, count);
+      else
+        counts_.add(Arithmetic_tier::DOUBLE, count);
+      is_stopped_ = !report_pairs(a, b, count);
     }
     return !is_stopped_;
   }
 
-  // If all found pairs are decided, the loop itself stores nothing. This makes short callbacks
-  // fast.
-  template <bool is_any_undecided>
+  // Moves the found pairs that are pairs to the front. Returns their number.
+  Place remove_others(const Run& a, const Run& b, Place count)
+  {
+    Place pair_count = 0;
+    for(Place c = 0; c < count; ++c) {
+      found_.pairs[pair_count] = found_.pairs[c];
+      pair_count += test_.is_pair(a, b, found_.pairs[c], counts_);
+    }
+    return pair_count;
+  }
+
+  // The loop itself stores nothing. This makes short callbacks fast.
   bool report_pairs(const Run& a, const Run& b, Place count)
   {
     for(Place c = 0; c < count; ++c) {
       const Found_pair found = found_.pairs[c];
       const Place i = a.positions[found.i];
       const Place j = b.positions[found.j];
-      if constexpr(is_any_undecided)
-        if(!test_.is_pair(a, b, found, counts_))
-          continue;
       const Place swapped = (i ^ j) & (Place(0) - static_cast<Place>(j < i)); // no branch
       if(!report_(i ^ swapped, j ^ swapped))
         return false;

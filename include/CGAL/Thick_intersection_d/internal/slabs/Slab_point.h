@@ -40,12 +40,12 @@ struct Slab_point
 
 // The intervals of the coordinates of some points, one per axis.
 template <int Dimension>
-using Box = std::array<Interval, Dimension>;
+using Box_of_intervals = std::array<Interval, Dimension>;
 
 template <class Point>
-Box<Point::dimension> box_of(const Point* first, const Point* last)
+Box_of_intervals<Point::dimension> box_of(const Point* first, const Point* last)
 {
-  Box<Point::dimension> box;
+  Box_of_intervals<Point::dimension> box;
   for(; first != last; ++first)
     for(int axis = 0; axis < Point::dimension; ++axis)
       box[axis].add(first->x[axis]);

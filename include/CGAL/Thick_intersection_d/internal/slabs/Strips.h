@@ -31,7 +31,7 @@ struct Strip
 {
   Place begin;
   Place end;
-  Box<Dimension> box;
+  Box_of_intervals<Dimension> box;
 
   Place size() const { return end - begin; }
 };
@@ -137,7 +137,7 @@ private:
   std::array<Buffer<double>, Point::column_count> columns_;
   Buffer<Place> positions_;
   std::vector<Strip_of_points> strips_;
-  Box<dimension> box_;
+  Box_of_intervals<dimension> box_;
   double candidates_ = 0;
   Place size_ = 0;
   Place end_ = 0; // the end of the used places

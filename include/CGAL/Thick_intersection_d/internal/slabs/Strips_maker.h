@@ -170,7 +170,7 @@ private:
   const Slab_tuning tuning_;
   const Point* first_ = nullptr;
   const Point* last_ = nullptr;
-  Box<Point::dimension> box_;
+  Box_of_intervals<Point::dimension> box_;
   Equal_cut across_;      // cuts the slab into strips
   Equal_cut along_;       // cuts a strip into buckets
   Place longest_ = 0;     // the size of the largest bucket

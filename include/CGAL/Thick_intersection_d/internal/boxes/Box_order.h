@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_BOXES_BOX_ORDER_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_BOXES_BOX_ORDER_H
+
+// Orders the boxes of a piece along the sweep axis, and finds the candidates of each box.
+
+#include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Box_columns.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/tuning.h>
+#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Equal_cut.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Box_run.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+template <int Axes, std::size_t Sets>
+class Box_order
+{
+  using Columns = Box_columns<Axes>;
+
+public:
+  void set(const Piece<Piece_box<Axes>, Sets>& piece, int sweep_axis)
+  {
+    Interval range;
+    for(const auto& span : piece)
+      for(const auto* box = span.first; box != span.last; ++box)
+        range.add(box->low[sweep_axis]);
+    const Equal_cut cut(range, piece.size());
+    double pairs_in_buckets = 0;
+    for(std::size_t set = 0; set < Sets; ++set)
+      pairs_in_buckets += columns_[set].count(piece[set], sweep_axis, cut);
+    for(Columns& columns : columns_)
+      if(pairs_in_buckets > max_bucket_pairs * piece.size())
+        columns.sort();
+      else
+        columns.distribute();
+    find_candidates();
+  }
+
+  // The candidates of all boxes.
+  std::uint64_t candidate_count() const { return candidate_count_; }
+
+  // The boxes of a set, with their candidates in the same set, or in the other set.
+  const Box_run<Axes>& run(std::size_t set) const { return columns_[set].run(); }
+
+private:
+  // Each pair that may meet becomes a box and its candidate once. In one set, the candidate is
+  // behind the box. In two sets, the candidate is in the same bucket as the box or in a later
+  // one if it is of the second set, and in a later one if it is of the first set.
+  void find_candidates()
+  {
+    Columns& a = columns_[0];
+    if constexpr(Sets == 1)
+      candidate_count_ = a.set_candidates([](Place i) { return i + 1; },
+                                          [&](Place i) { return a.end_of(a.high(i)); });
+    else {
+      Columns& b = columns_[1];
+      candidate_count_ = a.set_candidates([&](Place i) { return b.begin_of(a.low(i)); },
+                                          [&](Place i) { return b.end_of(a.high(i)); });
+      candidate_count_ += b.set_candidates([&](Place j) { return a.end_of(b.low(j)); },
+                                           [&](Place j) { return a.end_of(b.high(j)); });
+    }
+  }
+
+  std::array<Columns, Sets> columns_;
+  std::uint64_t candidate_count_ = 0;
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_BOXES_BOX_ORDER_H

@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_BOXES_BOX_PLANNER_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_BOXES_BOX_PLANNER_H
+
+// Decides how the boxes of a piece are searched: cut along which axis, swept along which axis.
+
+#include <CGAL/Thick_intersection_d/internal/boxes/Axis_profile.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/tuning.h>
+#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+struct Box_plan
+{
+  int sweep_axis;
+  double candidates; // of a box in the sweep, on average
+  int cut_axis = -1; // before the sweep, unless it is -1
+  Interval range = {0, 0};
+  Place piece_count = 1;
+};
+
+// Plans by a model of costs. No box is small or large by itself: what counts is in how many pieces
+// it would be, and how many candidates the pieces would have.
+template <int Axes>
+class Box_planner
+{
+public:
+  template <std::size_t Sets>
+  Box_plan plan(const Piece<Piece_box<Axes>, Sets>& piece, std::size_t sample_limit)
+  {
+    take_sample(piece, sample_limit);
+    for(int axis = 0; axis < Axes; ++axis)
+      profiles_[axis].set(sample_, axis);
+    const double size = piece.size();
+    const int sweep_axis = most_selective_axis();
+    Box_plan plan = {sweep_axis, size / 2 * profiles_[sweep_axis].meeting_share()};
+    double least = max_cost_after_cut * cost(size, plan.candidates, 1);
+    for(int axis = 0; axis < Axes; ++axis)
+      if(axis != sweep_axis && profiles_[axis].is_cuttable())
+        consider_cuts(axis, size, least, plan);
+    return plan;
+  }
+
+  // The lengths from which on boxes count as long, in the piece planned last: they meet a good part
+  // of the boxes along the axis.
+  std::array<double, Axes> long_lengths() const
+  {
+    std::array<double, Axes> lengths;
+    for(int axis = 0; axis < Axes; ++axis)
+      lengths[axis] = profiles_[axis].range().length() * long_share;
+    return lengths;
+  }
+
+private:
+  template <std::size_t Sets>
+  void take_sample(const Piece<Piece_box<Axes>, Sets>& piece, std::size_t sample_limit)
+  {
+    sample_.clear();
+    const std::size_t step = (std::max)(std::size_t(1), piece.size() / sample_limit);
+    for(const auto& span : piece)
+      for(std::size_t i = 0; i < span.size(); i += step)
+        sample_.push_back(span.first + i);
+  }
+
+  int most_selective_axis() const
+  {
+    int best = 0;
+    for(int axis = 1; axis < Axes; ++axis)
+      if(profiles_[axis].meeting_share() < profiles_[best].meeting_share())
+        best = axis;
+    return best;
+  }
+
+  // Time in nanoseconds.
+  static double cost(double boxes, double candidates, double pieces)
+  {
+    return boxes * (box_cost + candidate_cost * candidates) + piece_cost * pieces;
+  }
+
+  // Considers cuts along `axis` into more and more pieces, until there are too many copies.
+  void consider_cuts(int axis, double size, double& least, Box_plan& plan) const
+  {
+    const double candidates = size / 2 * profiles_[plan.sweep_axis].meeting_share();
+    const double max_count = (std::min)(double(profiles_[axis].max_piece_count()),
+                                        size / min_boxes_per_piece);
+    for(Place count = 2; count <= max_count; count *= 2) {
+      const Piece_sizes sizes = profiles_[axis].piece_sizes(count);
+      if(sizes.sum > 1 + max_copies)
+        return;
+      const double boxes = size * sizes.sum;
+      const double candidates_left = candidates * sizes.pairs / sizes.sum;
+      const double time = move_cost * boxes + cost(boxes, candidates_left, count);
+      if(time < least) {
+        least = time;
+        plan.cut_axis = axis;
+        plan.range = profiles_[axis].range();
+        plan.piece_count = count;
+        plan.candidates = candidates_left;
+      }
+    }
+  }
+
+  std::vector<const Piece_box<Axes>*> sample_;
+  std::array<Axis_profile, Axes> profiles_;
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_BOXES_BOX_PLANNER_H

@@ -1,0 +1,229 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_BOXES_BOX_TREE_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_BOXES_BOX_TREE_H
+
+// The pairs of crowded boxes, by a segment tree that is never stored: Zomorodian and Edelsbrunner,
+// "Fast software for box intersections", 2002. O(n log^(d-1) n + k) time, whatever the boxes are.
+
+#include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/tuning.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// `Test` has
+//
+//   dimension()                  the number of all axes
+//   interval(box, axis)         of a box along an axis
+//   do_meet(a, b, axes)          whether two boxes meet along the axes below `axes`
+//
+// The lower ends of boxes are ordered by coordinate and position, so no two of them are equal. Two
+// boxes meet along an axis iff one of them holds the lower end of the other one: it begins before
+// the other one begins, and does not end before.
+template <class Box, class Test, class Report>
+class Box_tree
+{
+  using Boxes = std::vector<const Box*>;
+  using Iterator = typename Boxes::const_iterator;
+
+public:
+  Box_tree(const Test& test, Report& report) : test_(test), report_(report) {}
+
+  // Reports the pairs of a set. Returns false to stop.
+  bool within(const Boxes& boxes)
+  {
+    const std::vector<Box> sorted = sorted_copies(boxes);
+    const Boxes all = pointers(sorted);
+    return search(all, all, last_axis());
+  }
+
+  // Reports the pairs of a box of `a` and a box of `b`.
+  bool between(const Boxes& a, const Boxes& b)
+  {
+    const std::vector<Box> sorted_a = sorted_copies(a);
+    const std::vector<Box> sorted_b = sorted_copies(b);
+    return search_both(pointers(sorted_a), pointers(sorted_b), last_axis());
+  }
+
+private:
+  static constexpr std::size_t few = 24;
+  static constexpr std::size_t max_held = 24; // per box, in a sweep
+
+  double low(const Box* box, int axis) const { return test_.interval(*box, axis).low; }
+  double high(const Box* box, int axis) const { return test_.interval(*box, axis).high; }
+
+  int last_axis() const { return test_.dimension() - 1; }
+
+  bool is_before(const Box* a, const Box* b, int axis) const
+  {
+    const double x = low(a, axis);
+    const double y = low(b, axis);
+    return x < y || (x == y && a->position < b->position);
+  }
+
+  // The lower ends are copied, because they are compared often and lie far apart.
+  void sort(Boxes& boxes, int axis) const
+  {
+    std::vector<std::pair<double, const Box*>> ends;
+    ends.reserve(boxes.size());
+    for(const Box* box : boxes)
+      ends.emplace_back(low(box, axis), box);
+    std::sort(ends.begin(), ends.end(), [](const auto& a, const auto& b) {
+      return a.first < b.first
+             || (a.first == b.first && a.second->position < b.second->position);
+    });
+    for(std::size_t i = 0; i < ends.size(); ++i)
+      boxes[i] = ends[i].second;
+  }
+
+  // Lists are mostly read along axis 0, so this is the order of the boxes in memory.
+  std::vector<Box> sorted_copies(Boxes boxes) const
+  {
+    sort(boxes, 0);
+    std::vector<Box> copies;
+    copies.reserve(boxes.size());
+    for(const Box* box : boxes)
+      copies.push_back(*box);
+    return copies;
+  }
+
+  static Boxes pointers(const std::vector<Box>& boxes)
+  {
+    Boxes pointers;
+    pointers.reserve(boxes.size());
+    for(const Box& box : boxes)
+      pointers.push_back(&box);
+    return pointers;
+  }
+
+  bool search_both(const Boxes& a, const Boxes& b, int axis)
+  {
+    return search(a, b, axis) && search(b, a, axis);
+  }
+
+  // Reports the pairs of a box that holds the lower end, along `axis`, of one of `starting`. All
+  // of these boxes meet along the axes above. Lists are sorted along axis 0.
+  bool search(const Boxes& holding, const Boxes& starting, int axis)
+  {
+    if(holding.empty() || starting.empty())
+      return true;
+    if(axis == 0)
+      return scan(holding, starting);
+    Boxes by_start = starting;
+    sort(by_start, axis);
+    return search(holding, starting, by_start.begin(), by_start.end(), axis);
+  }
+
+  // The same, where [first, last) are the boxes `starting`, sorted along `axis`. Sweeps along this
+  // axis or along axis 0, if few boxes meet along it. Otherwise halves the boxes that start: what
+  // holds all lower ends of a half meets it along the axis, and need not be searched along it.
+  bool search(const Boxes& holding, const Boxes& starting, Iterator first, Iterator last, int axis)
+  {
+    if(holding.empty() || starting.empty())
+      return true;
+    const auto test_along_axis = [&](const Box* a, const Box* b) {
+      return !test_.do_meet(*a, *b, axis) || report_(*a, *b);
+    };
+    if(starting.size() < few || held_count(holding, first, last, axis) <= max_held)
+      return for_held(holding, first, last, axis, test_along_axis);
+    if(held_count(holding, starting.begin(), starting.end(), 0)
+         + held_count(starting, holding.begin(), holding.end(), 0) <= max_held)
+      return sweep_along_axis_0(holding, starting, axis);
+
+    const Iterator middle = first + (last - first) / 2;
+    Boxes spanning, holding_low, holding_high, starting_low, starting_high;
+    for(const Box* box : holding)
+      if(is_before(box, *first, axis) && low(last[-1], axis) <= high(box, axis))
+        spanning.push_back(box);
+      else {
+        if(is_before(box, *middle, axis) && low(*first, axis) <= high(box, axis))
+          holding_low.push_back(box);
+        if(is_before(box, last[-1], axis) && low(*middle, axis) <= high(box, axis))
+          holding_high.push_back(box);
+      }
+    for(const Box* box : starting)
+      (is_before(box, *middle, axis) ? starting_low : starting_high).push_back(box);
+    return search_both(spanning, starting, axis - 1)
+           && search(holding_low, starting_low, first, middle, axis)
+           && search(holding_high, starting_high, middle, last, axis);
+  }
+
+  // The boxes of [first, last) whose lower ends a box holds. They are consecutive.
+  std::pair<Iterator, Iterator> held(const Box* box, Iterator first, Iterator last, int axis) const
+  {
+    first = std::upper_bound(first, last, box, [&](const Box* a, const Box* b) {
+      return is_before(a, b, axis);
+    });
+    const double end = high(box, axis);
+    return {first, std::partition_point(first, last,
+                                        [&](const Box* b) { return low(b, axis) <= end; })};
+  }
+
+  // How many lower ends a box holds, on average over a sample.
+  std::size_t held_count(const Boxes& holding, Iterator first, Iterator last, int axis) const
+  {
+    std::size_t count = 0;
+    const std::size_t step = holding.size() / (few + holding.size() / 16) + 1;
+    for(std::size_t i = 0; i < holding.size(); i += step) {
+      const auto range = held(holding[i], first, last, axis);
+      count += static_cast<std::size_t>(range.second - range.first);
+    }
+    return count * step / holding.size();
+  }
+
+  // Calls task(a, b) for each box b of [first, last) whose lower end a box a holds.
+  template <class Task>
+  bool for_held(const Boxes& holding, Iterator first, Iterator last, int axis, const Task& task)
+  {
+    for(const Box* a : holding) {
+      const auto range = held(a, first, last, axis);
+      for(Iterator b = range.first; b != range.second; ++b)
+        if(!task(a, *b))
+          return false;
+    }
+    return true;
+  }
+
+  bool sweep_along_axis_0(const Boxes& holding, const Boxes& starting, int axis)
+  {
+    const auto test = [&](const Box* a, const Box* b) {
+      const bool is_held = is_before(a, b, axis) && low(b, axis) <= high(a, axis);
+      return !is_held || !test_.do_meet(*a, *b, axis) || report_(*a, *b);
+    };
+    const auto test_mirrored = [&](const Box* b, const Box* a) { return test(a, b); };
+    return for_held(holding, starting.begin(), starting.end(), 0, test)
+           && for_held(starting, holding.begin(), holding.end(), 0, test_mirrored);
+  }
+
+  // Along axis 0 nothing is left to test.
+  bool scan(const Boxes& holding, const Boxes& starting)
+  {
+    auto first = starting.begin();
+    for(const Box* a : holding) {
+      while(first != starting.end() && !is_before(a, *first, 0))
+        ++first;
+      for(auto b = first; b != starting.end() && low(*b, 0) <= high(a, 0); ++b)
+        if(!report_(*a, **b))
+          return false;
+    }
+    return true;
+  }
+
+  const Test& test_;
+  Report& report_;
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_BOXES_BOX_TREE_H

@@ -1,0 +1,134 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_BOXES_BOXED_OBJECTS_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_BOXES_BOXED_OBJECTS_H
+
+// Objects with boxes, as the box route sees them: the boxes that it moves into pieces, the lanes
+// that find pairs, and the test that decides the found pairs.
+
+#include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
+#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Box_run.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/meeting_boxes.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// `Objects` has
+//
+//   size(), dimension()
+//   intervals(position)        a functor: of an axis, gives the closed interval of doubles that
+//                              encloses the object along it
+//   are_exact()                whether two objects intersect iff their intervals meet along all
+//                              axes
+//   do_intersect(i, j)         asked about pairs whose boxes meet
+//
+// Boxes have `Axes` of the axes. If there are more axes, the intervals along the others are read
+// when a pair has met along those of the boxes.
+template <int Axes, class Objects>
+class Boxed_objects
+{
+public:
+  using Box = Piece_box<Axes>;
+  using Run = Box_run<Axes>;
+
+  // The axes are distinct; those of boxes come first.
+  Boxed_objects(const Objects& objects, std::vector<int> axes)
+    : objects_(objects), axes_(std::move(axes)), are_exact_(objects.are_exact())
+  {}
+
+  std::size_t size() const { return objects_.size(); }
+  int dimension() const { return static_cast<int>(axes_.size()); }
+
+  // Makes the box of an object. Boxes of fewer dimensions are [0, 0] along the other axes.
+  void put(std::size_t position, Box& box) const
+  {
+    const auto intervals = objects_.intervals(position);
+    for(int axis = 0; axis < Axes; ++axis) {
+      const Interval interval = axis < dimension() ? intervals(axes_[axis]) : Interval{0, 0};
+      box.low[axis] = interval.low;
+      box.high[axis] = interval.high;
+    }
+    box.position = static_cast<Place>(position);
+    box.sides = 0;
+  }
+
+  template <class Flush>
+  void collect_within(const Run& run, Found_pairs& found, const Flush& flush) const
+  {
+    collect_between(run, run, found, flush);
+  }
+
+  template <class Flush>
+  void collect_between(const Run& a, const Run& b, Found_pairs& found, const Flush& flush) const
+  {
+    const bool are_undecided = !(are_exact_ && dimension() <= Axes)
+                               || (a.has_copies && b.has_copies);
+    found.is_any_undecided = are_undecided;
+    Meeting_boxes_lanes::collect_between(a, b, found, [&] {
+      const bool goes_on = flush();
+      found.is_any_undecided = are_undecided;
+      return goes_on;
+    });
+  }
+
+  bool is_pair(const Run& a, const Run& b, Found_pair pair, Decision_counts&) const
+  {
+    return (a.sides[pair.i] & b.sides[pair.j]) == 0
+           && do_intersect(a.positions[pair.i], b.positions[pair.j]);
+  }
+
+  // Whether two objects whose boxes meet intersect.
+  bool do_intersect(Place i, Place j) const
+  {
+    if(!are_exact_)
+      return objects_.do_intersect(i, j);
+    for(int axis = Axes; axis < dimension(); ++axis)
+      if(!do_meet(objects_.intervals(i)(axes_[axis]), objects_.intervals(j)(axes_[axis])))
+        return false;
+    return true;
+  }
+
+  // For the tree, which looks at all axes.
+  Interval interval(const Box& box, int axis) const
+  {
+    if(axis < Axes)
+      return {box.low[axis], box.high[axis]};
+    return objects_.intervals(box.position)(axes_[axis]);
+  }
+
+  // Whether two boxes meet along the first of the axes.
+  bool do_meet(const Box& a, const Box& b, int axis_count) const
+  {
+    for(int axis = 0; axis < axis_count; ++axis)
+      if(!do_meet(interval(a, axis), interval(b, axis)))
+        return false;
+    return true;
+  }
+
+private:
+  static bool do_meet(const Interval& a, const Interval& b)
+  {
+    return a.low <= b.high && b.low <= a.high;
+  }
+
+  const Objects& objects_;
+  const std::vector<int> axes_;
+  const bool are_exact_;
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_BOXES_BOXED_OBJECTS_H

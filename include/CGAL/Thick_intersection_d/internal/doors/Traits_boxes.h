@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_TRAITS_BOXES_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_TRAITS_BOXES_H
+
+// Objects whose traits give intervals, as the box route reads them.
+
+#include <CGAL/Dimension.h>
+
+#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
+
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// Whether traits give the interval of an object along an axis.
+template <class Traits, class = void>
+struct Has_intervals : std::false_type {};
+template <class Traits>
+struct Has_intervals<Traits,
+                     std::void_t<decltype(std::declval<const Traits&>().interval_d_object())>>
+  : std::true_type {};
+
+// Whether traits compare objects along axes, as the recursive route needs.
+template <class Traits, class = void>
+struct Has_close_predicate : std::false_type {};
+template <class Traits>
+struct Has_close_predicate<
+  Traits, std::void_t<decltype(std::declval<const Traits&>().is_close_along_axis_d_object())>>
+  : std::true_type {};
+
+// The dimension of objects, or 0 if only the traits object knows it.
+template <class Traits, class = void>
+struct Static_dimension : std::integral_constant<int, 0> {};
+template <class Traits>
+struct Static_dimension<Traits, std::void_t<typename Traits::Dimension>>
+  : std::integral_constant<
+      int, std::is_same_v<typename Traits::Dimension, Dynamic_dimension_tag>
+             ? 0
+             : Traits::Dimension::value>
+{};
+
+// Whether traits make boxes of all intervals at once, as those of kernel objects do. Their boxes
+// are finite if check() has not thrown.
+template <class Traits, class = void>
+struct Has_boxes : std::false_type {};
+template <class Traits>
+struct Has_boxes<Traits, std::void_t<decltype(Traits::do_boxes_decide)>> : std::true_type {};
+
+template <class Elements, class Traits>
+class Traits_boxes
+{
+public:
+  static constexpr int static_dimension = Static_dimension<Traits>::value;
+
+  Traits_boxes(const Elements& objects, const Traits& traits)
+    : objects_(objects), traits_(traits), interval_(traits.interval_d_object()),
+      do_intersect_(traits.do_intersect_d_object())
+  {}
+
+  std::size_t size() const { return objects_.size(); }
+  int dimension() const { return traits_.dimension(); }
+
+  auto intervals(std::size_t position) const
+  {
+    if constexpr(Has_boxes<Traits>::value)
+      return [box = Traits::box(objects_[position])](int axis) {
+        return Interval{(box.min)(axis), (box.max)(axis)};
+      };
+    else
+      return [this, position](int axis) {
+        const std::pair<double, double> interval = interval_(objects_[position], axis);
+        return Interval{interval.first, interval.second};
+      };
+  }
+
+  bool are_exact() const
+  {
+    if constexpr(Has_boxes<Traits>::value)
+      return Traits::do_boxes_decide;
+    else
+      return false;
+  }
+
+  bool do_intersect(std::size_t i, std::size_t j) const
+  {
+    return do_intersect_(objects_[i], objects_[j]);
+  }
+
+  // Returns whether all intervals are finite. Throws if an interval is empty or NaN.
+  bool are_finite() const
+  {
+    bool are_finite = true;
+    if constexpr(!Has_boxes<Traits>::value)
+      for(std::size_t position = 0; position < size(); ++position)
+        for(int axis = 0; axis < dimension(); ++axis) {
+          const Interval interval = intervals(position)(axis);
+          if(!(interval.low <= interval.high))
+            throw std::invalid_argument("The interval of object " + std::to_string(position)
+                                        + " along axis " + std::to_string(axis)
+                                        + " is empty or NaN.");
+          are_finite = are_finite && std::isfinite(interval.low) && std::isfinite(interval.high);
+        }
+    return are_finite;
+  }
+
+private:
+  const Elements& objects_;
+  const Traits& traits_;
+  decltype(std::declval<const Traits&>().interval_d_object()) interval_;
+  decltype(std::declval<const Traits&>().do_intersect_d_object()) do_intersect_;
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_TRAITS_BOXES_H

@@ -1,0 +1,108 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_BOX_PAIRS_SEARCH_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_BOX_PAIRS_SEARCH_H
+
+// The search of objects by their boxes, for objects of any type that have intervals.
+
+#include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Axis_profile.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Box_route.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
+#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
+
+#include <cstddef>
+#include <memory>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// Returns all axes, those of the boxes first.
+template <class Objects>
+std::vector<int> axes_of_boxes(const Objects& objects)
+{
+  std::vector<int> axes(static_cast<std::size_t>(objects.dimension()));
+  std::iota(axes.begin(), axes.end(), 0);
+  return axes;
+}
+
+// Reports the pairs of objects by boxes with `Axes` axes.
+template <class ConcurrencyTag, int Axes, class Objects, class Sets, class Report, class Progress>
+bool report_by_boxes(const Objects& objects, const Sets& sets, Report& report,
+                     Progress& progress)
+{
+  constexpr std::size_t set_count = Sets::are_two ? 2 : 1;
+  using Test = Boxed_objects<Axes, Objects>;
+  const Test test(objects, axes_of_boxes(objects));
+  using Box_of_test = typename Test::Box;
+  const std::unique_ptr<Box_of_test[]> boxes = make_uninitialized<Box_of_test>(objects.size());
+  for_each_block<ConcurrencyTag>(objects.size(), [&](std::size_t i, std::size_t last) {
+    for(; i != last; ++i)
+      test.put(i, boxes[i]);
+  });
+  Piece<Box_of_test, set_count> piece;
+  Box_of_test* const first = boxes.get();
+  Box_of_test* const last = first + objects.size();
+  if constexpr(Sets::are_two) {
+    piece[0] = {first, first + sets.first_size};
+    piece[1] = {first + sets.first_size, last};
+  }
+  else
+    piece[0] = {first, last};
+  Box_route<ConcurrencyTag, Test, Report, Progress> route(test, report, progress);
+  return route.search(piece);
+}
+
+// Reports the pairs of objects. `Objects` is as for Boxed_objects, with a constant static_dimension
+// that is 0 if only the objects know their dimension. Returns false iff the search was stopped.
+template <class ConcurrencyTag, class Objects, class Sets, class Callback, class Progress>
+bool report_meeting_boxes(const Objects& objects, const Sets& sets, Callback& callback,
+                          Progress& progress)
+{
+  const auto search = [&](auto& report) {
+    constexpr int dimension = Objects::static_dimension;
+    if constexpr(dimension == 0 || dimension > 3)
+      if(objects.dimension() > 3)
+        return report_by_boxes<ConcurrencyTag, 4>(objects, sets, report, progress);
+    if constexpr(dimension == 0 || dimension == 3)
+      if(objects.dimension() == 3)
+        return report_by_boxes<ConcurrencyTag, 3>(objects, sets, report, progress);
+    if constexpr(dimension < 3)
+      return report_by_boxes<ConcurrencyTag, 2>(objects, sets, report, progress);
+    return true;
+  };
+  if constexpr(Sets::are_two) {
+    const auto callback_of_two_sets
+      = [&](std::size_t i, std::size_t j) { return callback(i, j - sets.first_size); };
+    Pair_reporter<decltype(callback_of_two_sets)> report(callback_of_two_sets);
+    return search(report);
+  }
+  else {
+    Pair_reporter<Callback> report(callback);
+    return search(report);
+  }
+}
+
+// The same without progress.
+template <class ConcurrencyTag, class Objects, class Sets, class Callback>
+bool report_meeting_boxes(const Objects& objects, const Sets& sets, Callback& callback)
+{
+  Unwatched_progress progress;
+  return report_meeting_boxes<ConcurrencyTag>(objects, sets, callback, progress);
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_BOX_PAIRS_SEARCH_H
