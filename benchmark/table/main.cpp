@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// table: measures what the package promises about its speed and memory, and prints for each promise
-// what it is, what was measured, and whether it holds.
+// table and object_table: measure what the package promises about its speed and memory, and print
+// for each promise what it is, what was measured, and whether it holds.
 
 #include "outputs.h"
 #include "rows.h"
@@ -24,8 +24,8 @@ po::options_description known_options()
   po::options_description options("Options");
   options.add_options()
     ("help", "print this text")
-    ("quick", "a tenth of the points: to see that everything runs, not for figures")
-    ("huge", "scenes of 10^8 points as well; they take 20 GB")
+    ("quick", "few points or objects: to see that everything runs, not for figures")
+    ("huge", "larger scenes as well: of 10^8 points, which take 20 GB, and all of 10^6 objects")
     ("rows", po::value<std::string>()->value_name("REGEX")->default_value(""),
      "only rows whose name has a match")
     ("data", po::value<std::string>()->value_name("FOLDER")->default_value(""),
@@ -37,16 +37,15 @@ po::options_description known_options()
   return options;
 }
 
-std::vector<Row> run(const po::variables_map& options)
+Rows run(const po::variables_map& options)
 {
   Settings settings;
-  if(options.count("quick"))
-    settings.n /= 10;
+  settings.is_quick = options.count("quick") != 0;
   settings.huge = options.count("huge") != 0;
   settings.extra_data = options["data"].as<std::string>();
 
   const std::regex wanted(options["rows"].as<std::string>());
-  std::vector<Row> rows;
+  Rows rows;
   print_head(std::cout);
   for(const Experiment& experiment : experiments(settings))
     if(std::regex_search(experiment.name, wanted))
@@ -57,7 +56,7 @@ std::vector<Row> run(const po::variables_map& options)
   return rows;
 }
 
-void write_files(const std::vector<Row>& rows, const po::variables_map& options)
+void write_files(const Rows& rows, const po::variables_map& options)
 {
   if(options.count("json"))
     write_json(options["json"].as<std::string>(), rows);
@@ -87,6 +86,6 @@ try {
   return 0;
 }
 catch(const std::exception& error) {
-  std::cerr << "table: " << error.what() << '\n';
+  std::cerr << argv[0] << ": " << error.what() << '\n';
   return 1;
 }

@@ -5,6 +5,7 @@
 
 #include "measuring/run_facts.h"
 
+#include <cmath>
 #include <fstream>
 #include <iomanip>
 #include <sstream>
@@ -102,10 +103,26 @@ void write_json_row(std::ostream& out, const Row& row)
 
 } // namespace
 
+int decimals(double value) { return value < 10 ? 2 : value < 100 ? 1 : 0; }
+
+std::string verdict(const Row& row)
+{
+  const double unit = std::pow(0.1, decimals(row.measured));
+  const double shown = std::round(row.measured / unit) * unit;
+  const auto reaches = [&](double value) {
+    return row.goal.sense == Goal::AT_MOST ? shown <= value + unit / 2 : shown >= value - unit / 2;
+  };
+  if(!row.goal.target)
+    return "";
+  if(!reaches(*row.goal.target))
+    return "missed";
+  return row.goal.good && reaches(*row.goal.good) ? "good" : "met";
+}
+
 void print_head(std::ostream& out) { print_cells(out, columns); }
 void print_row(std::ostream& out, const Row& row) { print_cells(out, cells(row)); }
 
-void write_json(const std::string& file, const std::vector<Row>& rows)
+void write_json(const std::string& file, const Rows& rows)
 {
   std::ofstream out = open(file);
   out << "{\n  \"context\": {\n";
@@ -124,7 +141,7 @@ void write_json(const std::string& file, const std::vector<Row>& rows)
   out << "\n  ]\n}\n";
 }
 
-void write_csv(const std::string& file, const std::vector<Row>& rows)
+void write_csv(const std::string& file, const Rows& rows)
 {
   std::ofstream out = open(file);
   for(const Run_fact& fact : run_facts())
@@ -136,7 +153,7 @@ void write_csv(const std::string& file, const std::vector<Row>& rows)
         << csv(row.goal.good) << ',' << verdict(row) << ',' << csv(row.machine_speed_up) << '\n';
 }
 
-void write_markdown(const std::string& file, const std::vector<Row>& rows)
+void write_markdown(const std::string& file, const Rows& rows)
 {
   std::ofstream out = open(file);
   for(const Run_fact& fact : run_facts())

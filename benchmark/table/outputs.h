@@ -12,12 +12,18 @@
 
 namespace thick_benchmark {
 
+// How many decimals of a figure are shown: three digits in all, the others are noise.
+int decimals(double value);
+
+// "good", "met" or "missed", by the figure that is shown; empty for quantities without a target.
+std::string verdict(const Row& row);
+
 void print_head(std::ostream& out);
 void print_row(std::ostream& out, const Row& row);
 
-void write_json(const std::string& file, const std::vector<Row>& rows);
-void write_csv(const std::string& file, const std::vector<Row>& rows);
-void write_markdown(const std::string& file, const std::vector<Row>& rows);
+void write_json(const std::string& file, const Rows& rows);
+void write_csv(const std::string& file, const Rows& rows);
+void write_markdown(const std::string& file, const Rows& rows);
 
 } // namespace thick_benchmark
 

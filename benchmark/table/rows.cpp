@@ -3,7 +3,8 @@
 
 #include "rows.h"
 
-#include "measuring/speed_up.h"
+#include "Subject.h"
+
 #include "measuring/timing.h"
 #include "methods/ours.h"
 #include "scenes/generators.h"
@@ -12,67 +13,21 @@
 
 #include <cmath>
 #include <filesystem>
-#include <sstream>
 #include <stdexcept>
 
 namespace thick_benchmark {
 
 namespace {
 
-using Rows = std::vector<Row>;
 using Quotient = std::function<double(const Seconds&)>;
 
 const int rounds = 7;
 
-Goal at_most(double target) { return {Goal::AT_MOST, target, std::nullopt}; }
-Goal at_most(double target, double good) { return {Goal::AT_MOST, target, good}; }
-
-void check_equal(const std::string& name, const Tally& expected, const Tally& found)
-{
-  std::ostringstream message;
-  message << name << ": " << found << " instead of " << expected;
-  if(expected != found)
-    throw std::runtime_error(message.str());
-}
-
-// A search whose pairs have been checked, and where its times are compared with.
-struct Subject
-{
-  std::string name;
-  std::size_t n;
-  std::uint64_t k;
-  Search search;
-};
-
-// After all ways of the search have found the same pairs.
-Subject make_subject(const std::string& name, const Scene& scene, const Search& search,
-                     const Tally& expected)
-{
-  check_equal(scene.name, expected, search.sequential());
-  if(search.parallel)
-    check_equal(scene.name + " in parallel", expected, search.parallel());
-  return {name, scene.size(), expected.pairs, search};
-}
-
 Subject make_subject(const std::string& name, const Scene& scene,
                      Search (*search)(const Scene&) = search_epick)
 {
-  return make_subject(name, scene, search(scene), tally_by_recursive_route(scene));
+  return make_subject(name, scene.size(), search(scene), tally_by_recursive_route(scene));
 }
-
-#ifdef CGAL_LINKED_WITH_TBB
-
-// With the same callback on both sides.
-Row measure_two_threads(const Subject& subject)
-{
-  const Speed_up speed_up
-    = measure_speed_up(subject.search.sequential_like_parallel, subject.search.parallel);
-  const Goal goal = {Goal::AT_LEAST, 1.7, 1.9};
-  return {subject.name + ", 2 threads", "speed-up", goal, speed_up.of_search, subject.n,
-          subject.k, speed_up.milliseconds, speed_up.of_machine};
-}
-
-#endif // CGAL_LINKED_WITH_TBB
 
 // Times the subject in turns with other jobs: `quotient` is told the seconds of the subject and of
 // the others, in this order. A second row tells the speed-up in parallel.
@@ -83,7 +38,7 @@ Rows measure(const Subject& subject, const std::string& quantity, const Goal& go
   jobs.insert(jobs.end(), others.begin(), others.end());
   const std::vector<Seconds> times = time_in_turns(jobs, rounds);
   Rows rows = {{subject.name, quantity, goal, median(times, quotient), subject.n, subject.k,
-                median(times, [](const Seconds& s) { return 1000 * s[0]; })}};
+                median(times, milliseconds_of_first)}};
 #ifdef CGAL_LINKED_WITH_TBB
   rows.push_back(measure_two_threads(subject));
 #endif
@@ -141,7 +96,7 @@ Rows measure_lists(const std::string& name, const Uniform_scene& u, std::size_t 
   const std::vector<Seconds> times
     = time_in_turns({timed(subject.search.lists), timed(subject.search.sequential)}, rounds);
   return {{name, "time / counting", at_most(1.6), median(times, of_first_other), subject.n,
-           subject.k, median(times, [](const Seconds& s) { return 1000 * s[0]; })}};
+           subject.k, median(times, milliseconds_of_first)}};
 }
 
 // The quotient to std::sort of ten times as many points, divided by that of n points.
@@ -201,7 +156,7 @@ Rows measure_dense(const std::string& name, int dimension, std::size_t n)
 {
   const Scene scene = dense(dimension, n);
   const Run<Tally> naive = naive_double_loop(scene);
-  return measure(make_subject(name, scene, search_epick(scene), naive()),
+  return measure(make_subject(name, scene.size(), search_epick(scene), naive()),
                  "time / naive double loop", at_most(1.0, 0.6), {timed(naive)}, of_first_other);
 }
 
@@ -239,7 +194,7 @@ Rows measure_huge(const std::string& name, std::size_t n)
   const Search few = search_epick(uniform(2, n, 0.5 * static_cast<double>(n)));
   const Scene scene = uniform(2, 100 * n, 50 * static_cast<double>(n));
   const Search search = search_epick(scene);
-  return measure(make_subject(name, scene, search, search.sequential()),
+  return measure(make_subject(name, scene.size(), search, search.sequential()),
                  "time / point, / that of n", at_most(2), {timed(few.sequential)},
                  [](const Seconds& s) { return s[0] / s[1] / 100; });
 }
@@ -249,7 +204,7 @@ Rows measure_huge(const std::string& name, std::size_t n)
 class Experiments
 {
 public:
-  explicit Experiments(const Settings& settings) : n_(settings.n) {}
+  explicit Experiments(const Settings& settings) : n_(settings.is_quick ? 100000 : 1000000) {}
 
   void add_uniform()
   {
@@ -349,22 +304,6 @@ private:
 };
 
 } // namespace
-
-int decimals(double value) { return value < 10 ? 2 : value < 100 ? 1 : 0; }
-
-std::string verdict(const Row& row)
-{
-  const double unit = std::pow(0.1, decimals(row.measured));
-  const double shown = std::round(row.measured / unit) * unit;
-  const auto reaches = [&](double value) {
-    return row.goal.sense == Goal::AT_MOST ? shown <= value + unit / 2 : shown >= value - unit / 2;
-  };
-  if(!row.goal.target)
-    return "";
-  if(!reaches(*row.goal.target))
-    return "missed";
-  return row.goal.good && reaches(*row.goal.good) ? "good" : "met";
-}
 
 std::vector<Experiment> experiments(const Settings& settings)
 {

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The rows of the table: what is measured, and what it ought to be.
+// The rows of a table: what is measured, and what it ought to be.
 
 #ifndef THICK_INTERSECTION_BENCHMARK_TABLE_ROWS_H
 #define THICK_INTERSECTION_BENCHMARK_TABLE_ROWS_H
@@ -38,16 +38,12 @@ struct Row
   std::optional<double> machine_speed_up = std::nullopt;
 };
 
-// How many decimals of a figure are shown: three digits in all, the others are noise.
-int decimals(double value);
-
-// "good", "met" or "missed", by the figure that is shown; empty for quantities without a target.
-std::string verdict(const Row& row);
+using Rows = std::vector<Row>;
 
 struct Settings
 {
-  std::size_t n = 1000000;
-  bool huge = false;      // scenes of 100 n points as well
+  bool is_quick = false;  // few points or objects
+  bool huge = false;      // larger scenes as well
   std::string extra_data; // a folder, or empty
 };
 
@@ -55,7 +51,7 @@ struct Settings
 struct Experiment
 {
   std::string name;
-  std::function<std::vector<Row>()> run;
+  std::function<Rows()> run;
 };
 
 std::vector<Experiment> experiments(const Settings& settings);

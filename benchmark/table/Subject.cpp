@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "Subject.h"
+
+#include "measuring/speed_up.h"
+
+#include <sstream>
+#include <stdexcept>
+
+namespace thick_benchmark {
+
+void check_equal(const std::string& name, const Tally& expected, const Tally& found)
+{
+  std::ostringstream message;
+  message << name << ": " << found << " instead of " << expected;
+  if(expected != found)
+    throw std::runtime_error(message.str());
+}
+
+Subject make_subject(const std::string& name, std::size_t n, const Search& search,
+                     const Tally& expected)
+{
+  check_equal(name, expected, search.sequential());
+  if(search.parallel)
+    check_equal(name + " in parallel", expected, search.parallel());
+  return {name, n, expected.pairs, search};
+}
+
+#ifdef CGAL_LINKED_WITH_TBB
+
+Row measure_two_threads(const Subject& subject)
+{
+  const Speed_up speed_up
+    = measure_speed_up(subject.search.sequential_like_parallel, subject.search.parallel);
+  const Goal goal = {Goal::AT_LEAST, 1.7, 1.9};
+  return {subject.name + ", 2 threads", "speed-up", goal, speed_up.of_search, subject.n,
+          subject.k, speed_up.milliseconds, speed_up.of_machine};
+}
+
+#endif // CGAL_LINKED_WITH_TBB
+
+} // namespace thick_benchmark
