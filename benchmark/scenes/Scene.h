@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// A scene: points in the plane or in space, and the distance that counts as near.
+// A scene: points, and the distance that counts as near.
 
 #ifndef THICK_INTERSECTION_BENCHMARK_SCENES_SCENE_H
 #define THICK_INTERSECTION_BENCHMARK_SCENES_SCENE_H

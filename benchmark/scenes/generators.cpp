@@ -45,13 +45,18 @@ Scene uniform_points(const std::string& name, int dimension, std::size_t n)
   return scene;
 }
 
-// The probability that two uniform points of the unit square or cube are within r <= 1 (square and
-// cube line picking).
+// The probability that two uniform points of the unit cube are within r <= 1 of each other. The
+// difference |x - y| has density 2 (1 - u) along each axis. The product over the axes is expanded,
+// and each term is integrated over the ball.
 double probability_within(int dimension, double r)
 {
-  return dimension == 2
-           ? r * r * (pi - r * (8. / 3 - r / 2))
-           : r * r * r * (4 * pi / 3 - r * (3 * pi / 2 - r * (8. / 5 - r / 6)));
+  double sum = 0, choices = 1; // of k of d axes
+  for(int k = 0; k <= dimension; ++k) {
+    sum += choices * std::pow(-1, k) * std::pow(pi, (dimension - k) / 2.)
+           * std::pow(r, dimension + k) / std::tgamma((dimension + k) / 2. + 1);
+    choices *= static_cast<double>(dimension - k) / (k + 1);
+  }
+  return sum;
 }
 
 Points read_tsplib(const std::string& file)

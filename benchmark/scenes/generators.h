@@ -13,7 +13,8 @@
 
 namespace thick_benchmark {
 
-// n points in the unit square or cube, with the distance for which k pairs are expected.
+// n points in the unit square or cube of any dimension, with the distance for which k pairs are
+// expected.
 Scene uniform(int dimension, std::size_t n, double k);
 
 // n points in the unit square or cube, all of them within the distance of each other.
