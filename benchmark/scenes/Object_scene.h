@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// A scene of objects with an extent, in one set or in two.
+
+#ifndef THICK_INTERSECTION_BENCHMARK_SCENES_OBJECT_SCENE_H
+#define THICK_INTERSECTION_BENCHMARK_SCENES_OBJECT_SCENE_H
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace thick_benchmark {
+
+// What the numbers of an object are: the lower and the upper corner, the center and the radius, the
+// two ends, the three corners.
+enum class Shape { BOX, BALL, SEGMENT, TRIANGLE };
+
+struct Object_scene
+{
+  std::string name;
+  Shape shape;
+  int dimension;
+  std::vector<double> numbers; // object by object
+  std::size_t size_a = 0;      // objects of the first set, which come first; 0: there is one set
+
+  std::size_t numbers_per_object() const
+  {
+    const auto d = static_cast<std::size_t>(dimension);
+    return shape == Shape::BALL ? d + 1 : shape == Shape::TRIANGLE ? 3 * d : 2 * d;
+  }
+  std::size_t size() const { return numbers.size() / numbers_per_object(); }
+  const double* object(std::size_t i) const { return numbers.data() + i * numbers_per_object(); }
+};
+
+} // namespace thick_benchmark
+
+#endif // THICK_INTERSECTION_BENCHMARK_SCENES_OBJECT_SCENE_H
