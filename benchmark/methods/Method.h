@@ -21,11 +21,12 @@ namespace thick_benchmark {
 template <class Answer>
 using Run = std::function<Answer()>;
 
-template <class Answer>
+template <class Answer, class Scene = thick_benchmark::Scene>
 struct Method
 {
   std::string name;
-  // Makes the points in the method's own type. What it returns can be run as often as wanted.
+  // Makes the points or objects in the method's own type. What it returns can be run as often as
+  // wanted.
   std::function<Run<Answer>(const Scene&)> prepare;
 };
 

@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The searches of objects, and of points in four dimensions and more. Each library is compiled in a
+// file of its own.
+
+#ifndef THICK_INTERSECTION_BENCHMARK_METHODS_OBJECT_METHODS_H
+#define THICK_INTERSECTION_BENCHMARK_METHODS_OBJECT_METHODS_H
+
+#include "ours.h"
+
+#include "scenes/Object_scene.h"
+
+#include <vector>
+
+namespace thick_benchmark {
+
+using Object_method = Method<Tally, Object_scene>;
+
+Search search_objects(const Object_scene& scene); // thick_self_intersection_d, thick_intersection_d
+Search search_points_d(const Scene& scene);       // fixed_radius_near_neighbors
+
+// CGAL's box_self_intersection_d and box_intersection_d, and then the exact test: none of boxes,
+// and the test of distances of points.
+Object_method boxes_of_objects(std::ptrdiff_t cutoff);
+Method<Tally> boxes_of_points_d(std::ptrdiff_t cutoff);
+
+// For scenes in one set: as self_intersections() of Polygon_mesh_processing calls it.
+Object_method boxes_by_address();
+
+// For scenes of boxes in one set, which must outlive the runs.
+Object_method rtree_of_boxes();
+Object_method bvh_of_boxes();
+
+} // namespace thick_benchmark
+
+#endif // THICK_INTERSECTION_BENCHMARK_METHODS_OBJECT_METHODS_H

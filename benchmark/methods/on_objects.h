@@ -1,0 +1,119 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The objects of a scene in EPICK, and the exact test of two of them.
+
+#ifndef THICK_INTERSECTION_BENCHMARK_METHODS_ON_OBJECTS_H
+#define THICK_INTERSECTION_BENCHMARK_METHODS_ON_OBJECTS_H
+
+#include "Method.h"
+
+#include "scenes/Object_scene.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Thick_ball_traits_d.h>
+
+#include <memory>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace thick_benchmark {
+
+using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Ball_3 = std::pair<Epick::Point_3, double>;
+
+// One set, or two.
+template <class Object>
+struct Objects
+{
+  std::vector<Object> a;
+  std::vector<Object> b;
+  bool are_two_sets;
+};
+
+// ---- objects from numbers -----------------------------------------------------------------------
+
+template <class Point>
+Point point_at(const double* x)
+{
+  if constexpr(CGAL::Ambient_dimension<Point>::value == 2)
+    return Point(x[0], x[1]);
+  else
+    return Point(x[0], x[1], x[2]);
+}
+
+// An object of a kernel with two or three corners.
+template <class Object, class Point, int Corners>
+struct From_corners
+{
+  static Object make(const double* x)
+  {
+    constexpr int dimension = CGAL::Ambient_dimension<Point>::value;
+    if constexpr(Corners == 2)
+      return Object(point_at<Point>(x), point_at<Point>(x + dimension));
+    else
+      return Object(point_at<Point>(x), point_at<Point>(x + dimension),
+                    point_at<Point>(x + 2 * dimension));
+  }
+};
+
+struct Ball_from_numbers
+{
+  static Ball_3 make(const double* x) { return {point_at<Epick::Point_3>(x), x[3]}; }
+};
+
+template <class Maker>
+auto make_objects(const Object_scene& scene)
+{
+  using Object = decltype(Maker::make(nullptr));
+  Objects<Object> objects{{}, {}, scene.size_a != 0};
+  for(std::size_t i = 0; i < scene.size(); ++i)
+    (objects.are_two_sets && i >= scene.size_a ? objects.b : objects.a)
+      .push_back(Maker::make(scene.object(i)));
+  return objects;
+}
+
+// ---- searches -----------------------------------------------------------------------------------
+
+template <class Answer, class Maker, class Search>
+Run<Answer> run_on_objects(const Object_scene& scene, const Search& search)
+{
+  using Objects = decltype(make_objects<Maker>(scene));
+  const auto objects = std::make_shared<const Objects>(make_objects<Maker>(scene));
+  return [objects, search] {
+    Answer answer;
+    search(*objects, answer);
+    return answer;
+  };
+}
+
+// Of search(objects, answer).
+template <class Answer, class Search>
+Run<Answer> run_on_objects(const Object_scene& scene, const Search& search)
+{
+  using K = Epick;
+  using Rectangle = From_corners<K::Iso_rectangle_2, K::Point_2, 2>;
+  using Cuboid = From_corners<K::Iso_cuboid_3, K::Point_3, 2>;
+  using Segment_2 = From_corners<K::Segment_2, K::Point_2, 2>;
+  using Segment_3 = From_corners<K::Segment_3, K::Point_3, 2>;
+  using Triangle_3 = From_corners<K::Triangle_3, K::Point_3, 3>;
+  const bool is_plane = scene.dimension == 2;
+  switch(scene.shape) {
+  case Shape::BOX:
+    return is_plane ? run_on_objects<Answer, Rectangle>(scene, search)
+                    : run_on_objects<Answer, Cuboid>(scene, search);
+  case Shape::SEGMENT:
+    return is_plane ? run_on_objects<Answer, Segment_2>(scene, search)
+                    : run_on_objects<Answer, Segment_3>(scene, search);
+  case Shape::BALL:
+    return run_on_objects<Answer, Ball_from_numbers>(scene, search);
+  case Shape::TRIANGLE:
+    return run_on_objects<Answer, Triangle_3>(scene, search);
+  }
+  throw std::invalid_argument("a scene of an unknown shape");
+}
+
+} // namespace thick_benchmark
+
+#endif // THICK_INTERSECTION_BENCHMARK_METHODS_ON_OBJECTS_H
