@@ -1,0 +1,157 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_NUMBERED_BOXES_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_NUMBERED_BOXES_H
+
+// The boxes of one or two ranges of the user, read through box traits and checked once.
+
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// Numbers the boxes from 0, those of the first range first. An empty box has no number: its lower
+// end is above its upper end along an axis, so it meets no box. The number of a box is its position
+// if no box is empty. The boxes of the two ranges may have different types.
+template <class First, class Second, class Traits>
+class Numbered_boxes
+{
+public:
+  // Throws if a coordinate is NaN.
+  Numbered_boxes(const First& first, const Second& second, const Traits& traits)
+    : first_(first), second_(second), traits_(traits), dimension_(traits.dimension()),
+      size_(first.size() + second.size()), first_size_(first.size())
+  {
+    if(dimension_ < 1)
+      throw std::invalid_argument("The dimension of boxes is to be 1 or more.");
+    number_boxes();
+  }
+
+  std::size_t size() const { return size_; }
+  std::size_t first_size() const { return first_size_; }
+  int dimension() const { return dimension_; }
+  const Traits& traits() const { return traits_; }
+
+  // Whether all ends are doubles.
+  bool have_double_ends() const { return have_double_ends_; }
+
+  // Whether a box is a single number along an axis.
+  bool has_flat_box() const { return has_flat_box_; }
+
+  // Returns doubles that enclose the box.
+  Interval interval(std::size_t number, int axis) const
+  {
+    return with_box(number, [&](auto&& box) {
+      return Interval{bounds(traits_.min_coord(box, axis)).first,
+                      bounds(traits_.max_coord(box, axis)).second};
+    });
+  }
+
+  // Returns the boxes as the iterators of the user give them.
+  decltype(auto) of_first_range(std::size_t number) const { return first_[position(number)]; }
+  decltype(auto) of_second_range(std::size_t number) const
+  {
+    return second_[position(number) - first_.size()];
+  }
+
+  // Returns task(box).
+  template <class Task>
+  auto with_box(std::size_t number, const Task& task) const
+  {
+    return at(position(number), task);
+  }
+
+  // Returns the position in the range of the box.
+  std::size_t position_in_range(std::size_t number) const
+  {
+    return number < first_size_ ? position(number) : position(number) - first_.size();
+  }
+
+private:
+  std::size_t position(std::size_t number) const
+  {
+    return positions_.empty() ? number : positions_[number];
+  }
+
+  template <class Task>
+  auto at(std::size_t position, const Task& task) const
+  {
+    return position < first_.size() ? task(first_[position])
+                                    : task(second_[position - first_.size()]);
+  }
+
+  void number_boxes()
+  {
+    bool has_empty_box = false;
+    for(std::size_t position = 0; position < size_; ++position) {
+      const bool is_empty = check(position);
+      if(is_empty && !has_empty_box) {
+        has_empty_box = true;
+        positions_.resize(position);
+        std::iota(positions_.begin(), positions_.end(), std::size_t(0));
+      }
+      if(!is_empty && has_empty_box)
+        positions_.push_back(position);
+    }
+    if(has_empty_box) {
+      size_ = positions_.size();
+      first_size_ = static_cast<std::size_t>(
+        std::lower_bound(positions_.begin(), positions_.end(), first_.size()) - positions_.begin());
+    }
+  }
+
+  // Looks at a box. Returns whether it is empty.
+  bool check(std::size_t position)
+  {
+    return at(position, [&](auto&& box) {
+      bool is_empty = false;
+      for(int axis = 0; axis < dimension_; ++axis) {
+        const auto& low = traits_.min_coord(box, axis);
+        const auto& high = traits_.max_coord(box, axis);
+        check_end(bounds(low), axis, position);
+        check_end(bounds(high), axis, position);
+        if(high < low)
+          is_empty = true;
+        else
+          has_flat_box_ = has_flat_box_ || !(low < high);
+      }
+      return is_empty;
+    });
+  }
+
+  void check_end(const std::pair<double, double>& end, int axis, std::size_t position)
+  {
+    if(!(end.first <= end.second))
+      throw std::invalid_argument("Coordinate " + std::to_string(axis) + " of box "
+                                  + std::to_string(position) + " is NaN.");
+    have_double_ends_ = have_double_ends_ && end.first == end.second;
+  }
+
+  const First& first_;
+  const Second& second_;
+  const Traits& traits_;
+  int dimension_;
+  std::size_t size_;
+  std::size_t first_size_; // the boxes of the first range that have a number
+  bool have_double_ends_ = true;
+  bool has_flat_box_ = false;
+  std::vector<std::size_t> positions_; // without empty boxes; no positions if no box is empty
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_NUMBERED_BOXES_H
