@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_BOX_RANGES_SEARCH_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_BOX_RANGES_SEARCH_H
+
+// The searches behind thick_box_self_intersection_d() and thick_box_intersection_d().
+
+#include <CGAL/Iterator_range.h>
+
+#include <CGAL/Thick_intersection_d/internal/arithmetic/check_denormals.h>
+#include <CGAL/Thick_intersection_d/internal/doors/box_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/input/Numbered_boxes.h>
+#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Meeting_boxes.h>
+#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
+
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// How CGAL reports pairs. In a complete search, the first box of a pair comes after the second box
+// along the last axis. So a pair is reported once, also if the second range is a copy of the first.
+struct Box_rules
+{
+  bool are_closed;
+  bool is_complete;
+};
+
+// Hands the boxes of each pair to the user's callback, by the rules.
+template <class Boxes, class Meeting, class Sets, class Callback>
+class Box_reporter
+{
+public:
+  Box_reporter(const Boxes& boxes, const Meeting& meeting, bool is_complete, Callback& callback)
+    : boxes_(boxes), meeting_(meeting), is_complete_(is_complete), callback_(callback)
+  {}
+
+  // Returns false iff the search is to stop.
+  bool operator()(std::size_t i, std::size_t j) const
+  {
+    const int last_axis = boxes_.dimension() - 1;
+    if constexpr(Sets::are_two) {
+      j += boxes_.first_size();
+      if(meeting_.are_same(i, j) || (is_complete_ && !meeting_.comes_before(j, i, last_axis)))
+        return true;
+      return call(boxes_.of_first_range(i), boxes_.of_second_range(j));
+    }
+    else {
+      if(meeting_.are_same(i, j))
+        return true;
+      if(meeting_.comes_before(i, j, last_axis))
+        std::swap(i, j);
+      return call(boxes_.of_first_range(i), boxes_.of_first_range(j));
+    }
+  }
+
+private:
+  // CGAL ignores what a callback returns. Here `bool` alone has a meaning.
+  template <class A, class B>
+  bool call(A&& a, B&& b) const
+  {
+    if constexpr(std::is_same_v<std::invoke_result_t<Callback&, A, B>, bool>)
+      return callback_(std::forward<A>(a), std::forward<B>(b));
+    else {
+      callback_(std::forward<A>(a), std::forward<B>(b));
+      return true;
+    }
+  }
+
+  const Boxes& boxes_;
+  const Meeting& meeting_;
+  const bool is_complete_;
+  Callback& callback_;
+};
+
+template <class Traits, class = void>
+struct Static_dimension : std::integral_constant<int, 0> {};
+template <class Traits>
+struct Static_dimension<Traits, std::void_t<std::integral_constant<int, Traits::dimension()>>>
+  : std::integral_constant<int, Traits::dimension()> {};
+
+// Calls task(std::integral_constant<int, D>()) with the dimension D, or with D = 0 for dimensions
+// that are neither constants nor the plane or space.
+template <class Traits, class Task>
+bool with_static_dimension(int dimension, const Task& task)
+{
+  if constexpr(Static_dimension<Traits>::value != 0)
+    return task(Static_dimension<Traits>());
+  else if(dimension == 2)
+    return task(std::integral_constant<int, 2>());
+  else if(dimension == 3)
+    return task(std::integral_constant<int, 3>());
+  else
+    return task(std::integral_constant<int, 0>());
+}
+
+// Checks the boxes, and reports the pairs. Returns false iff the search was stopped.
+template <class ConcurrencyTag, class Sets, class First, class Second, class Traits, class Callback>
+bool report_box_pairs(const First& first, const Second& second, const Traits& traits,
+                      const Box_rules& rules, Callback& callback)
+{
+  check_denormals();
+  using Boxes = Numbered_boxes<First, Second, Traits>;
+  const Boxes boxes(first, second, traits);
+  return with_static_dimension<Traits>(boxes.dimension(), [&](auto dimension) {
+    using Meeting = Meeting_boxes<decltype(dimension)::value, Boxes>;
+    const Meeting meeting(boxes, rules.are_closed);
+    Box_reporter<Boxes, Meeting, Sets, Callback> report(boxes, meeting, rules.is_complete,
+                                                        callback);
+    Sets sets = {};
+    if constexpr(Sets::are_two)
+      sets.first_size = boxes.first_size();
+    return report_meeting_boxes<ConcurrencyTag>(meeting, sets, report);
+  });
+}
+
+template <class Iterator>
+auto make_elements_of(Iterator begin, Iterator end)
+{
+  return Numbered_elements<Iterator_range<Iterator>>(make_range(begin, end));
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_BOX_RANGES_SEARCH_H

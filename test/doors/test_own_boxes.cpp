@@ -1,0 +1,254 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Boxes and traits of one's own, without the header of CGAL: what the functions take and refuse.
+
+#include <CGAL/thick_box_intersection_d.h>
+
+#ifdef CGAL_BOX_INTERSECTION_D_H
+#error "The header of CGAL is under the GPL: ours does without."
+#endif
+
+#include "support/pairs.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(own_boxes)
+
+using namespace test_support;
+using namespace CGAL::Thick_box_intersection_d;
+
+namespace {
+
+const double infinity = std::numeric_limits<double>::infinity();
+const double nan_value = std::numeric_limits<double>::quiet_NaN();
+
+// The least that a box needs.
+template <std::size_t D>
+struct Plain_box
+{
+  std::array<double, D> low, high;
+
+  static constexpr int dimension() { return D; }
+  double min_coord(int i) const { return low[static_cast<std::size_t>(i)]; }
+  double max_coord(int i) const { return high[static_cast<std::size_t>(i)]; }
+};
+
+using Interval = Plain_box<1>;
+using Intervals = std::vector<Interval>;
+
+const Intervals chain = {{{0}, {1}}, {{1}, {2}}, {{2}, {3}}, {{5}, {6}}};
+
+// The pairs of positions in two vectors.
+struct Position_collector
+{
+  const Interval* first;
+  const Interval* second;
+  Pairs* pairs;
+  void operator()(const Interval& a, const Interval& b) const
+  {
+    pairs->emplace_back(&a - first, &b - second);
+  }
+};
+
+template <class... Arguments>
+Pairs self_pairs(const Intervals& boxes, const Arguments&... arguments)
+{
+  Pairs pairs;
+  CGAL::thick_box_self_intersection_d(
+    boxes.begin(), boxes.end(), Position_collector{boxes.data(), boxes.data(), &pairs},
+    arguments...);
+  return sorted(pairs);
+}
+
+template <class... Arguments>
+Pairs pairs_between(const Intervals& a, const Intervals& b, const Arguments&... arguments)
+{
+  Pairs pairs;
+  CGAL::thick_box_intersection_d(a.begin(), a.end(), b.begin(), b.end(),
+                                 Position_collector{a.data(), b.data(), &pairs}, arguments...);
+  return sorted(pairs);
+}
+
+// Points, made to boxes by a distance that is known at run time only.
+struct Fattening_traits
+{
+  double distance;
+  int dimension() const { return 1; }
+  double min_coord(double x, int) const { return x - distance; }
+  double max_coord(double x, int) const { return x + distance; }
+};
+
+// The text of the exception that the boxes are refused with. Nothing is reported before it.
+std::string refusal(const Intervals& a, const Intervals& b)
+{
+  try {
+    CGAL::thick_box_intersection_d(a.begin(), a.end(), b.begin(), b.end(),
+                                   [](const Interval&, const Interval&) { BOOST_ERROR("pair"); });
+  }
+  catch(const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(closed_boxes_touch_and_half_open_boxes_do_not)
+{
+  BOOST_CHECK((self_pairs(chain) == Pairs{{1, 0}, {2, 1}}));
+  BOOST_CHECK(self_pairs(chain, 10, HALF_OPEN).empty());
+  BOOST_CHECK((pairs_between(chain, chain, 10, HALF_OPEN)
+               == Pairs{{0, 0}, {1, 1}, {2, 2}, {3, 3}}));
+}
+
+BOOST_AUTO_TEST_CASE(positions_tell_boxes_without_ids)
+{
+  const Intervals equal(3, Interval{{0}, {1}}), copy = equal;
+  const Pairs each_once = {{1, 0}, {2, 0}, {2, 1}};
+  BOOST_CHECK(self_pairs(equal) == each_once);
+  BOOST_CHECK(pairs_between(equal, copy, 10, CLOSED, COMPLETE) == each_once);
+  BOOST_CHECK(pairs_between(equal, equal, 10, CLOSED, COMPLETE) == each_once);
+  BOOST_CHECK_EQUAL(pairs_between(equal, copy).size(), 9u);
+}
+
+BOOST_AUTO_TEST_CASE(traits_have_a_state)
+{
+  const std::vector<double> points = {0, 1, 3};
+  for(const double distance : {0.25, 0.5, 1.}) {
+    std::size_t count = 0;
+    CGAL::thick_box_self_intersection_d(points.begin(), points.end(),
+                                        [&](double, double) { ++count; },
+                                        Fattening_traits{distance});
+    BOOST_CHECK_EQUAL(count, distance < 0.5 ? 0u : distance < 1 ? 1u : 2u);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_pointer_stands_for_its_box)
+{
+  Intervals boxes = chain;
+  std::vector<Interval*> pointers;
+  std::vector<std::shared_ptr<const Interval>> shared;
+  for(Interval& box : boxes) {
+    pointers.push_back(&box);
+    shared.push_back(std::make_shared<const Interval>(box));
+  }
+  Pairs pairs;
+  CGAL::thick_box_self_intersection_d(
+    pointers.begin(), pointers.end(),
+    [&](Interval* a, Interval* b) { pairs.emplace_back(a - boxes.data(), b - boxes.data()); });
+  BOOST_CHECK((sorted(pairs) == Pairs{{1, 0}, {2, 1}}));
+
+  std::size_t count = 0; // boxes of different types
+  CGAL::thick_box_intersection_d(
+    pointers.begin(), pointers.end(), shared.begin(), shared.end(),
+    [&](const Interval*, const std::shared_ptr<const Interval>&) { ++count; });
+  BOOST_CHECK_EQUAL(count, 8u);
+}
+
+BOOST_AUTO_TEST_CASE(forward_iterators_are_fine)
+{
+  const std::list<Interval> boxes(chain.begin(), chain.end());
+  std::size_t count = 0;
+  CGAL::thick_box_self_intersection_d(boxes.begin(), boxes.end(),
+                                      [&](const Interval&, const Interval&) { ++count; });
+  BOOST_CHECK_EQUAL(count, 2u);
+}
+
+BOOST_AUTO_TEST_CASE(no_boxes_and_one_box_give_no_pairs)
+{
+  const Intervals none, one = {chain[0]};
+  for(const Intervals& boxes : {none, one}) {
+    BOOST_CHECK(self_pairs(boxes).empty());
+    BOOST_CHECK(pairs_between(boxes, none).empty());
+    BOOST_CHECK(pairs_between(none, boxes).empty());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(an_empty_box_meets_no_box)
+{
+  const Interval empty = {{infinity}, {-infinity}}, turned = {{2}, {1}}, all = {{0}, {9}};
+  BOOST_CHECK((self_pairs({empty, all, turned, all, empty, turned}) == Pairs{{3, 1}}));
+  BOOST_CHECK((pairs_between({turned, all, empty}, {all, empty, turned, all})
+               == Pairs{{1, 0}, {1, 3}}));
+  BOOST_CHECK((pairs_between({empty, empty}, {all})).empty());
+  BOOST_CHECK((self_pairs({empty, all, all}, 10, HALF_OPEN) == Pairs{{2, 1}}));
+}
+
+BOOST_AUTO_TEST_CASE(infinite_boxes_are_boxes)
+{
+  const double max = (std::numeric_limits<double>::max)();
+  const Intervals boxes = {{{-infinity}, {infinity}}, {{-infinity}, {-max}}, {{max}, {infinity}},
+                           {{infinity}, {infinity}},  {{-max}, {max}}};
+  BOOST_CHECK((self_pairs(boxes)
+               == Pairs{{1, 0}, {2, 0}, {2, 4}, {3, 0}, {3, 2}, {4, 0}, {4, 1}}));
+  BOOST_CHECK((self_pairs(boxes, 10, HALF_OPEN) == Pairs{{1, 0}, {2, 0}, {4, 0}}));
+}
+
+BOOST_AUTO_TEST_CASE(nan_is_refused_before_the_first_report)
+{
+  Intervals boxes = chain;
+  boxes.push_back({{nan_value}, {1}});
+  BOOST_CHECK_EQUAL(refusal(chain, boxes), "Coordinate 0 of box 8 is NaN.");
+  boxes.back() = {{1}, {nan_value}};
+  BOOST_CHECK_EQUAL(refusal(boxes, chain), "Coordinate 0 of box 4 is NaN.");
+}
+
+BOOST_AUTO_TEST_CASE(false_stops_the_search_and_other_results_do_not)
+{
+  std::size_t count = 0;
+  const auto count_and_return = [&](auto result) {
+    count = 0;
+    return CGAL::thick_box_self_intersection_d(chain.begin(), chain.end(),
+                                               [&, result](const Interval&, const Interval&) {
+                                                 ++count;
+                                                 return result;
+                                               });
+  };
+  BOOST_CHECK(!count_and_return(false));
+  BOOST_CHECK_EQUAL(count, 1u);
+  BOOST_CHECK(count_and_return(true));
+  BOOST_CHECK_EQUAL(count, 2u);
+  BOOST_CHECK(count_and_return(0));
+  BOOST_CHECK_EQUAL(count, 2u);
+}
+
+BOOST_AUTO_TEST_CASE(exceptions_of_the_callback_pass_through)
+{
+  struct Stop
+  {};
+  BOOST_CHECK_THROW(CGAL::thick_box_self_intersection_d(
+                      chain.begin(), chain.end(),
+                      [](const Interval&, const Interval&) { throw Stop(); }),
+                    Stop);
+}
+
+BOOST_AUTO_TEST_CASE(boxes_in_parallel)
+{
+  std::vector<Plain_box<2>> boxes; // a grid of squares that touch
+  for(double x = 0; x < 40; ++x)
+    for(double y = 0; y < 40; ++y)
+      boxes.push_back({{x, y}, {x + 1, y + 1}});
+  Pairs found;
+  std::mutex mutex;
+  CGAL::thick_box_self_intersection_d<CGAL::Parallel_if_available_tag>(
+    boxes.begin(), boxes.end(), [&](const Plain_box<2>& a, const Plain_box<2>& b) {
+      const std::lock_guard<std::mutex> lock(mutex);
+      found.emplace_back(&a - boxes.data(), &b - boxes.data());
+    });
+  BOOST_CHECK_EQUAL(found.size(), 2u * 39 * 40 + 2 * 39 * 39);
+  found = sorted(found);
+  BOOST_CHECK(std::unique(found.begin(), found.end()) == found.end());
+}
+
+BOOST_AUTO_TEST_SUITE_END()
