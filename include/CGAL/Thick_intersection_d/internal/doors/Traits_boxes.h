@@ -40,9 +40,9 @@ struct Has_close_predicate<
 
 // The dimension of objects, or 0 if only the traits object knows it.
 template <class Traits, class = void>
-struct Static_dimension : std::integral_constant<int, 0> {};
+struct Object_dimension : std::integral_constant<int, 0> {};
 template <class Traits>
-struct Static_dimension<Traits, std::void_t<typename Traits::Dimension>>
+struct Object_dimension<Traits, std::void_t<typename Traits::Dimension>>
   : std::integral_constant<
       int, std::is_same_v<typename Traits::Dimension, Dynamic_dimension_tag>
              ? 0
@@ -60,7 +60,7 @@ template <class Elements, class Traits>
 class Traits_boxes
 {
 public:
-  static constexpr int static_dimension = Static_dimension<Traits>::value;
+  static constexpr int static_dimension = Object_dimension<Traits>::value;
 
   Traits_boxes(const Elements& objects, const Traits& traits)
     : objects_(objects), traits_(traits), interval_(traits.interval_d_object()),

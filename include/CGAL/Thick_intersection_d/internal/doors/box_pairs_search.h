@@ -69,6 +69,7 @@ template <class ConcurrencyTag, class Objects, class Sets, class Callback, class
 bool report_meeting_boxes(const Objects& objects, const Sets& sets, Callback& callback,
                           Progress& progress)
 {
+  check_size(2 * objects.size()); // pieces may hold a copy of each object
   const auto search = [&](auto& report) {
     constexpr int dimension = Objects::static_dimension;
     if constexpr(dimension == 0 || dimension > 3)

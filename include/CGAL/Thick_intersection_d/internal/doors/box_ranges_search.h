@@ -79,26 +79,12 @@ private:
   Callback& callback_;
 };
 
+// The dimension of boxes, or 0 if it is no constant.
 template <class Traits, class = void>
 struct Static_dimension : std::integral_constant<int, 0> {};
 template <class Traits>
 struct Static_dimension<Traits, std::void_t<std::integral_constant<int, Traits::dimension()>>>
   : std::integral_constant<int, Traits::dimension()> {};
-
-// Calls task(std::integral_constant<int, D>()) with the dimension D, or with D = 0 for dimensions
-// that are neither constants nor the plane or space.
-template <class Traits, class Task>
-bool with_static_dimension(int dimension, const Task& task)
-{
-  if constexpr(Static_dimension<Traits>::value != 0)
-    return task(Static_dimension<Traits>());
-  else if(dimension == 2)
-    return task(std::integral_constant<int, 2>());
-  else if(dimension == 3)
-    return task(std::integral_constant<int, 3>());
-  else
-    return task(std::integral_constant<int, 0>());
-}
 
 // Checks the boxes, and reports the pairs. Returns false iff the search was stopped.
 template <class ConcurrencyTag, class Sets, class First, class Second, class Traits, class Callback>
@@ -108,16 +94,13 @@ bool report_box_pairs(const First& first, const Second& second, const Traits& tr
   check_denormals();
   using Boxes = Numbered_boxes<First, Second, Traits>;
   const Boxes boxes(first, second, traits);
-  return with_static_dimension<Traits>(boxes.dimension(), [&](auto dimension) {
-    using Meeting = Meeting_boxes<decltype(dimension)::value, Boxes>;
-    const Meeting meeting(boxes, rules.are_closed);
-    Box_reporter<Boxes, Meeting, Sets, Callback> report(boxes, meeting, rules.is_complete,
-                                                        callback);
-    Sets sets = {};
-    if constexpr(Sets::are_two)
-      sets.first_size = boxes.first_size();
-    return report_meeting_boxes<ConcurrencyTag>(meeting, sets, report);
-  });
+  using Meeting = Meeting_boxes<Static_dimension<Traits>::value, Boxes>;
+  const Meeting meeting(boxes, rules.are_closed);
+  Box_reporter<Boxes, Meeting, Sets, Callback> report(boxes, meeting, rules.is_complete, callback);
+  Sets sets = {};
+  if constexpr(Sets::are_two)
+    sets.first_size = boxes.first_size();
+  return report_meeting_boxes<ConcurrencyTag>(meeting, sets, report);
 }
 
 template <class Iterator>

@@ -57,15 +57,17 @@ public:
   // meet may be apart. Boxes whose intervals do not meet are apart in either case.
   bool are_exact() const { return are_exact_; }
 
-  // Returns a closed interval of doubles. A half-open interval of doubles ends in the last double
-  // that it contains: x < y iff x is at most the double before y. This holds for zeros of both
-  // signs, denormal numbers and infinity.
-  Interval interval(std::size_t i, int axis) const
+  // Gives a closed interval of doubles per axis. A half-open interval of doubles ends in the last
+  // double that it contains: x < y iff x is at most the double before y. This holds for zeros of
+  // both signs, denormal numbers and infinity.
+  auto intervals(std::size_t i) const
   {
-    Interval interval = boxes_.interval(i, axis);
-    if(are_exact_ && !are_closed_)
-      interval.high = std::nextafter(interval.high, -std::numeric_limits<double>::infinity());
-    return interval;
+    return [this, i](int axis) {
+      Interval interval = boxes_.interval(i, axis);
+      if(are_exact_ && !are_closed_)
+        interval.high = std::nextafter(interval.high, -std::numeric_limits<double>::infinity());
+      return interval;
+    };
   }
 
   bool do_intersect(std::size_t i, std::size_t j) const
