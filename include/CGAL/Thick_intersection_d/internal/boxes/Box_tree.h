@@ -9,9 +9,9 @@
 // "Fast software for box intersections", 2002. O(n log^(d-1) n + k) time, whatever the boxes are.
 
 #include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
-#include <CGAL/Thick_intersection_d/internal/boxes/tuning.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -168,11 +168,13 @@ private:
                                         [&](const Box* b) { return low(b, axis) <= end; })};
   }
 
-  // How many lower ends a box holds, on average over a sample.
+  // How many lower ends a box holds, on average over a sample, which takes no longer than to halve
+  // the boxes.
   std::size_t held_count(const Boxes& holding, Iterator first, Iterator last, int axis) const
   {
     std::size_t count = 0;
-    const std::size_t step = holding.size() / (few + holding.size() / 16) + 1;
+    const std::size_t search_cost = 4 * static_cast<std::size_t>(std::ilogb(last - first) + 1);
+    const std::size_t step = holding.size() / (few + holding.size() / search_cost) + 1;
     for(std::size_t i = 0; i < holding.size(); i += step) {
       const auto range = held(holding[i], first, last, axis);
       count += static_cast<std::size_t>(range.second - range.first);
