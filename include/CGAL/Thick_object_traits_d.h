@@ -138,6 +138,7 @@ public:
   // Throws if a coordinate of `object` is NaN or infinite.
   void check(const Object& object, std::size_t position) const
   {
+    Thick_intersection_d::internal::settle(object);
     Thick_intersection_d::internal::check_vertices(object, position);
   }
 

@@ -10,7 +10,6 @@
 #include <CGAL/Thick_intersection_d/internal/doors/Traits_boxes.h>
 #include <CGAL/Thick_intersection_d/internal/doors/box_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/doors/recursive_search.h>
-#include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 
 #include <cstddef>
@@ -49,7 +48,7 @@ bool report_objects(const Elements& objects, const Sets& sets, const Traits& tra
 {
   if constexpr(Has_intervals<Traits>::value) {
     const Traits_boxes<Elements, Traits> boxes(objects, traits);
-    const bool are_finite = boxes.are_finite() && objects.size() < max_place / 2;
+    const bool are_finite = boxes.are_finite() && fits_box_route(objects.size());
     if(are_finite || !Has_close_predicate<Traits>::value) {
       auto progress = make_progress(np, objects.size());
       return report_meeting_boxes<ConcurrencyTag>(boxes, sets, callback, progress);

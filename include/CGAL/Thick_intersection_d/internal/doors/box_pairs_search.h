@@ -27,6 +27,9 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
+// Whether places can number `size` objects with a copy of each.
+inline bool fits_box_route(std::size_t size) { return size < max_place / 2; }
+
 // Returns all axes, those of the boxes first.
 template <class Objects>
 std::vector<int> axes_of_boxes(const Objects& objects)

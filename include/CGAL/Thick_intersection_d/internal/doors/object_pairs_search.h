@@ -12,6 +12,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/check_denormals.h>
 #include <CGAL/Thick_intersection_d/internal/doors/Object_route.h>
+#include <CGAL/Thick_intersection_d/internal/doors/box_pairs_search.h>
 
 #include <type_traits>
 
@@ -19,15 +20,18 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Returns the traits given as `geom_traits`. Otherwise makes the traits for kernel objects.
+// Returns the traits given as `geom_traits`. Otherwise makes the traits for kernel objects. Only
+// the recursive route needs the extents of objects, which take a pass over them.
 template <class Elements, class NamedParameters>
 decltype(auto) object_traits(const Elements& objects, const NamedParameters& np)
 {
   if constexpr(!parameters::is_default_parameter<NamedParameters,
                                                  internal_np::geom_traits_t>::value)
     return parameters::get_parameter_reference(np, internal_np::geom_traits);
-  else
-    return Thick_object_traits_d<typename Elements::value_type>(objects);
+  else {
+    using Traits = Thick_object_traits_d<typename Elements::value_type>;
+    return fits_box_route(objects.size()) ? Traits() : Traits(objects);
+  }
 }
 
 // Checks the objects, and reports the pairs. Returns false iff the search was stopped.

@@ -126,10 +126,11 @@ auto exact_squared_distance(const Point& p, const Point& q, int dimension)
 
 // Throws if a coordinate of `p` is NaN or infinite, or if its dimension is not `dimension`.
 template <class Point>
-void check_point(const Point& p, int dimension, const std::string& name, std::size_t position)
+void check_point(const Point& p, int dimension, const char* name, std::size_t position)
 {
   if(p.dimension() != dimension)
-    throw std::invalid_argument(name + " " + std::to_string(position) + " has dimension "
+    throw std::invalid_argument(std::string(name) + " " + std::to_string(position)
+                                + " has dimension "
                                 + std::to_string(p.dimension()) + " instead of "
                                 + std::to_string(dimension) + ".");
   for(int i = 0; i < dimension; ++i)
