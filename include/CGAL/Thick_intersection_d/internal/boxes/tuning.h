@@ -19,7 +19,7 @@ namespace internal {
 // The model of costs, in nanoseconds.
 inline constexpr double move_cost = 15;      // of a box that moves to a piece
 inline constexpr double box_cost = 25;       // of a box that is swept
-inline constexpr double candidate_cost = .6; // of a candidate
+inline constexpr double candidate_cost = 1.2; // of a candidate
 inline constexpr double piece_cost = 300;    // of a piece
 
 // A cut has to save so much of the time.

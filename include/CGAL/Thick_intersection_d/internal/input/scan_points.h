@@ -21,7 +21,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -106,7 +105,7 @@ private:
 // coordinate. Throws if a coordinate is NaN or infinite, or if a point has another dimension than
 // the first point; messages call a point `name`. Throws if denormal numbers are flushed to zero.
 template <class ConcurrencyTag, class Elements, class Store>
-Scene scan_points(const Elements& points, const std::string& name, const Store& store)
+Scene scan_points(const Elements& points, const char* name, const Store& store)
 {
   const int dimension = points.size() == 0 ? 0 : points[0].dimension();
   Scene_scan all(dimension);
@@ -124,7 +123,7 @@ Scene scan_points(const Elements& points, const std::string& name, const Store& 
 }
 
 template <class ConcurrencyTag, class Elements>
-Scene scan_points(const Elements& points, const std::string& name)
+Scene scan_points(const Elements& points, const char* name)
 {
   return scan_points<ConcurrencyTag>(points, name, [](std::size_t, int, double) {});
 }
