@@ -10,6 +10,7 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/squared_sums.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/do_balls_intersect_in_integers.h>
 
 #include <utility>
 
@@ -48,10 +49,24 @@ public:
       if(square.inf > max_square * (1 + error_))
         return false;
     }
-    return do_intersect_exactly(a, b);
+    return decide_near_tie(a, b);
   }
 
 private:
+  // Integers decide most ties, because the numbers of two balls have a grid of their own.
+  bool decide_near_tie(const Ball& a, const Ball& b) const
+  {
+    if constexpr(is_held_by_double_v<Number>) {
+      const auto x = [&](int i) { return static_cast<double>(coordinate(a.first, i)); };
+      const auto y = [&](int i) { return static_cast<double>(coordinate(b.first, i)); };
+      const auto do_intersect = do_balls_intersect_in_integers(
+        x, static_cast<double>(a.second), y, static_cast<double>(b.second), dimension_);
+      if(do_intersect)
+        return *do_intersect;
+    }
+    return do_intersect_exactly(a, b);
+  }
+
   bool do_intersect_exactly(const Ball& a, const Ball& b) const
   {
     const Exact sum = to_exact_number(a.second) + to_exact_number(b.second);
