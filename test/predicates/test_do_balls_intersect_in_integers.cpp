@@ -31,7 +31,8 @@ struct Balls
   double r, s;
 };
 
-// Centers with coordinates of up to `bits` bits, and radii whose sum is the distance, up to one step.
+// Centers with coordinates of up to `bits` bits, and radii whose sum is the distance, up to one
+// step.
 Balls nearly_touching_balls(int dimension, int bits, Random& random)
 {
   Balls balls;
