@@ -1,74 +1,76 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Traits of one's own: aircraft in conflict, closer than 9260 m horizontally and than 305 m
-// vertically. The distances are a state of the traits. All numbers are whole meters, so the
-// predicates are exact.
+// Traits of one's own, with three predicates: requests to a server that come from one network
+// within a second. Addresses are no numbers, so there are no intervals: they have an order, and
+// addresses of one network follow each other in it.
 
 #include <CGAL/thick_intersection_d.h>
+
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <iostream>
 #include <vector>
 
-struct Aircraft
+struct Request
 {
-  long position[3]; // east, north, up
+  std::array<unsigned, 8> address; // IPv6; the first four numbers are the network
+  long long time;                  // nanoseconds since 1970, more than doubles hold
 };
 
-class Conflict_traits
+class Burst_traits
 {
 public:
-  using Object_d = Aircraft;
+  using Object_d = Request;
 
-  Conflict_traits(long horizontal, long vertical) : reach_{horizontal, horizontal, vertical} {}
+  explicit Burst_traits(long long duration) : duration_(duration) {}
 
+  // Axis 0 is the time, axis 1 is the address.
   struct Less_coordinate_d
   {
-    bool operator()(const Aircraft& a, const Aircraft& b, int i) const
+    bool operator()(const Request& a, const Request& b, int i) const
     {
-      return a.position[i] < b.position[i];
+      return i == 0 ? a.time < b.time : a.address < b.address;
     }
   };
 
   struct Is_close_along_axis_d
   {
-    long reach[3];
-    bool operator()(const Aircraft& a, const Aircraft& b, int i) const
+    long long duration;
+    bool operator()(const Request& a, const Request& b, int i) const
     {
-      return std::labs(a.position[i] - b.position[i]) < reach[i];
+      return i == 0 ? std::llabs(a.time - b.time) <= duration
+                    : std::equal(a.address.begin(), a.address.begin() + 4, b.address.begin());
     }
   };
 
   struct Do_intersect_d
   {
     Is_close_along_axis_d is_close;
-    bool operator()(const Aircraft& a, const Aircraft& b) const
+    bool operator()(const Request& a, const Request& b) const
     {
-      const long east = a.position[0] - b.position[0], north = a.position[1] - b.position[1];
-      const long horizontal = is_close.reach[0];
-      return is_close(a, b, 2) && east * east + north * north < horizontal * horizontal;
+      return is_close(a, b, 0) && is_close(a, b, 1);
     }
   };
 
-  int dimension() const { return 3; }
+  int dimension() const { return 2; }
   Less_coordinate_d less_coordinate_d_object() const { return {}; }
-  Is_close_along_axis_d is_close_along_axis_d_object() const
-  {
-    return {{reach_[0], reach_[1], reach_[2]}};
-  }
+  Is_close_along_axis_d is_close_along_axis_d_object() const { return {duration_}; }
   Do_intersect_d do_intersect_d_object() const { return {is_close_along_axis_d_object()}; }
 
 private:
-  long reach_[3];
+  long long duration_;
 };
 
 int main()
 {
-  const std::vector<Aircraft> aircraft = {{{0, 0, 10000}},
-                                          {{5000, 5000, 10200}},
-                                          {{5000, 5000, 11000}},
-                                          {{5000, 14000, 11000}}};
+  const long long t = 1700000000000000000, second = 1000000000;
+  const std::vector<Request> requests = {{{0x2001, 0xdb8, 0, 1, 0, 0, 0, 7}, t},
+                                         {{0x2001, 0xdb8, 0, 1, 0, 0, 0, 9}, t + second},
+                                         {{0x2001, 0xdb8, 0, 2, 0, 0, 0, 7}, t},
+                                         {{0x2001, 0xdb8, 0, 1, 0, 0, 0, 8}, t + second + 1}};
   CGAL::thick_self_intersection_d(
-    aircraft, [](std::size_t i, std::size_t j) { std::cout << i << ' ' << j << '\n'; },
-    CGAL::parameters::geom_traits(Conflict_traits(9260, 305)));
+    requests, [](std::size_t i, std::size_t j) { std::cout << i << ' ' << j << '\n'; },
+    CGAL::parameters::geom_traits(Burst_traits(second)));
 }

@@ -76,6 +76,45 @@ void check_fact(const Decimal_points& points, const Fact& fact)
     check_as_rationals<Dimension>(points, rational(radius), 1, fact);
 }
 
+struct Aircraft
+{
+  double instant;        // seconds
+  Epick::Point_3 ground; // centimetres
+  double height;         // feet
+};
+
+// The interval of an instant is the instant, so aircraft of different instants do not meet.
+struct Conflict_traits
+{
+  using Object_d = Aircraft;
+  double chord;
+
+  struct Interval_d
+  {
+    double half_chord;
+    std::pair<double, double> operator()(const Aircraft& a, int axis) const
+    {
+      const double extent = axis == 0 ? 0 : axis == 4 ? 500 : half_chord;
+      const double x = axis == 0 ? a.instant : axis == 4 ? a.height : a.ground[axis - 1];
+      return {x - extent, x + extent};
+    }
+  };
+
+  struct Do_intersect_d
+  {
+    double chord;
+    bool operator()(const Aircraft& a, const Aircraft& b) const
+    {
+      return a.instant == b.instant && std::abs(a.height - b.height) < 1000
+             && CGAL::compare_squared_distance(a.ground, b.ground, chord * chord) == CGAL::SMALLER;
+    }
+  };
+
+  int dimension() const { return 5; }
+  Interval_d interval_d_object() const { return {chord / 2 + 1}; } // more than rounding needs
+  Do_intersect_d do_intersect_d_object() const { return {chord}; }
+};
+
 } // namespace
 
 BOOST_AUTO_TEST_CASE(files_have_the_pairs_of_the_facts)
@@ -130,7 +169,8 @@ BOOST_AUTO_TEST_CASE(atoms_overlap_as_the_facts_say)
     }
 }
 
-// Pairs at the same instant, closer than 5 nautical miles over ground and than 1000 feet in height.
+// Pairs at the same instant, closer than 5 nautical miles over ground and than 1000 feet in height:
+// near points of one instant after another, and all instants at once.
 BOOST_AUTO_TEST_CASE(aircraft_are_too_close_as_the_facts_say)
 {
   const Separation_fact fact;
@@ -142,25 +182,35 @@ BOOST_AUTO_TEST_CASE(aircraft_are_too_close_as_the_facts_say)
   const Text_rows heights = table.columns({"alt_ft"});
   const auto ground = as_exact_doubles(sphere_points(table.columns({"lat_deg", "lon_deg"})));
   BOOST_REQUIRE(ground);
-
-  std::map<std::string, std::vector<std::size_t>> aircraft; // at each instant
-  for(std::size_t i = 0; i < instants.size(); ++i)
-    aircraft[instants[i][0]].push_back(i);
   const double diameter = 2 * 637100880.; // centimetres, as the points
-  const double chord = diameter * std::sin(926000 / diameter);
+  const Conflict_traits traits = {diameter * std::sin(926000 / diameter)};
+
+  std::vector<Aircraft> aircraft;
+  std::map<double, std::vector<std::size_t>> rows; // at each instant
+  for(std::size_t i = 0; i < instants.size(); ++i) {
+    aircraft.push_back({std::stod(instants[i][0]),
+                        Cartesian_points<Epick, 3>::make((*ground)[i]), std::stod(heights[i][0])});
+    rows[aircraft[i].instant].push_back(i);
+  }
   std::size_t pairs = 0;
-  for(const auto& at_once : aircraft) {
-    const std::vector<std::size_t>& rows = at_once.second;
+  for(const auto& at_once : rows) {
+    const std::vector<std::size_t>& row = at_once.second;
     std::vector<Epick::Point_3> points;
-    for(const std::size_t row : rows)
-      points.push_back(Cartesian_points<Epick, 3>::make((*ground)[row]));
+    for(const std::size_t i : row)
+      points.push_back(aircraft[i].ground);
     CGAL::fixed_radius_near_neighbors(
-      points, CGAL::within_distance(chord).open(), [&](std::size_t i, std::size_t j) {
-        pairs += std::abs(std::stod(heights[rows[i]][0]) - std::stod(heights[rows[j]][0])) < 1000;
+      points, CGAL::within_distance(traits.chord).open(), [&](std::size_t i, std::size_t j) {
+        pairs += std::abs(aircraft[row[i]].height - aircraft[row[j]].height) < 1000;
       });
   }
-  BOOST_CHECK_EQUAL(aircraft.size(), fact.instants);
+  BOOST_CHECK_EQUAL(rows.size(), fact.instants);
   BOOST_CHECK_EQUAL(pairs, fact.pairs);
+
+  std::size_t pairs_by_traits = 0;
+  CGAL::thick_self_intersection_d(
+    aircraft, [&](std::size_t, std::size_t) { ++pairs_by_traits; },
+    CGAL::parameters::geom_traits(traits));
+  BOOST_CHECK_EQUAL(pairs_by_traits, fact.pairs);
 }
 
 // Runways of one airport cross, or touch; those of different airports are not asked about.
