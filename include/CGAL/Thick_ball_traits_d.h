@@ -32,10 +32,14 @@ another ball intersects it. The predicates give the answer of real arithmetic on
 and radii. They have degree 1 and 2 \cgalCite{v-riato-03}. With squared radii, as in `Sphere_3`, the
 degree would be 4.
 
-The reach along each axis is twice the largest radius. So the time grows with the ratio of the
-largest ball to the typical ball. If all balls of a search have the same radius, it searches the
-centers as points within twice the radius, as `fixed_radius_near_neighbors()` does; the search reads
-the radii only to find this out.
+A search encloses the balls in boxes, and tests the pairs whose boxes meet. So balls may have any
+radii. If all balls of a search have the same radius, it searches the centers as points within twice
+the radius, as `fixed_radius_near_neighbors()` does; the search reads the radii only to find this
+out.
+
+The predicates of `ThickIntersectionTraits_d` compare the centers. The reach along each axis is
+twice the largest radius \cgalCite{v-riato-03}. A search uses these predicates if a box reaches
+beyond the range of doubles.
 
 Objects of this class may be used by several threads at once.
 

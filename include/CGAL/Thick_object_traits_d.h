@@ -31,10 +31,14 @@ intersection test is exact on the coordinates that the objects hold. It is the t
 the kernel has exact predicates. Otherwise, as for `Simple_cartesian<double>`, it is the test of a
 kernel with exact predicates.
 
-The reference point of an object is the lower corner of its bounding box. The reach along an axis is
-the largest extent of a box along the axis: the lower corners of two boxes that overlap are not
-farther apart. So the time grows with the ratio of the largest object to the typical object
-\cgalCite{v-riato-03}.
+A search reads the bounding boxes of the objects as intervals, and tests the pairs whose boxes meet.
+So objects may have any sizes. Iso-rectangles and iso-cuboids whose coordinates are doubles are
+their own boxes, and need no further test.
+
+The predicates of `ThickIntersectionTraits_d` compare the lower corners of the boxes. The reach
+along an axis is the largest extent of a box along the axis: the lower corners of two boxes that
+overlap are not farther apart \cgalCite{v-riato-03}. A search uses these predicates for
+2<sup>31</sup> objects or more, which the numbers of boxes do not count.
 
 Circles and spheres are refused. `do_intersect()` takes them as curves and surfaces, so a circle
 within another circle would not intersect it. Use `Thick_ball_traits_d`.

@@ -37,10 +37,11 @@ enum Topology { HALF_OPEN, CLOSED };
 reports all pairs of boxes of a sequence that intersect, each exactly once.
 
 The function takes the arguments of `CGAL::box_self_intersection_d()` and reports the same pairs,
-with the same box first. Programs change the name of the function and nothing else. For boxes of
-diameter at most \f$ D \f$ and volume at least \f$ V \f$ in fixed dimension \f$ d \f$ it takes
-\f$ O(n \log n + \frac{D^d}{V}(n + k)) \f$ time and \f$ O(n) \f$ space, where \f$ k \f$ is the
-number of intersecting pairs.
+with the same box first. Programs change the name of the function and nothing else. For boxes of any
+sizes in dimension \f$ d \leq 4 \f$ it takes \f$ O(n \log^{d-1} n + k) \f$ time and \f$ O(n) \f$
+space, where \f$ k \f$ is the number of intersecting pairs. Coordinates that are no doubles are
+rounded first; then \f$ k \f$ counts the pairs of rounded boxes that touch or overlap. In higher
+dimension, it counts the pairs that do so along the first four axes.
 
 It differs in the following.
 - The boxes are neither reordered nor copied. The callback gets the boxes of the user, so their
@@ -135,7 +136,7 @@ reports all pairs of a box of one sequence and a box of another that intersect, 
 
 The function takes the arguments of `CGAL::box_intersection_d()` and reports the same pairs.
 Otherwise it is as `thick_box_self_intersection_d()`, where \f$ n \f$ is the number of boxes of both
-sequences and \f$ k \f$ is the number of intersecting pairs of their union. The two sequences may be
+sequences and \f$ k \f$ is the number of intersecting pairs between them. The two sequences may be
 one sequence, or overlap in memory. Their boxes may have different types if the traits take both.
 
 \tparam Setting is an enumeration with the enumerators `BIPARTITE` and `COMPLETE`.

@@ -5,7 +5,7 @@
 #ifndef CGAL_THICK_INTERSECTION_D_H
 #define CGAL_THICK_INTERSECTION_D_H
 
-// All intersecting pairs of thick objects, in one range or between two ranges.
+// All intersecting pairs of objects, in one range or between two ranges.
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Thick_object_traits_d.h>
@@ -24,11 +24,22 @@ namespace CGAL {
 
 reports all pairs of objects of a range that intersect, each exactly once.
 
-The algorithm of Vigneron \cgalCite{v-riato-03} is divide and conquer along the axes, and a sweep
-along the first axis. For objects of diameter at most \f$ D \f$ and volume at least \f$ V \f$ in
-fixed dimension \f$ d \f$ it takes \f$ O(n \log n + \frac{D^d}{V}(n + k)) \f$ time and \f$ O(n) \f$
-space, where \f$ k \f$ is the number of reported pairs. Objects that are not thick, such as
-segments, are reported correctly too, but may take more time.
+The algorithm is the divide and conquer of Vigneron \cgalCite{v-riato-03} along the axes, with a
+sweep where an axis is left. It takes \f$ O(n) \f$ space. The traits decide about the time, in fixed
+dimension \f$ d \f$:
+
+- *Intervals.* Objects of a kernel, balls, and objects whose traits are a model of
+  `ThickIntersectionIntervalTraits_d` have boxes. The boxes may have any sizes. The search takes
+  \f$ O(n \log^{d-1} n + K) \f$ time, where \f$ K \f$ is the number of pairs whose boxes meet. Only
+  these pairs are tested. If \f$ d > 4 \f$, boxes that meet along the first four axes count as
+  meeting.
+- *Three predicates.* Objects of other traits are compared by the predicates of
+  `ThickIntersectionTraits_d`. For objects of diameter at most \f$ D \f$ and volume at least
+  \f$ V \f$ the search takes \f$ O(n \log n + \frac{D^d}{V}(n + k)) \f$ time, where \f$ k \f$ is
+  the number of reported pairs. Objects that are not thick are reported correctly too, but may take
+  more time.
+
+Balls of one radius are searched as points, in \f$ O(n \log n + k) \f$ time.
 
 An object is never paired with itself. Equal objects at different positions are a pair if they
 intersect. The search gives the result of real arithmetic if the predicates of the traits are exact,
@@ -54,7 +65,8 @@ below
 \cgalNamedParamsBegin
   \cgalParamNBegin{geom_traits}
     \cgalParamDescription{an instance of a traits class, which may have a state}
-    \cgalParamType{a model of `ThickIntersectionTraits_d`}
+    \cgalParamType{a model of `ThickIntersectionIntervalTraits_d` or of `ThickIntersectionTraits_d`}
+    \cgalParamExtra{Intervals are used if the class is a model of both.}
     \cgalParamDefault{`Thick_object_traits_d<Object>`, constructed from the range}
   \cgalParamNEnd
   \cgalParamNBegin{point_map}
@@ -73,8 +85,9 @@ below
 
 \throws std::invalid_argument if a coordinate or radius of an object is NaN or infinite, or if a
 radius is negative, before anything is reported. The message gives the position of the object.
-Traits of other packages have to check this themselves. Exceptions of the callback and of predicates
-pass through.
+Traits of other packages may check their objects in a member function `check(object, position)`.
+Exceptions of the callback and of predicates pass through.
+\throws std::invalid_argument if an interval is empty or NaN, before anything is reported.
 \throws std::runtime_error if the processor is set to flush denormal numbers to zero.
 
 \sa `thick_intersection_d()`
@@ -97,8 +110,9 @@ reports all pairs of an object of one range and an object of another that inters
 once.
 
 Pairs within a range are neither reported nor tested. Otherwise the function is as
-`thick_self_intersection_d()`, where \f$ n \f$ is the number of objects of both ranges and \f$ k \f$
-is the number of intersecting pairs of their union.
+`thick_self_intersection_d()`, where \f$ n \f$ is the number of objects of both ranges. With
+intervals, \f$ K \f$ is the number of pairs between the two ranges whose boxes meet. With three
+predicates, \f$ k \f$ is the number of intersecting pairs of the union of the ranges.
 
 \param objects_a, objects_b the objects, of the same type in both ranges.
 \param callback is called for each pair with the position \f$ i \f$ of its object in `objects_a` and

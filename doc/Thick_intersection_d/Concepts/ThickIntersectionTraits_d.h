@@ -7,9 +7,10 @@
 \cgalConcept
 
 The named parameter `geom_traits` of `CGAL::thick_self_intersection_d()` and
-`CGAL::thick_intersection_d()` must be a model of the concept `ThickIntersectionTraits_d`. The
+`CGAL::thick_intersection_d()` may be a model of the concept `ThickIntersectionTraits_d`. The
 concept requires the type of the objects, and the three predicates by which the algorithm sees the
-objects.
+objects. It is for objects that have no intervals of doubles. Objects that have them are searched
+faster, and may have any sizes: see `ThickIntersectionIntervalTraits_d`.
 
 The concept is the computation model of \cgalCite{v-riato-03}, section 2.1. Each object has a
 *reference point*. The algorithm compares reference points along the axes, and never asks for them.
@@ -36,6 +37,7 @@ degree of the predicates, and its result is exact if they are exact.
 \cgalHasModels{CGAL::Thick_object_traits_d}
 \cgalHasModelsEnd
 
+\sa `ThickIntersectionIntervalTraits_d`
 \sa `CGAL::thick_self_intersection_d()`
 \sa `CGAL::thick_intersection_d()`
 */
