@@ -12,13 +12,13 @@ concept requires the type of the objects, and the three predicates by which the 
 objects. It is for objects that have no intervals of doubles. Objects that have them are searched
 faster, and may have any sizes: see `ThickIntersectionIntervalTraits_d`.
 
-The concept is the computation model of \cgalCite{v-riato-03}, section 2.1. Each object has a
-*reference point*. The algorithm compares reference points along the axes, and never asks for them.
-If two objects intersect, their reference points are *close* along every axis: their coordinates
-differ by at most the *reach*, a number that depends on the axis alone. The paper takes twice the
-diameter \f$ D \f$ of the largest object as the reach. A smaller reach is enough if the reference
-points are chosen well: for balls of one radius the reach is \f$ D \f$ if the reference points are
-the centers.
+The concept is the computation model of \cgalCite{v-riato-03}, section 2.1. Each object has
+a *reference point*. The algorithm compares reference points along the axes, and never asks for
+them. If two objects intersect, their reference points are *close* along every axis: their
+coordinates differ by at most the *reach*, a number that depends on the axis alone. The paper takes
+twice the diameter \f$ D \f$ of the largest object as the reach. A smaller reach is enough if the
+reference points are chosen well: for balls of one radius the reach is \f$ D \f$ if the reference
+points are the centers.
 
 The paper has a number \f$ C \f$: the largest number of pairwise disjoint objects whose reference
 points lie in a cube with sides of two reaches. This number is not part of the concept. Like
