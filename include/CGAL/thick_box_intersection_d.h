@@ -87,6 +87,7 @@ are one box, and no pair.
 
 \throws std::invalid_argument if a coordinate is NaN, before anything is reported. The message gives
 the position of the box. Exceptions of the callback and of the traits pass through.
+\throws std::length_error if there are 2<sup>31</sup> boxes or more.
 \throws std::runtime_error if the processor is set to flush denormal numbers to zero.
 
 \sa `thick_box_intersection_d()`

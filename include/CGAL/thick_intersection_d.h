@@ -88,6 +88,8 @@ radius is negative, before anything is reported. The message gives the position 
 Traits of other packages may check their objects in a member function `check(object, position)`.
 Exceptions of the callback and of predicates pass through.
 \throws std::invalid_argument if an interval is empty or NaN, before anything is reported.
+\throws std::length_error if there are 2<sup>31</sup> objects or more, and the traits have intervals
+only.
 \throws std::runtime_error if the processor is set to flush denormal numbers to zero.
 
 \sa `thick_intersection_d()`
