@@ -32,7 +32,7 @@ never paired with itself. A bound of zero finds the duplicates.
 
 The search takes \f$ O(n \log n + k) \f$ time and \f$ O(n) \f$ space in the plane and in space,
 where \f$ k \f$ is the number of pairs \cgalCite{v-riato-03}. In other dimensions, it puts a box on
-each point and searches the boxes along up to four axes: see `thick_self_intersection_d()`. The
+each point and searches the boxes: see `thick_self_intersection_d()`. The
 algebraic degree is 2.
 
 \tparam ConcurrencyTag is `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. In

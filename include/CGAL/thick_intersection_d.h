@@ -31,8 +31,8 @@ dimension \f$ d \f$:
 - *Intervals.* Objects of a kernel, balls, and objects whose traits are a model of
   `ThickIntersectionIntervalTraits_d` have boxes. The boxes may have any sizes. The search takes
   \f$ O(n \log^{d-1} n + K) \f$ time, where \f$ K \f$ is the number of pairs whose boxes meet. Only
-  these pairs are tested. If \f$ d > 4 \f$, boxes that meet along the first four axes count as
-  meeting.
+  these pairs are tested. Boxes have up to eight axes, or up to four if only the objects know their
+  dimension.
 - *Three predicates.* Objects of other traits are compared by the predicates of
   `ThickIntersectionTraits_d`. For objects of diameter at most \f$ D \f$ and volume at least
   \f$ V \f$ the search takes \f$ O(n \log n + \frac{D^d}{V}(n + k)) \f$ time, where \f$ k \f$ is

@@ -85,9 +85,9 @@ public:
   /// \name Operations
   /// @{
 
-  /// returns the number of axes. Beyond four axes, boxes have the first four. The other axes are
-  /// looked at only where very many boxes meet, so let the first four be those that separate most
-  /// objects.
+  /// returns the number of axes. The search compares objects along up to eight of them, or up to
+  /// four without the type `Dimension`: those along which the fewest objects of a sample meet. It
+  /// looks at the others only where very many boxes meet.
   int dimension() const;
 
   /// returns the functor of intervals.
