@@ -117,7 +117,7 @@ private:
     Place last = bucket_count_; // the bucket of the highest lower end, which is alone in it
     while(last > first + 1 && lows_[last] >= size_ - tail)
       --last;
-    if((last - first) * max_trim > bucket_count_)
+    if((last - first) * max_stretch_of_tails > bucket_count_)
       return false;
     range_ = {range_.low + first / scale_, range_.low + last / scale_};
     return true;

@@ -30,7 +30,8 @@ class Box_order
   using Columns = Box_columns<Axes>;
 
 public:
-  void set(const Piece<Piece_box<Axes>, Sets>& piece, int sweep_axis)
+  void set(const Piece<Piece_box<Axes>, Sets>& piece, int sweep_axis,
+           const Box_tuning& tuning = Box_tuning())
   {
     Interval range;
     for(const auto& span : piece)
@@ -41,7 +42,7 @@ public:
     for(std::size_t set = 0; set < Sets; ++set)
       pairs_in_buckets += columns_[set].count(piece[set], sweep_axis, cut);
     for(Columns& columns : columns_)
-      if(pairs_in_buckets > max_bucket_pairs * piece.size())
+      if(pairs_in_buckets > tuning.max_bucket_pairs * piece.size())
         columns.sort();
       else
         columns.distribute();

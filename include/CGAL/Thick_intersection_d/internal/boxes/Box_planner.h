@@ -37,6 +37,8 @@ template <int Axes>
 class Box_planner
 {
 public:
+  explicit Box_planner(const Box_tuning& tuning = Box_tuning()) : tuning_(tuning) {}
+
   template <std::size_t Sets>
   Box_plan plan(const Piece<Piece_box<Axes>, Sets>& piece, std::size_t sample_limit)
   {
@@ -84,9 +86,10 @@ private:
   }
 
   // Time in nanoseconds.
-  static double cost(double boxes, double candidates, double pieces)
+  double cost(double boxes, double candidates, double pieces) const
   {
-    return boxes * (box_cost + candidate_cost * candidates) + piece_cost * pieces;
+    return boxes * (tuning_.box_cost + tuning_.candidate_cost * candidates)
+           + tuning_.piece_cost * pieces;
   }
 
   // Considers cuts along `axis` into more and more pieces, until there are too many copies.
@@ -94,14 +97,14 @@ private:
   {
     const double candidates = size / 2 * profiles_[plan.sweep_axis].meeting_share();
     const double max_count = (std::min)(double(profiles_[axis].max_piece_count()),
-                                        size / min_boxes_per_piece);
+                                        size / tuning_.min_boxes_per_piece);
     for(Place count = 2; count <= max_count; count *= 2) {
       const Piece_sizes sizes = profiles_[axis].piece_sizes(count);
       if(sizes.sum > 1 + max_copies)
         return;
       const double boxes = size * sizes.sum;
       const double candidates_left = candidates * sizes.pairs / sizes.sum;
-      const double time = move_cost * boxes + cost(boxes, candidates_left, count);
+      const double time = tuning_.move_cost * boxes + cost(boxes, candidates_left, count);
       if(time < least) {
         least = time;
         plan.cut_axis = axis;
@@ -112,6 +115,7 @@ private:
     }
   }
 
+  const Box_tuning tuning_;
   std::vector<const Piece_box<Axes>*> sample_;
   std::array<Axis_profile, Axes> profiles_;
 };

@@ -44,6 +44,8 @@ class Box_route
   // What a thread needs for its pieces.
   struct Worker
   {
+    explicit Worker(const Box_tuning& tuning) : planner(tuning) {}
+
     Box_planner<axes> planner;
     std::tuple<Box_order<axes, 1>, Box_order<axes, 2>> orders;
 
@@ -52,15 +54,16 @@ class Box_route
   };
 
 public:
-  Box_route(const Test& test, Report& report, Progress& progress)
-    : test_(test), report_(report), progress_(progress)
+  Box_route(const Test& test, Report& report, Progress& progress,
+            const Box_tuning& tuning = Box_tuning())
+    : test_(test), report_(report), progress_(progress), tuning_(tuning)
   {}
 
   // Reports the pairs of one set, or of two sets. Returns false iff the search was stopped.
   template <std::size_t Sets>
   bool search(const Piece<Box, Sets>& boxes)
   {
-    Worker worker;
+    Worker worker(tuning_);
     search_piece(worker, boxes, {first_box_sample, max_box_cuts, boxes.size()});
     return !report_.is_stopped();
   }
@@ -88,10 +91,10 @@ private:
       return;
     }
     auto& order = worker.template order<Sets>();
-    if(task.is_planned || piece.size() <= few_boxes) {
-      order.set(piece, task.sweep_axis);
-      if(order.candidate_count() <= usual_box_candidates * piece.size()
-         || piece.size() <= few_boxes) {
+    if(task.is_planned || piece.size() <= tuning_.few_boxes) {
+      order.set(piece, task.sweep_axis, tuning_);
+      if(order.candidate_count() <= tuning_.usual_candidates * piece.size()
+         || piece.size() <= tuning_.few_boxes) {
         sweep_boxes(order);
         finish(piece, task);
         return;
@@ -100,7 +103,7 @@ private:
     const Box_plan plan = worker.planner.plan(piece, task.sample_limit);
     if(plan.cut_axis >= 0 && task.cuts_left > 0 && cut(worker, piece, task, plan))
       return;
-    order.set(piece, plan.sweep_axis);
+    order.set(piece, plan.sweep_axis, tuning_);
     if(!is_crowded(order, piece))
       sweep_boxes(order);
     else if(!task.is_one_class)
@@ -131,7 +134,7 @@ private:
     task_of_pieces.cuts_left = task.cuts_left - 1;
     task_of_pieces.copies_left = task.copies_left - (size - piece.size());
     task_of_pieces.sweep_axis = plan.sweep_axis;
-    task_of_pieces.is_planned = plan.candidates <= usual_box_candidates;
+    task_of_pieces.is_planned = plan.candidates <= tuning_.usual_candidates;
     for_each_piece(worker, equal_cut.count(), [&](Worker& own_worker, Place p) {
       Piece<Box, Sets> part;
       for(std::size_t set = 0; set < Sets; ++set)
@@ -143,11 +146,11 @@ private:
 
   // In parallel, a thread that waits for pieces may take another task, so tasks share no worker.
   template <class Task>
-  static void for_each_piece(Worker& worker, Place count, const Task& task)
+  void for_each_piece(Worker& worker, Place count, const Task& task) const
   {
     for_each_block<ConcurrencyTag>(count, [&](std::size_t piece, std::size_t last) {
       if constexpr(is_parallel_v<ConcurrencyTag>) {
-        Worker own_worker;
+        Worker own_worker(tuning_);
         for(; piece != last; ++piece)
           task(own_worker, static_cast<Place>(piece));
       }
@@ -163,7 +166,7 @@ private:
   void sweep_boxes(const Box_order<axes, Sets>& order)
   {
     const double candidates = static_cast<double>(order.candidate_count());
-    const Place count = static_cast<Place>(candidates / box_candidates_per_block) + 1;
+    const Place count = static_cast<Place>(candidates / tuning_.candidates_per_block) + 1;
     for_each_block<ConcurrencyTag>(count, [&](std::size_t block, std::size_t last) {
       Pair_sweep<Test, Report> pair_sweep(test_, report_);
       for(; block != last && !report_.is_stopped(); ++block) {
@@ -181,9 +184,10 @@ private:
   {
     const double size = piece.size();
     const double candidates = static_cast<double>(order.candidate_count());
-    if(candidates <= crowded_candidates * size * std::pow(std::log2(size), test_.dimension() - 1))
+    const double factor = std::pow(std::log2(size), test_.dimension() - 1);
+    if(candidates <= tuning_.crowded_candidates * size * factor)
       return false;
-    return share_of_pairs(order) < crowded_share;
+    return share_of_pairs(order) < tuning_.crowded_share;
   }
 
   // The share of pairs of boxes among the candidates.
@@ -279,6 +283,7 @@ private:
   const Test& test_;
   Report& report_;
   Progress& progress_;
+  const Box_tuning tuning_;
 };
 
 } // namespace internal
