@@ -1,0 +1,134 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The lanes of boxes against all pairs, and the lanes of all processors against each other.
+
+#include "support/number_boxes.h"
+
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/meeting_boxes.h>
+
+#include <boost/test/unit_test.hpp>
+
+BOOST_AUTO_TEST_SUITE(meeting_boxes)
+
+using namespace test_support;
+
+// The pairs of a box of one run and a candidate in the other one that meet, in the order of lanes,
+// as positions.
+template <class Lanes, int Axes, std::size_t Sets>
+Pairs collected(const internal::Box_order<Axes, Sets>& order)
+{
+  Pairs pairs;
+  internal::Found_pairs found;
+  for(std::size_t set = 0; set < Sets; ++set) {
+    const auto& a = order.run(set);
+    const auto& b = order.run(Sets - 1 - set);
+    const auto flush = [&] {
+      for(internal::Place c = 0; c < found.count; ++c)
+        pairs.emplace_back(std::minmax<std::size_t>(a.positions[found.pairs[c].i],
+                                                    b.positions[found.pairs[c].j]));
+      found.count = 0;
+      return true;
+    };
+    Lanes::collect_between(a, b, found, flush);
+    flush();
+  }
+  return pairs;
+}
+
+template <class Lanes, int Axes, std::size_t Sets>
+void check_lanes(const internal::Piece<internal::Piece_box<Axes>, Sets>& piece,
+                 const Number_boxes& boxes)
+{
+  for(const double max_bucket_pairs : {0., 1e9}) {
+    Box_tuning tuning;
+    tuning.max_bucket_pairs = max_bucket_pairs;
+    internal::Box_order<Axes, Sets> order;
+    order.set(piece, 0, tuning);
+    const Pairs found = collected<Lanes>(order);
+    std::optional<std::size_t> first_set_size;
+    if(Sets == 2)
+      first_set_size = piece[0].size();
+    const Pairs_difference difference
+      = compare(all_meeting_pairs(boxes, Axes, first_set_size), found);
+    BOOST_CHECK_MESSAGE(difference.empty(), difference);
+    BOOST_CHECK(found == collected<internal::Meeting_boxes_plain>(order)); // in the same order
+  }
+}
+
+// Runs of no, one and several rows of lanes; and long ones, whose pairs are flushed.
+template <class Lanes, int Axes>
+void check_lanes_of_boxes()
+{
+  if(!Lanes::is_supported())
+    return;
+  for(unsigned int seed = 0; seed < 300; ++seed) {
+    Generator random(seed);
+    const std::size_t size = seed % 50 == 0 ? 400 : 1 + seed % 50;
+    const Number_boxes boxes = structured_boxes(random, Axes, size);
+    const Number_objects objects(boxes, Axes);
+    const auto check = [&](const auto&, const auto& piece) { check_lanes<Lanes>(piece, boxes); };
+    BOOST_TEST_CONTEXT("seed " << seed << ", " << Axes << " axes")
+    {
+      with_piece<Axes>(objects, std::nullopt, check);
+      with_piece<Axes>(objects, random() % (size + 1), check);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(plain_lanes_collect_the_meeting_pairs)
+{
+  check_lanes_of_boxes<internal::Meeting_boxes_plain, 2>();
+  check_lanes_of_boxes<internal::Meeting_boxes_plain, 3>();
+  check_lanes_of_boxes<internal::Meeting_boxes_plain, 4>();
+}
+
+BOOST_AUTO_TEST_CASE(avx512_lanes_collect_the_meeting_pairs_in_the_same_order)
+{
+  check_lanes_of_boxes<internal::Meeting_boxes_avx512, 2>();
+  check_lanes_of_boxes<internal::Meeting_boxes_avx512, 3>();
+  check_lanes_of_boxes<internal::Meeting_boxes_avx512, 4>();
+}
+
+template <class Lanes>
+void check_stop()
+{
+  if(!Lanes::is_supported())
+    return;
+  std::vector<internal::Piece_box<2>> boxes(200, {{0, 0}, {1, 1}, 0, 0}); // 19900 pairs
+  internal::Box_order<2, 1> order;
+  order.set({{{{boxes.data(), boxes.data() + boxes.size()}}}}, 0);
+  internal::Found_pairs found;
+  int calls = 0;
+  const auto stop = [&] {
+    ++calls;
+    BOOST_CHECK_GE(found.count, internal::Found_pairs::capacity);
+    found.count = 0;
+    return false;
+  };
+  Lanes::collect_between(order.run(0), order.run(0), found, stop);
+  BOOST_CHECK_EQUAL(calls, 1);
+}
+
+BOOST_AUTO_TEST_CASE(lanes_stop_when_told)
+{
+  check_stop<internal::Meeting_boxes_plain>();
+  check_stop<internal::Meeting_boxes_avx512>();
+}
+
+// Each block starts from boxes of its own, and all of them together from all boxes.
+BOOST_AUTO_TEST_CASE(blocks_of_a_run_divide_its_boxes)
+{
+  internal::Box_run<2> run = {};
+  run.last = 1000;
+  for(const internal::Place count : {1, 3, 7, 1000, 1500}) {
+    internal::Place end = 0;
+    for(internal::Place index = 0; index < count; ++index) {
+      BOOST_CHECK_EQUAL(run.block(index, count).first, end);
+      end = run.block(index, count).last;
+    }
+    BOOST_CHECK_EQUAL(end, 1000u);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
