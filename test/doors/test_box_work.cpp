@@ -1,0 +1,199 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The work of the box route: the boxes that it looks at are counted against n log2^(d-1) n + k, on
+// scenes of all sizes of boxes, and on scenes where no cut helps.
+
+#define BOOST_TEST_MODULE box_work
+#include "support/number_boxes.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <string>
+
+using namespace test_support;
+
+namespace {
+
+// Objects whose boxes are counted: candidates of sweeps, and looks of the tree.
+template <int Axes>
+struct Counting_test : internal::Boxed_objects<Axes, Number_objects>
+{
+  using Base = internal::Boxed_objects<Axes, Number_objects>;
+  using typename Base::Box;
+  using typename Base::Run;
+  using Base::Base;
+
+  template <class Flush>
+  void collect_between(const Run& a, const Run& b, internal::Found_pairs& found,
+                       const Flush& flush) const
+  {
+    for(internal::Place i = a.first; i < a.last; ++i)
+      candidates += a.ends[i] - a.begins[i];
+    swept += a.last - a.first;
+    Base::collect_between(a, b, found, flush);
+  }
+  internal::Interval interval(const Box& box, int axis) const
+  {
+    ++looks;
+    return Base::interval(box, axis);
+  }
+  bool do_meet(const Box& a, const Box& b, int axis_count) const
+  {
+    ++looks;
+    return Base::do_meet(a, b, axis_count);
+  }
+
+  mutable double candidates = 0;
+  mutable double swept = 0;
+  mutable double looks = 0;
+};
+
+double uniform(Generator& random) { return below(random, std::uint64_t(1) << 32) / (1ull << 32); }
+
+// Searches one set, or two sets of n/2 boxes.
+template <int Axes, std::size_t Sets = 1>
+void check_work(const std::string& name, const Number_boxes& boxes, double limit)
+{
+  const Number_objects objects(boxes, Axes);
+  std::vector<int> axes(Axes);
+  std::iota(axes.begin(), axes.end(), 0);
+  const Counting_test<Axes> test(objects, axes);
+  std::vector<typename Counting_test<Axes>::Box> copies(boxes.size());
+  for(std::size_t i = 0; i < boxes.size(); ++i)
+    test.put(i, copies[i]);
+  double k = 0;
+  const auto callback = [&](std::size_t, std::size_t) { ++k; };
+  internal::Pair_reporter<decltype(callback)> report(callback);
+  internal::Unwatched_progress progress;
+  internal::Box_route<CGAL::Sequential_tag, Counting_test<Axes>, decltype(report),
+                      internal::Unwatched_progress>
+    route(test, report, progress);
+  internal::Piece<typename Counting_test<Axes>::Box, Sets> piece;
+  for(std::size_t set = 0; set < Sets; ++set)
+    piece[set] = {copies.data() + set * boxes.size() / Sets,
+                  copies.data() + (set + 1) * boxes.size() / Sets};
+  route.search(piece);
+  const double n = static_cast<double>(boxes.size());
+  const double work = (test.candidates + test.swept + test.looks)
+                      / (n * std::pow(std::log2(n), Axes - 1) + k);
+  BOOST_TEST_MESSAGE(Axes << "D " << name << ", n = " << n << ", k/n = " << k / n
+                          << ": candidates/n " << test.candidates / n << ", looks/n "
+                          << test.looks / n << ", work " << work);
+  BOOST_CHECK_MESSAGE(work <= limit, Axes << "D " << name << ": " << work);
+}
+
+// Boxes that begin anywhere in the unit cube, with extents(i, axis).
+template <int Axes, class Extents>
+Number_boxes boxes_with(std::size_t n, const Extents& extents)
+{
+  Generator random(n);
+  Number_boxes boxes(n);
+  for(std::size_t i = 0; i < n; ++i)
+    for(int axis = 0; axis < Axes; ++axis) {
+      const double low = uniform(random);
+      boxes[i][axis] = {low, low + extents(random, i, axis)};
+    }
+  return boxes;
+}
+
+template <int Axes>
+void check_scenes(std::size_t n, double limit)
+{
+  const double usual = std::pow(1. / static_cast<double>(n), 1. / Axes);
+  const auto check = [&](const std::string& name, const auto& extents) {
+    check_work<Axes>(name, boxes_with<Axes>(n, extents), limit);
+  };
+  check("uniform", [=](Generator&, std::size_t, int) { return usual; });
+  check("points", [](Generator&, std::size_t, int) { return 0; });
+  check("power law", [=](Generator& random, std::size_t, int) {
+    return (std::min)(1., usual / 4 / std::pow(uniform(random) + 1e-9, 0.7));
+  });
+  check("six decades", [=](Generator& random, std::size_t, int) {
+    return std::pow(10., -6 * uniform(random)) * 0.3;
+  });
+  check("one giant", [=](Generator&, std::size_t i, int) { return i == 5 ? 1. : usual; });
+  check("beams", [=](Generator&, std::size_t i, int axis) {
+    return static_cast<int>(i % Axes) == axis ? 1. : usual / 50;
+  });
+  check("plates", [=](Generator&, std::size_t i, int axis) {
+    return static_cast<int>(i % Axes) == axis ? usual / 50 : 0.3;
+  });
+
+  Number_boxes nested(n / 10);
+  for(std::size_t i = 0; i < nested.size(); ++i)
+    nested[i].fill({static_cast<double>(i), static_cast<double>(2 * n - i)});
+  check_work<Axes>("nested", nested, limit);
+  Number_boxes identical(n / 10);
+  for(Number_box& box : identical)
+    box.fill({1, 2});
+  check_work<Axes>("identical", identical, limit);
+  Number_boxes outlier = boxes_with<Axes>(n, [=](Generator&, std::size_t, int) { return usual; });
+  outlier[3].fill({1e9, 1e9});
+  check_work<Axes>("outlier", outlier, limit);
+}
+
+// Horizontals that begin at 0 or later, and long verticals before 0: many pairs meet along each
+// axis, none along both.
+Number_boxes half_beams(std::size_t n)
+{
+  Generator random(n);
+  Number_boxes boxes(n);
+  for(std::size_t i = 0; i < n; ++i) {
+    const double x = uniform(random), y = uniform(random);
+    if(i % 2)
+      boxes[i] = {{{x / 8, 1 + x}, {y, y}}};
+    else
+      boxes[i] = {{{-1 - x, -1 - x}, {y / 8, 1 + y}}};
+  }
+  return boxes;
+}
+
+// Boxes between two random places along each axis.
+template <int Axes>
+Number_boxes random_long_boxes(std::size_t n)
+{
+  Generator random(n);
+  Number_boxes boxes(n);
+  for(Number_box& box : boxes)
+    for(int axis = 0; axis < Axes; ++axis) {
+      const double a = uniform(random), b = uniform(random);
+      box[axis] = {(std::min)(a, b), (std::max)(a, b)};
+    }
+  return boxes;
+}
+
+// One set below a line of the plane and one above it, with corners at the line. Half of the pairs
+// of both sets meet along either axis, but none along both. All boxes are long along other axes.
+template <int Axes>
+Number_boxes staircases(std::size_t n)
+{
+  Generator random(n);
+  Number_boxes boxes = random_long_boxes<Axes>(n);
+  for(std::size_t i = 0; i < n; ++i) {
+    const double t = uniform(random);
+    boxes[i][0] = i < n / 2 ? internal::Interval{0, t} : internal::Interval{t, 1};
+    boxes[i][1] = i < n / 2 ? internal::Interval{0, 1 - t - 1e-9} : internal::Interval{1 - t, 1};
+  }
+  return boxes;
+}
+
+} // namespace
+
+// A sweep may look at eight candidates for each pair.
+BOOST_AUTO_TEST_CASE(work_is_little_in_the_plane) { check_scenes<2>(40000, 9); }
+BOOST_AUTO_TEST_CASE(work_is_little_in_space) { check_scenes<3>(40000, 9); }
+
+// The tree takes over from 32 candidates per n log2^(d-1) n on.
+BOOST_AUTO_TEST_CASE(work_is_little_where_no_cut_helps)
+{
+  for(const std::size_t n : {4000, 40000}) {
+    check_work<2>("half beams", half_beams(n), 1);
+    check_work<2, 2>("staircases", staircases<2>(n), 33);
+    check_work<3, 2>("staircases", staircases<3>(n), 33);
+    check_work<4, 2>("staircases", staircases<4>(n), 33);
+  }
+  check_work<2>("random long boxes", random_long_boxes<2>(4000), 3);
+  check_work<3>("random long boxes", random_long_boxes<3>(4000), 3);
+  check_work<4>("random long boxes", random_long_boxes<4>(4000), 3);
+}

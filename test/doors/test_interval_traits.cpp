@@ -1,0 +1,370 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// What the public functions promise for objects that are searched by their boxes: those of traits
+// with intervals, kernel objects, and balls.
+
+#define BOOST_TEST_MODULE interval_traits
+#include "support/interval_traits.h"
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Thick_ball_traits_d.h>
+#include <CGAL/thick_intersection_d.h>
+
+#include <boost/property_map/function_property_map.hpp>
+#include <boost/test/unit_test.hpp>
+
+#include <functional>
+#include <list>
+#include <string>
+
+using namespace test_support;
+
+namespace {
+
+const double infinity = std::numeric_limits<double>::infinity();
+const double nan_value = std::numeric_limits<double>::quiet_NaN();
+
+// One type of callback, because compilers make a search for each.
+using Callback = std::function<bool(std::size_t, std::size_t)>;
+
+Callback collector(Pairs& pairs)
+{
+  return [&](std::size_t i, std::size_t j) {
+    pairs.emplace_back(i, j);
+    return true;
+  };
+}
+
+// Searches one set, by traits.
+template <class Objects, class Traits>
+bool search(const Objects& objects, const Traits& traits, const Callback& callback)
+{
+  return CGAL::thick_self_intersection_d(objects, callback,
+                                         CGAL::parameters::geom_traits(traits));
+}
+
+template <class Objects, class Traits>
+Pairs found_pairs(const Objects& objects, const Traits& traits)
+{
+  Pairs pairs;
+  BOOST_CHECK(search(objects, traits, collector(pairs)));
+  return pairs;
+}
+
+// The pairs between two ranges, numbered as if the second one followed the first one.
+template <class Objects, class Traits>
+Pairs found_pairs(const Objects& a, const Objects& b, const Traits& traits)
+{
+  Pairs pairs;
+  BOOST_CHECK(CGAL::thick_intersection_d(a, b, collector(pairs),
+                                         CGAL::parameters::geom_traits(traits)));
+  for(Pair& p : pairs)
+    p.second += a.size();
+  return pairs;
+}
+
+// Some boxes of a lattice, most of them short, a few as long as the scene.
+Number_boxes some_boxes(int dimension, std::size_t size)
+{
+  Generator random(size);
+  const double side = std::floor(6 * std::pow(size, 1. / dimension));
+  Number_boxes boxes(size);
+  for(Number_box& box : boxes)
+    for(int axis = 0; axis < dimension; ++axis) {
+      const double low = below(random, static_cast<std::uint64_t>(side));
+      box[axis] = {low, low + (random() % 100 == 0 ? side : below(random, 7))};
+    }
+  return boxes;
+}
+
+template <class Traits>
+void check_pairs(const Number_boxes& boxes, const Traits& traits)
+{
+  const int dimension = traits.dimension();
+  BOOST_TEST_CONTEXT(dimension << " axes, " << boxes.size() << " boxes")
+  {
+    const auto objects = colored(boxes);
+    const Pairs_difference one_set
+      = compare(pairs_of_colored(boxes, dimension), found_pairs(objects, traits));
+    BOOST_CHECK_MESSAGE(one_set.empty(), one_set);
+
+    const std::size_t half = boxes.size() / 6 * 3; // so that colors go on in the second set
+    const auto a = colored(Number_boxes(boxes.begin(), boxes.begin() + half));
+    const auto b = colored(Number_boxes(boxes.begin() + half, boxes.end()));
+    const Pairs_difference two_sets
+      = compare(pairs_of_colored(boxes, dimension, half), found_pairs(a, b, traits));
+    BOOST_CHECK_MESSAGE(two_sets.empty(), two_sets);
+  }
+}
+
+template <int... Dimensions>
+void check_fixed_dimensions(std::size_t size)
+{
+  Calls calls;
+  (check_pairs(some_boxes(Dimensions, size), Fixed_interval_traits<Dimensions>(calls)), ...);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(archetype_traits_are_enough_in_any_dimension)
+{
+  for(const int dimension : {1, 2, 3, 4, 5, 8})
+    for(const std::size_t size : {0, 1, 2, 50, 400, 3000}) {
+      Calls calls;
+      check_pairs(some_boxes(dimension, size), Interval_traits(dimension, calls));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(dimension_may_be_fixed_when_compiled)
+{
+  for(const std::size_t size : {0, 1, 50, 1000})
+    check_fixed_dimensions<1, 2, 3, 4>(size);
+}
+
+BOOST_AUTO_TEST_CASE(predicate_is_asked_once_about_boxes_that_meet_and_about_no_others)
+{
+  for(const int dimension : {1, 2, 3, 4}) {
+    const Number_boxes boxes = some_boxes(dimension, 3000);
+    Calls calls;
+    found_pairs(colored(boxes), Interval_traits(dimension, calls));
+    BOOST_CHECK_EQUAL(calls.do_intersect, all_meeting_pairs(boxes, dimension).size());
+  }
+}
+
+// Lines, half planes, the plane; and a few boxes.
+BOOST_AUTO_TEST_CASE(intervals_may_be_infinite)
+{
+  for(const std::size_t size : {40, 1000}) {
+    Generator random(7);
+    Number_boxes boxes = some_boxes(3, size);
+    for(Number_box& box : boxes)
+      for(int axis = 0; axis < 3; ++axis) {
+        if(random() % 10 == 0)
+          box[axis].low = -infinity;
+        if(random() % 10 == 0)
+          box[axis].high = infinity;
+      }
+    boxes[5][0] = {infinity, infinity};
+    boxes[6][0] = {-infinity, -infinity};
+    boxes[7].fill({-infinity, infinity});
+    Calls calls;
+    check_pairs(boxes, Fixed_interval_traits<3>(calls));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(empty_intervals_and_nan_are_refused_by_position)
+{
+  for(const internal::Interval& bad :
+      {internal::Interval{1, 0}, internal::Interval{nan_value, 0},
+       internal::Interval{0, nan_value}, internal::Interval{infinity, -infinity}})
+    for(const int dimension : {1, 2, 5}) {
+      Number_boxes boxes = some_boxes(dimension, 60);
+      boxes[57][dimension - 1] = bad;
+      Calls calls;
+      const Interval_traits traits(dimension, calls);
+      const auto objects = colored(boxes);
+      std::size_t reports = 0;
+      const Callback count = [&](std::size_t, std::size_t) { return ++reports > 0; };
+      const auto names_the_object = [&](const std::invalid_argument& error) {
+        const std::string message = error.what();
+        return message.find("object 57 ") != std::string::npos
+               && message.find("axis " + std::to_string(dimension - 1)) != std::string::npos;
+      };
+      BOOST_CHECK_EXCEPTION(search(objects, traits, count), std::invalid_argument,
+                            names_the_object);
+      const auto a = colored(Number_boxes(boxes.begin(), boxes.begin() + 50));
+      const auto b = colored(Number_boxes(boxes.begin() + 50, boxes.end()));
+      BOOST_CHECK_EXCEPTION(CGAL::thick_intersection_d(a, b, count,
+                                                       CGAL::parameters::geom_traits(traits)),
+                            std::invalid_argument, names_the_object);
+      BOOST_CHECK_EQUAL(reports, 0u);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(order_of_reports_is_a_function_of_the_input)
+{
+  const auto objects = colored(some_boxes(2, 3000));
+  Calls calls;
+  const Fixed_interval_traits<2> traits(calls);
+  BOOST_CHECK(found_pairs(objects, traits) == found_pairs(objects, traits));
+}
+
+BOOST_AUTO_TEST_CASE(callback_stops_the_search_by_returning_false)
+{
+  const auto objects = colored(some_boxes(2, 2000));
+  Calls calls;
+  const Fixed_interval_traits<2> traits(calls);
+  const std::size_t k = found_pairs(objects, traits).size();
+  for(const std::size_t limit : {std::size_t(1), k / 3, k - 1, k}) {
+    std::size_t reports = 0;
+    BOOST_CHECK(!search(objects, traits,
+                        [&](std::size_t, std::size_t) { return ++reports < limit; }));
+    BOOST_CHECK_EQUAL(reports, limit);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(exceptions_of_the_callback_pass_through)
+{
+  const auto objects = colored(some_boxes(2, 2000));
+  Calls calls;
+  const Fixed_interval_traits<2> traits(calls);
+  const std::size_t k = found_pairs(objects, traits).size();
+  for(std::size_t last = 1; last <= k; last += k / 7) {
+    std::size_t reports = 0;
+    const auto callback = [&](std::size_t, std::size_t) {
+      if(++reports == last)
+        throw std::runtime_error("enough");
+      return true;
+    };
+    BOOST_CHECK_THROW(search(objects, traits, callback), std::runtime_error);
+    BOOST_CHECK_EQUAL(reports, last);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(progress_grows_to_one_and_cancels)
+{
+  Calls calls;
+  const Fixed_interval_traits<2> traits(calls);
+  for(const std::size_t size : {1, 2, 40, 20000}) {
+    const auto objects = colored(some_boxes(2, size));
+    double last = 0, limit = 2;
+    std::size_t pairs = 0, told = 0;
+    const Callback count = [&](std::size_t, std::size_t) { return ++pairs > 0; };
+    const std::function<bool(double)> watch = [&](double done) {
+      BOOST_CHECK_GE(done, last);
+      last = done;
+      ++told;
+      return done < limit;
+    };
+    const auto search_and_watch = [&] {
+      return CGAL::thick_self_intersection_d(
+        objects, count, CGAL::parameters::geom_traits(traits).callback(watch));
+    };
+    BOOST_CHECK(search_and_watch());
+    BOOST_CHECK_EQUAL(last, 1);
+    BOOST_CHECK_LE(told, 1001u);
+    if(size < 20000)
+      continue;
+    BOOST_CHECK_GT(told, 10u);
+    const std::size_t all = std::exchange(pairs, 0);
+    last = 0;
+    limit = 0.5;
+    BOOST_CHECK(!search_and_watch());
+    BOOST_CHECK_GT(pairs, 0u);
+    BOOST_CHECK_LT(pairs, all);
+  }
+}
+
+// The objects are made when they are asked for, from numbers in a list.
+BOOST_AUTO_TEST_CASE(point_map_may_make_temporary_objects)
+{
+  const Number_boxes boxes = some_boxes(2, 500);
+  std::list<std::size_t> numbers(boxes.size());
+  std::iota(numbers.begin(), numbers.end(), 0);
+  const Pairs expected = all_meeting_pairs(boxes, 2);
+  Pairs found;
+  const Callback collect = collector(found);
+
+  using Kernel = CGAL::Simple_cartesian<double>;
+  using Rectangle = Kernel::Iso_rectangle_2;
+  const auto rectangle = [&](std::size_t i) {
+    const Number_box& box = boxes[i];
+    return Rectangle(box[0].low, box[1].low, box[0].high, box[1].high);
+  };
+  const auto rectangles = boost::make_function_property_map<std::size_t, Rectangle>(rectangle);
+  CGAL::thick_self_intersection_d(numbers, collect, CGAL::parameters::point_map(rectangles));
+  BOOST_CHECK(sorted(found) == expected);
+
+  // Balls that touch or overlap if their centers on a line are as near as their radii allow.
+  using Ball = std::pair<Kernel::Point_2, double>;
+  const auto ball = [&](std::size_t i) {
+    const internal::Interval& interval = boxes[i][0];
+    return Ball(Kernel::Point_2((interval.low + interval.high) / 2, 0), interval.length() / 2);
+  };
+  std::vector<Ball> balls;
+  for(const std::size_t number : numbers)
+    balls.push_back(ball(number));
+  found.clear();
+  CGAL::thick_self_intersection_d(
+    numbers, collect,
+    CGAL::parameters::point_map(boost::make_function_property_map<std::size_t, Ball>(ball))
+      .geom_traits(CGAL::Thick_ball_traits_d<Kernel::Point_2>(balls)));
+  BOOST_CHECK(sorted(found) == all_meeting_pairs(boxes, 1));
+}
+
+// Boxes of doubles do not enclose them usefully, so they take the recursive route.
+BOOST_AUTO_TEST_CASE(balls_beyond_the_range_of_doubles_are_searched_exactly)
+{
+  using Number = CGAL::Exact_rational;
+  using Point = CGAL::Simple_cartesian<Number>::Point_2;
+  Number far = 1;
+  for(int i = 0; i < 1100; ++i)
+    far *= 2;
+  std::vector<std::pair<Point, Number>> balls;
+  for(int i = 0; i < 100; ++i)
+    balls.emplace_back(Point(Number(far * (i % 10)), Number(far * (i / 10))),
+                       Number(i % 2 ? far / 2 : Number(far / 2 + 1)));
+  Pairs expected; // neighbors in a row are of either kind, those in a column of one kind
+  for(std::size_t i = 0; i < 100; ++i) {
+    if(i % 10 != 9)
+      expected.emplace_back(i, i + 1);
+    if(i < 90)
+      expected.emplace_back(i, i + 10);
+  }
+  const CGAL::Thick_ball_traits_d<Point> traits(balls);
+  const Pairs_difference difference = compare(expected, found_pairs(balls, traits));
+  BOOST_CHECK_MESSAGE(difference.empty(), difference);
+}
+
+namespace {
+
+template <class Object>
+void check_refused(const Object& good, const Object& bad)
+{
+  std::vector<Object> objects(70, good);
+  objects[60] = bad;
+  std::size_t reports = 0;
+  const Callback count = [&](std::size_t, std::size_t) { return ++reports > 0; };
+  BOOST_CHECK_EXCEPTION(
+    CGAL::thick_self_intersection_d(objects, count),
+    std::invalid_argument, [](const std::invalid_argument& error) {
+      return std::string(error.what()).find("object 60") != std::string::npos;
+    });
+  BOOST_CHECK_EQUAL(reports, 0u);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(bad_coordinates_of_kernel_objects_are_refused_before_any_report)
+{
+  using Kernel = CGAL::Simple_cartesian<double>;
+  using Point = Kernel::Point_2;
+  for(const double bad : {nan_value, infinity, -infinity}) {
+    check_refused(Kernel::Segment_2(Point(0, 0), Point(1, 1)),
+                  Kernel::Segment_2(Point(0, 0), Point(1, bad)));
+    check_refused(Kernel::Iso_rectangle_2(0, 0, 1, 1),
+                  Kernel::Iso_rectangle_2(Point(0, 0), Point(1, bad)));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(empty_and_single_ranges_of_kernel_objects_have_no_pairs)
+{
+  using Kernel = CGAL::Simple_cartesian<double>;
+  const Callback fail = [](std::size_t, std::size_t) {
+    BOOST_ERROR("there is no pair");
+    return true;
+  };
+  const std::vector<Kernel::Segment_2> none;
+  const std::vector<Kernel::Segment_2> one = {{Kernel::Point_2(0, 0), Kernel::Point_2(1, 1)}};
+  BOOST_CHECK(CGAL::thick_self_intersection_d(none, fail));
+  BOOST_CHECK(CGAL::thick_self_intersection_d(one, fail));
+  BOOST_CHECK(CGAL::thick_intersection_d(none, one, fail));
+  BOOST_CHECK(CGAL::thick_intersection_d(one, none, fail));
+  BOOST_CHECK(CGAL::thick_intersection_d(none, none, fail));
+  const std::vector<std::pair<Kernel::Point_3, double>> no_balls;
+  BOOST_CHECK(CGAL::thick_self_intersection_d(
+    no_balls, fail,
+    CGAL::parameters::geom_traits(CGAL::Thick_ball_traits_d<Kernel::Point_3>(no_balls))));
+}
