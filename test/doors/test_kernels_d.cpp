@@ -22,6 +22,27 @@ BOOST_AUTO_TEST_CASE(epick_d_dynamic_2) { check_kernel<Dynamic_points>(2); }
 BOOST_AUTO_TEST_CASE(epick_d_dynamic_3) { check_kernel<Dynamic_points>(3); }
 BOOST_AUTO_TEST_CASE(epick_d_dynamic_5) { check_kernel<Dynamic_points>(5); }
 
+// Enough points for cuts, by boxes and by recursion. The lattice has ties along all axes.
+BOOST_AUTO_TEST_CASE(epick_d_dynamic_many_points)
+{
+  for(const int dimension : {1, 4, 5, 8}) {
+    Points many = clustered_points(dimension, 2000, 20, 1. / 16, 3);
+    for(const Coordinates& c : lattice_points(dimension, dimension == 8 ? 2 : 3, 0.125))
+      many.push_back(c);
+    const auto points = make_points<Dynamic_points>(repeated(many, 2));
+    for(const double r : {0., 0.05, 0.125, 0.25}) {
+      const auto bound = CGAL::within_distance(r);
+      const Pairs expected = near_pairs_by_recursion(points, bound, dimension);
+      const Pairs_difference one_set = compare(expected, near_pairs(points, bound));
+      BOOST_CHECK_MESSAGE(one_set.empty(), dimension << "D, r = " << r << ": " << one_set);
+      const Pairs_difference two_sets
+        = compare(between_even_and_odd(expected),
+                  near_pairs(every_other(points, 0), every_other(points, 1), bound));
+      BOOST_CHECK_MESSAGE(two_sets.empty(), dimension << "D, two sets: " << two_sets);
+    }
+  }
+}
+
 // More axes than the recursion cuts: the predicate takes care of the others.
 BOOST_AUTO_TEST_CASE(epick_d_dynamic_40)
 {

@@ -54,6 +54,7 @@ template <class Maker>
 void check_on_kernels()
 {
   check_type_of_object<Maker, Double_kernel, Float_kernel, Epick, Epeck, Rational_kernel>();
+  check_scenes_of_objects<Maker, Double_kernel, Float_kernel, Epick, Epeck, Rational_kernel>();
 }
 
 } // namespace

@@ -59,6 +59,7 @@ template <class Maker>
 void check_on_kernels()
 {
   check_type_of_object<Maker, Double_kernel, Epeck>();
+  check_scenes_of_objects<Maker, Double_kernel, Epeck>();
 }
 
 } // namespace
