@@ -25,7 +25,7 @@ Number_boxes uniform_boxes(std::size_t size, const std::vector<double>& lengths)
 }
 
 template <int Axes>
-internal::Box_plan plan_of(const Number_boxes& boxes,
+internal::Box_plan<Axes> plan_of(const Number_boxes& boxes,
                            const Box_tuning& tuning = Box_tuning(),
                            std::optional<std::size_t> first_set_size = std::nullopt)
 {
@@ -39,7 +39,7 @@ BOOST_AUTO_TEST_CASE(small_boxes_are_cut_across_the_sweep_axis)
 {
   for(const std::optional<std::size_t> first_set_size :
       {std::optional<std::size_t>(), std::optional<std::size_t>(3000)}) {
-    const internal::Box_plan plan
+    const internal::Box_plan<2> plan
       = plan_of<2>(uniform_boxes(10000, {0.01, 0.01}), Box_tuning(), first_set_size);
     BOOST_CHECK_EQUAL(plan.cut_axis, 1 - plan.sweep_axis);
     BOOST_CHECK_GE(plan.piece_count, 8u);
@@ -62,14 +62,14 @@ BOOST_AUTO_TEST_CASE(sweep_axis_is_the_one_along_which_boxes_are_short)
 
 BOOST_AUTO_TEST_CASE(candidates_are_estimated)
 {
-  const internal::Box_plan plan = plan_of<2>(uniform_boxes(10000, {0.02, 5}));
+  const internal::Box_plan<2> plan = plan_of<2>(uniform_boxes(10000, {0.02, 5}));
   BOOST_CHECK_EQUAL(plan.cut_axis, -1); // each box would be in all pieces
   BOOST_CHECK_CLOSE(plan.candidates, 200, 5);
 }
 
 BOOST_AUTO_TEST_CASE(identical_boxes_are_not_cut)
 {
-  const internal::Box_plan plan = plan_of<3>(Number_boxes(10000));
+  const internal::Box_plan<3> plan = plan_of<3>(Number_boxes(10000));
   BOOST_CHECK_EQUAL(plan.cut_axis, -1);
   Number_boxes equal(10000);
   for(Number_box& box : equal)
@@ -91,7 +91,7 @@ BOOST_AUTO_TEST_CASE(what_a_cut_costs_decides_about_it)
 {
   const Number_boxes boxes = uniform_boxes(1000, {0.02, 0.02});
   Box_tuning tuning;
-  const internal::Box_plan usual = plan_of<2>(boxes, tuning);
+  const internal::Box_plan<2> usual = plan_of<2>(boxes, tuning);
   tuning.candidate_cost = 100;
   BOOST_CHECK_GE(plan_of<2>(boxes, tuning).piece_count, (std::max)(usual.piece_count, 2u));
   tuning.move_cost = 1e6;
@@ -106,9 +106,7 @@ BOOST_AUTO_TEST_CASE(long_boxes_are_long_in_the_range_of_the_boxes)
   const Number_boxes boxes = uniform_boxes(5000, {0.1, 0.3});
   const Number_objects objects(boxes, 2);
   with_piece<2>(objects, std::nullopt, [&](const auto&, const auto& piece) {
-    internal::Box_planner<2> planner;
-    planner.plan(piece, 16384);
-    for(const double length : planner.long_lengths())
+    for(const double length : internal::Box_planner<2>().plan(piece, 16384).long_lengths)
       BOOST_CHECK_CLOSE(length, internal::long_share, 1);
   });
 }

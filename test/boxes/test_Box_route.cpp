@@ -110,6 +110,7 @@ BOOST_AUTO_TEST_CASE(crowded_pieces_are_searched_by_the_tree)
   Generator random(2);
   Box_tuning tuning;
   tuning.crowded_candidates = 0;
+  tuning.tree_candidates = 0;
   tuning.crowded_share = 2;
   for(const std::size_t size : {300, 3000}) {
     const Number_boxes boxes = power_law(random, 5, size);

@@ -8,41 +8,59 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <array>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <type_traits>
+#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Box_tree)
 
 using namespace test_support;
-using Box = internal::Piece_box<1>;
+std::size_t looks = 0; // at ends of boxes
 
-// Looks at boxes by their positions. Counts how often it looks.
-struct Counting_test
+template <int Axes>
+struct Counted_ends
 {
-  const Number_boxes& boxes;
-  int axes;
-  mutable std::size_t looks = 0;
+  std::array<double, Axes> ends;
 
-  int dimension() const { return axes; }
-  internal::Interval interval(const Box& box, int axis) const
+  double operator[](int axis) const
   {
     ++looks;
-    return boxes[box.position][axis];
-  }
-  bool do_meet(const Box& a, const Box& b, int axis_count) const
-  {
-    ++looks;
-    return test_support::do_meet(boxes[a.position], boxes[b.position], axis_count);
+    return ends[static_cast<std::size_t>(axis)];
   }
 };
 
+template <int Axes>
+struct Counted_box
+{
+  static constexpr int axes = Axes;
+  Counted_ends<Axes> low, high;
+  internal::Place position;
+};
+
+template <int Axes>
+std::vector<Counted_box<Axes>> counted_boxes(const Number_boxes& boxes)
+{
+  std::vector<Counted_box<Axes>> counted(boxes.size());
+  for(std::size_t i = 0; i < boxes.size(); ++i) {
+    counted[i].position = static_cast<internal::Place>(i);
+    for(std::size_t axis = 0; axis < Axes; ++axis) {
+      counted[i].low.ends[axis] = boxes[i][axis].low;
+      counted[i].high.ends[axis] = boxes[i][axis].high;
+    }
+  }
+  return counted;
+}
+
 // Searches one set, or two sets, until there are `limit` pairs.
-Pairs pairs_by_tree(const Counting_test& test, std::optional<std::size_t> first_set_size,
+template <int Axes>
+Pairs pairs_by_tree(const Number_boxes& numbers, std::optional<std::size_t> first_set_size,
                     std::size_t limit = std::size_t(-1))
 {
-  std::vector<Box> boxes;
-  for(internal::Place i = 0; i < test.boxes.size(); ++i)
-    boxes.push_back({{0}, {0}, i, 0});
+  using Box = Counted_box<Axes>;
+  const std::vector<Box> boxes = counted_boxes<Axes>(numbers);
   std::vector<const Box*> a, b;
   for(const Box& box : boxes)
     (box.position < first_set_size.value_or(boxes.size()) ? a : b).push_back(&box);
@@ -51,10 +69,21 @@ Pairs pairs_by_tree(const Counting_test& test, std::optional<std::size_t> first_
     pairs.push_back(std::minmax<std::size_t>(p.position, q.position));
     return pairs.size() < limit;
   };
-  internal::Box_tree<Box, Counting_test, decltype(report)> tree(test, report);
+  internal::Box_tree<Box, decltype(report)> tree(report);
   const bool goes_on = first_set_size ? tree.between(a, b) : tree.within(a);
   BOOST_CHECK_EQUAL(goes_on, pairs.size() < limit);
   return pairs;
+}
+
+// Calls task(std::integral_constant<int, D>()) for the dimensions 1 to 5.
+template <class Task>
+void for_each_dimension(const Task& task)
+{
+  task(std::integral_constant<int, 1>());
+  task(std::integral_constant<int, 2>());
+  task(std::integral_constant<int, 3>());
+  task(std::integral_constant<int, 4>());
+  task(std::integral_constant<int, 5>());
 }
 
 // Boxes that are mostly long, so that many of them hold the lower ends of a part.
@@ -70,30 +99,32 @@ Number_boxes long_boxes(Generator& random, int dimension, std::size_t size, std:
   return boxes;
 }
 
-void check_tree(const Number_boxes& boxes, int dimension,
-                std::optional<std::size_t> first_set_size, const std::string& name)
+template <int Axes>
+void check_tree(const Number_boxes& boxes, std::optional<std::size_t> first_set_size,
+                const std::string& name)
 {
-  const Pairs expected = all_meeting_pairs(boxes, dimension, first_set_size);
-  const Pairs found = sorted(pairs_by_tree({boxes, dimension}, first_set_size));
+  const Pairs expected = all_meeting_pairs(boxes, Axes, first_set_size);
+  const Pairs found = sorted(pairs_by_tree<Axes>(boxes, first_set_size));
   BOOST_REQUIRE_MESSAGE(found == expected, name << ": " << compare(expected, found));
 }
 
 BOOST_AUTO_TEST_CASE(tree_finds_the_pairs_of_structured_boxes)
 {
-  for(int dimension = 1; dimension <= 5; ++dimension)
+  for_each_dimension([](auto dimension) {
     for(unsigned int seed = 0; seed < 2000; ++seed) {
       Generator random(seed);
       const std::size_t size = random() % 60;
       const Number_boxes boxes = structured_boxes(random, dimension, size);
       const std::string name = std::to_string(dimension) + "D, seed " + std::to_string(seed);
-      check_tree(boxes, dimension, std::nullopt, name);
-      check_tree(boxes, dimension, random() % (size + 1), name + ", two sets");
+      check_tree<dimension>(boxes, std::nullopt, name);
+      check_tree<dimension>(boxes, random() % (size + 1), name + ", two sets");
     }
+  });
 }
 
 BOOST_AUTO_TEST_CASE(tree_finds_the_pairs_of_long_boxes)
 {
-  for(int dimension = 1; dimension <= 5; ++dimension)
+  for_each_dimension([](auto dimension) {
     for(const std::uint64_t side : {3, 20, 1000000})
       for(unsigned int seed = 0; seed < 20; ++seed) {
         Generator random(seed);
@@ -101,9 +132,10 @@ BOOST_AUTO_TEST_CASE(tree_finds_the_pairs_of_long_boxes)
         const Number_boxes boxes = long_boxes(random, dimension, size, side);
         const std::string name = std::to_string(dimension) + "D, side " + std::to_string(side)
                                  + ", seed " + std::to_string(seed);
-        check_tree(boxes, dimension, std::nullopt, name);
-        check_tree(boxes, dimension, random() % size, name + ", two sets");
+        check_tree<dimension>(boxes, std::nullopt, name);
+        check_tree<dimension>(boxes, random() % size, name + ", two sets");
       }
+  });
 }
 
 BOOST_AUTO_TEST_CASE(identical_boxes_are_all_pairs)
@@ -111,25 +143,37 @@ BOOST_AUTO_TEST_CASE(identical_boxes_are_all_pairs)
   Number_boxes boxes(300);
   for(Number_box& box : boxes)
     box.fill({1, 1});
-  for(int dimension = 1; dimension <= 5; ++dimension) {
-    check_tree(boxes, dimension, std::nullopt, "identical");
-    check_tree(boxes, dimension, 100, "identical, two sets");
-  }
+  for_each_dimension([&](auto dimension) {
+    check_tree<dimension>(boxes, std::nullopt, "identical");
+    check_tree<dimension>(boxes, 100, "identical, two sets");
+  });
 }
 
 BOOST_AUTO_TEST_CASE(tree_stops_when_told)
 {
   Generator random(1);
   const Number_boxes boxes = long_boxes(random, 3, 300, 1000);
-  const std::size_t all = pairs_by_tree({boxes, 3}, std::nullopt).size();
+  const std::size_t all = pairs_by_tree<3>(boxes, std::nullopt).size();
   for(std::size_t limit = 1; limit <= all; limit += all / 50)
-    BOOST_CHECK_EQUAL(pairs_by_tree({boxes, 3}, std::nullopt, limit).size(), limit);
-  const std::size_t all_between = pairs_by_tree({boxes, 3}, 150).size();
+    BOOST_CHECK_EQUAL(pairs_by_tree<3>(boxes, std::nullopt, limit).size(), limit);
+  const std::size_t all_between = pairs_by_tree<3>(boxes, 150).size();
   for(std::size_t limit = 1; limit <= all_between; limit += all_between / 50)
-    BOOST_CHECK_EQUAL(pairs_by_tree({boxes, 3}, 150, limit).size(), limit);
+    BOOST_CHECK_EQUAL(pairs_by_tree<3>(boxes, 150, limit).size(), limit);
 }
 
-// Looks per n log2^d n + k. Half beams: long horizontal boxes, and long vertical ones that are out
+// Looks per n log2^d n + k.
+template <int Axes>
+void check_work(const Number_boxes& boxes)
+{
+  looks = 0;
+  const double k = static_cast<double>(pairs_by_tree<Axes>(boxes, std::nullopt).size());
+  const double n = static_cast<double>(boxes.size());
+  const double work = static_cast<double>(looks) / (n * std::pow(std::log2(n), Axes) + k);
+  BOOST_TEST_MESSAGE(Axes << "D, n = " << n << ", k = " << k << ": " << work);
+  BOOST_CHECK_LT(work, 3);
+}
+
+// Half beams: long horizontal boxes, and long vertical ones that are out
 // of their way, so that many pairs meet along each axis, but no pair along both.
 BOOST_AUTO_TEST_CASE(tree_looks_at_few_boxes)
 {
@@ -144,16 +188,10 @@ BOOST_AUTO_TEST_CASE(tree_looks_at_few_boxes)
       else
         beams[i] = {{{-1 - x, -1 - x}, {0 + y / 8, long_side}}};
     }
-    const double size = static_cast<double>(n);
-    for(int dimension = 2; dimension <= 3; ++dimension)
-      for(const Number_boxes& boxes : {beams, long_boxes(random, dimension, n, 1 << 30)}) {
-        const Counting_test test = {boxes, dimension};
-        const double k = static_cast<double>(pairs_by_tree(test, std::nullopt).size());
-        const double work = static_cast<double>(test.looks)
-                            / (size * std::pow(std::log2(size), dimension) + k);
-        BOOST_TEST_MESSAGE(dimension << "D, n = " << n << ", k = " << k << ": " << work);
-        BOOST_CHECK_LT(work, 3);
-      }
+    check_work<2>(beams);
+    check_work<3>(beams);
+    check_work<2>(long_boxes(random, 2, n, 1 << 30));
+    check_work<3>(long_boxes(random, 3, n, 1 << 30));
   }
 }
 

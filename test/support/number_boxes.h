@@ -153,11 +153,12 @@ inline Box_tuning small_tuning(Generator& random)
   tuning.piece_cost = 0;
   tuning.min_boxes_per_piece = 1 + below(random, 2);
   tuning.few_boxes = static_cast<internal::Place>(1 + random() % 3);
-  tuning.usual_candidates = below(random, 3);
+  tuning.usual_box_candidates = below(random, 3);
   tuning.max_bucket_pairs = below(random, 4);
   tuning.candidates_per_block = 1 + below(random, 64);
   if(random() % 2) {
     tuning.crowded_candidates = 0;
+    tuning.tree_candidates = 0;
     tuning.crowded_share = random() % 2 ? 2 : 0.5;
   }
   return tuning;

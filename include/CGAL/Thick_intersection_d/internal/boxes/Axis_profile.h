@@ -40,7 +40,7 @@ public:
       bucket_count_ *= 2;
     range_ = Interval();
     for(const Box* box : sample)
-      if((box->sides >> axis & 1) == 0 && std::isfinite(box->low[axis]))
+      if((box->sides >> axis & 1) == 0 && std::fabs(box->low[axis]) <= max_cut_end)
         range_.add(box->low[axis]);
     count_ends(sample, axis);
     for(int round = 0; round < max_trims && trim(); ++round)
@@ -86,6 +86,7 @@ public:
 private:
   static constexpr Place max_bucket_count = 1024;
   static constexpr int max_trims = 8;
+  static constexpr double max_cut_end = 0x1p1020; // so that lengths are finite
 
   // Counts the lower and upper ends in buckets of equal length.
   template <class Box>

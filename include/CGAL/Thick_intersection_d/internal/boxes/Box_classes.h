@@ -8,10 +8,10 @@
 // Boxes by the axes along which they are long.
 
 #include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
-#include <CGAL/Thick_intersection_d/internal/input/positions.h>
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -23,32 +23,35 @@ class Box_classes
   static constexpr int axes = Box::axes;
 
 public:
-  static constexpr Place count = Place(1) << axes;
-
   Box_classes() = default;
 
   // Orders the boxes by their classes. A box is long along an axis if it is longer than `lengths`.
   Box_classes(const Span<Box>& boxes, const std::array<double, axes>& lengths)
   {
-    const auto class_of = [&](const Box& box) {
-      Place number = 0;
-      for(int axis = 0; axis < axes; ++axis)
-        number |= Place(box.high[axis] - box.low[axis] > lengths[axis]) << axis;
-      return number;
-    };
-    Box* first = boxes.first;
-    for(Place number = 0; number < count; ++number) {
-      Box* const last = std::partition(
-        first, boxes.last, [&](const Box& box) { return class_of(box) == number; });
-      classes_[number] = {first, last};
-      first = last;
-    }
+    divide(boxes, lengths, 0);
   }
 
-  const Span<Box>& operator[](Place number) const { return classes_[number]; }
+  // The boxes of each class that has any.
+  const std::vector<Span<Box>>& spans() const { return spans_; }
 
 private:
-  std::array<Span<Box>, count> classes_ = {};
+  // Divides boxes that are in the same class as far as the axes before `axis` tell.
+  void divide(const Span<Box>& boxes, const std::array<double, axes>& lengths, int axis)
+  {
+    if(boxes.size() == 0)
+      return;
+    if(axis == axes) {
+      spans_.push_back(boxes);
+      return;
+    }
+    Box* const first_long = std::partition(boxes.first, boxes.last, [&](const Box& box) {
+      return !(box.high[axis] - box.low[axis] > lengths[axis]);
+    });
+    divide({boxes.first, first_long}, lengths, axis + 1);
+    divide({first_long, boxes.last}, lengths, axis + 1);
+  }
+
+  std::vector<Span<Box>> spans_;
 };
 
 } // namespace internal

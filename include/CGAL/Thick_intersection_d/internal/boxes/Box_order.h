@@ -55,7 +55,32 @@ public:
   // The boxes of a set, with their candidates in the same set, or in the other set.
   const Box_run<Axes>& run(std::size_t set) const { return columns_[set].run(); }
 
+  // The share of pairs of boxes among the candidates, by a sample of them.
+  double share_of_pairs() const
+  {
+    const double step = static_cast<double>(candidate_count_) / crowd_sample;
+    double next = step / 2;
+    double passed = 0;
+    Place pairs = 0;
+    for(std::size_t set = 0; set < Sets; ++set) {
+      const auto& a = run(set);
+      const auto& b = run(Sets - 1 - set);
+      for(Place i = a.first; i < a.last; passed += a.ends[i] - a.begins[i], ++i)
+        for(; next < passed + (a.ends[i] - a.begins[i]); next += step)
+          pairs += do_meet(a, i, b, a.begins[i] + static_cast<Place>(next - passed));
+    }
+    return static_cast<double>(pairs) / crowd_sample;
+  }
+
 private:
+  static bool do_meet(const Box_run<Axes>& a, Place i, const Box_run<Axes>& b, Place j)
+  {
+    bool meet = (a.sides[i] & b.sides[j]) == 0;
+    for(int axis = 0; axis < Axes; ++axis)
+      meet = meet && a.low[axis][i] <= b.high[axis][j] && b.low[axis][j] <= a.high[axis][i];
+    return meet;
+  }
+
   // Each pair that may meet becomes a box and its candidate once. In one set, the candidate is
   // behind the box. In two sets, the candidate is in the same bucket as the box or in a later
   // one if it is of the second set, and in a later one if it is of the first set.

@@ -22,6 +22,7 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
+template <int Axes>
 struct Box_plan
 {
   int sweep_axis;
@@ -29,6 +30,7 @@ struct Box_plan
   int cut_axis = -1; // before the sweep, unless it is -1
   Interval range = {0, 0};
   Place piece_count = 1;
+  std::array<double, Axes> long_lengths = {}; // longer boxes meet a good part along the axis
 };
 
 // Plans by a model of costs. No box is small or large by itself: what counts is in how many pieces
@@ -40,29 +42,21 @@ public:
   explicit Box_planner(const Box_tuning& tuning = Box_tuning()) : tuning_(tuning) {}
 
   template <std::size_t Sets>
-  Box_plan plan(const Piece<Piece_box<Axes>, Sets>& piece, std::size_t sample_limit)
+  Box_plan<Axes> plan(const Piece<Piece_box<Axes>, Sets>& piece, std::size_t sample_limit)
   {
     take_sample(piece, sample_limit);
     for(int axis = 0; axis < Axes; ++axis)
       profiles_[axis].set(sample_, axis);
     const double size = piece.size();
     const int sweep_axis = most_selective_axis();
-    Box_plan plan = {sweep_axis, size / 2 * profiles_[sweep_axis].meeting_share()};
+    Box_plan<Axes> plan = {sweep_axis, size / 2 * profiles_[sweep_axis].meeting_share()};
+    for(int axis = 0; axis < Axes; ++axis)
+      plan.long_lengths[axis] = profiles_[axis].range().length() * long_share;
     double least = max_cost_after_cut * cost(size, plan.candidates, 1);
     for(int axis = 0; axis < Axes; ++axis)
       if(axis != sweep_axis && profiles_[axis].is_cuttable())
         consider_cuts(axis, size, least, plan);
     return plan;
-  }
-
-  // The lengths from which on boxes count as long, in the piece planned last: they meet a good part
-  // of the boxes along the axis.
-  std::array<double, Axes> long_lengths() const
-  {
-    std::array<double, Axes> lengths;
-    for(int axis = 0; axis < Axes; ++axis)
-      lengths[axis] = profiles_[axis].range().length() * long_share;
-    return lengths;
   }
 
 private:
@@ -93,7 +87,7 @@ private:
   }
 
   // Considers cuts along `axis` into more and more pieces, until there are too many copies.
-  void consider_cuts(int axis, double size, double& least, Box_plan& plan) const
+  void consider_cuts(int axis, double size, double& least, Box_plan<Axes>& plan) const
   {
     const double candidates = size / 2 * profiles_[plan.sweep_axis].meeting_share();
     const double max_count = (std::min)(double(profiles_[axis].max_piece_count()),

@@ -19,7 +19,6 @@
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Equal_cut.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Pair_sweep.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Box_run.h>
 
 #include <array>
 #include <cmath>
@@ -76,9 +75,9 @@ private:
     int cuts_left;
     std::uint64_t copies_left;
     int sweep_axis = 0;
-    bool is_planned = false;    // whether it is worth a try to sweep at once
-    bool is_one_class = false;  // whether all boxes of a set are long along the same axes
-    bool has_progress = true;   // whether the boxes are finished when the piece is
+    bool may_be_swept = false; // whether it is worth a try to sweep at once
+    bool is_one_class = false; // whether all boxes of a set are long along the same axes
+    bool is_all_of_boxes = true; // whether the boxes are finished when the piece is
   };
 
   template <std::size_t Sets>
@@ -86,37 +85,55 @@ private:
   {
     if(report_.is_stopped())
       return;
-    if(!piece.has_pairs()) {
-      finish(piece, task);
-      return;
-    }
     auto& order = worker.template order<Sets>();
-    if(task.is_planned || piece.size() <= tuning_.few_boxes) {
+    if(!piece.has_pairs())
+      finish(piece, task);
+    else if(piece.size() <= tuning_.few_boxes || task.may_be_swept) {
       order.set(piece, task.sweep_axis, tuning_);
-      if(order.candidate_count() <= tuning_.usual_candidates * piece.size()
-         || piece.size() <= tuning_.few_boxes) {
-        sweep_boxes(order);
+      if(order.candidate_count() <= tuning_.usual_box_candidates * piece.size()
+         || piece.size() <= tuning_.few_boxes)
+        sweep_boxes(order, piece, task);
+      else
+        plan_piece(worker, piece, task);
+    }
+    else
+      plan_piece(worker, piece, task);
+  }
+
+  // Cuts the boxes, or sweeps them, or searches them in another way if they are crowded: if there
+  // are many candidates, and few of them are pairs.
+  template <std::size_t Sets>
+  void plan_piece(Worker& worker, const Piece<Box, Sets>& piece, const Piece_task& task)
+  {
+    const Box_plan<axes> plan = worker.planner.plan(piece, task.sample_limit);
+    if(plan.cut_axis >= 0 && task.cuts_left > 0 && search_cut(worker, piece, task, plan))
+      return;
+    auto& order = worker.template order<Sets>();
+    order.set(piece, plan.sweep_axis, tuning_);
+    const double candidates = static_cast<double>(order.candidate_count()) / piece.size();
+    if(candidates > tuning_.crowded_candidates
+       && order.share_of_pairs() < tuning_.crowded_share) {
+      if(!task.is_one_class && search_classes(worker, piece, task, plan))
+        return;
+      if(candidates > candidates_for_tree(piece.size())) {
+        search_tree(piece);
         finish(piece, task);
         return;
       }
     }
-    const Box_plan plan = worker.planner.plan(piece, task.sample_limit);
-    if(plan.cut_axis >= 0 && task.cuts_left > 0 && cut(worker, piece, task, plan))
-      return;
-    order.set(piece, plan.sweep_axis, tuning_);
-    if(!is_crowded(order, piece))
-      sweep_boxes(order);
-    else if(!task.is_one_class)
-      search_classes(worker, piece, task);
-    else
-      search_tree(piece);
-    finish(piece, task);
+    sweep_boxes(order, piece, task);
+  }
+
+  // From how many candidates per box on the tree is faster than a sweep.
+  double candidates_for_tree(double size) const
+  {
+    return tuning_.tree_candidates * std::ldexp(std::log2(size), axes - 1);
   }
 
   // Searches the pieces of a cut. Returns false if there would be too many copies.
   template <std::size_t Sets>
-  bool cut(Worker& worker, const Piece<Box, Sets>& piece, const Piece_task& task,
-           const Box_plan& plan)
+  bool search_cut(Worker& worker, const Piece<Box, Sets>& piece, const Piece_task& task,
+                  const Box_plan<axes>& plan)
   {
     const Equal_cut equal_cut(plan.range, plan.piece_count);
     std::vector<Cut> cuts;
@@ -134,7 +151,7 @@ private:
     task_of_pieces.cuts_left = task.cuts_left - 1;
     task_of_pieces.copies_left = task.copies_left - (size - piece.size());
     task_of_pieces.sweep_axis = plan.sweep_axis;
-    task_of_pieces.is_planned = plan.candidates <= tuning_.usual_candidates;
+    task_of_pieces.may_be_swept = plan.candidates <= tuning_.usual_box_candidates;
     for_each_piece(worker, equal_cut.count(), [&](Worker& own_worker, Place p) {
       Piece<Box, Sets> part;
       for(std::size_t set = 0; set < Sets; ++set)
@@ -161,84 +178,56 @@ private:
   }
 
   // Sweeps the boxes in their order. If there are very many candidates, it sweeps in blocks, which
-  // threads share.
+  // threads share. The search can stop after each block.
   template <std::size_t Sets>
-  void sweep_boxes(const Box_order<axes, Sets>& order)
+  void sweep_boxes(const Box_order<axes, Sets>& order, const Piece<Box, Sets>& piece,
+                   const Piece_task& task)
   {
     const double candidates = static_cast<double>(order.candidate_count());
     const Place count = static_cast<Place>(candidates / tuning_.candidates_per_block) + 1;
+    const std::size_t size = task.is_all_of_boxes ? original_count(piece) : 0;
     for_each_block<ConcurrencyTag>(count, [&](std::size_t block, std::size_t last) {
       Pair_sweep<Test, Report> pair_sweep(test_, report_);
       for(; block != last && !report_.is_stopped(); ++block) {
         pair_sweep.take_block(static_cast<Place>(block), count);
         for(std::size_t set = 0; set < Sets && !pair_sweep.is_stopped(); ++set)
           pair_sweep.between(order.run(set), order.run(Sets - 1 - set));
+        advance(size * (block + 1) / count - size * block / count);
       }
     });
   }
 
-  // Whether a sweep would look at many more candidates than the tree does, and at many more than
-  // there are pairs. The latter is estimated from a sample of the candidates.
-  template <std::size_t Sets>
-  bool is_crowded(const Box_order<axes, Sets>& order, const Piece<Box, Sets>& piece) const
-  {
-    const double size = piece.size();
-    const double candidates = static_cast<double>(order.candidate_count());
-    const double factor = std::pow(std::log2(size), test_.dimension() - 1);
-    if(candidates <= tuning_.crowded_candidates * size * factor)
-      return false;
-    return share_of_pairs(order) < tuning_.crowded_share;
-  }
-
-  // The share of pairs of boxes among the candidates.
-  template <std::size_t Sets>
-  double share_of_pairs(const Box_order<axes, Sets>& order) const
-  {
-    const double step = static_cast<double>(order.candidate_count()) / crowd_sample;
-    double next = step / 2;
-    double passed = 0;
-    Place pairs = 0;
-    for(std::size_t set = 0; set < Sets; ++set) {
-      const auto& a = order.run(set);
-      const auto& b = order.run(Sets - 1 - set);
-      for(Place i = a.first; i < a.last; passed += a.ends[i] - a.begins[i], ++i)
-        for(; next < passed + (a.ends[i] - a.begins[i]); next += step)
-          pairs += do_meet(a, i, b, a.begins[i] + static_cast<Place>(next - passed));
-    }
-    return static_cast<double>(pairs) / crowd_sample;
-  }
-
-  static bool do_meet(const Box_run<axes>& a, Place i, const Box_run<axes>& b, Place j)
-  {
-    bool meet = (a.sides[i] & b.sides[j]) == 0;
-    for(int axis = 0; axis < axes; ++axis)
-      meet = meet && a.low[axis][i] <= b.high[axis][j] && b.low[axis][j] <= a.high[axis][i];
-    return meet;
-  }
-
   // Searches boxes apart that are long along different axes. Beams along two axes of space are
   // short along the third axis, and beams along one axis are short along the others. So these
-  // searches may have few candidates where that of all boxes has many.
+  // searches may have few candidates where that of all boxes has many. Returns false if all boxes
+  // are of one class.
   template <std::size_t Sets>
-  void search_classes(Worker& worker, const Piece<Box, Sets>& piece, const Piece_task& task)
+  bool search_classes(Worker& worker, const Piece<Box, Sets>& piece, const Piece_task& task,
+                      const Box_plan<axes>& plan)
   {
-    Piece_task task_of_classes = task;
-    task_of_classes.is_planned = false;
-    task_of_classes.is_one_class = true;
-    task_of_classes.has_progress = false;
-    const auto lengths = worker.planner.long_lengths();
     std::array<Box_classes<Box>, Sets> classes;
-    for(std::size_t set = 0; set < Sets; ++set)
-      classes[set] = Box_classes<Box>(piece[set], lengths);
-    for(Place a = 0; a < classes[0].count; ++a)
-      if constexpr(Sets == 1) {
-        search_piece(worker, Piece<Box, 1>{{{classes[0][a]}}}, task_of_classes);
-        for(Place b = 0; b < a; ++b)
-          search_piece(worker, Piece<Box, 2>{{{classes[0][a], classes[0][b]}}}, task_of_classes);
-      }
-      else
-        for(Place b = 0; b < classes[1].count; ++b)
-          search_piece(worker, Piece<Box, 2>{{{classes[0][a], classes[1][b]}}}, task_of_classes);
+    std::size_t class_count = 0;
+    for(std::size_t set = 0; set < Sets; ++set) {
+      classes[set] = Box_classes<Box>(piece[set], plan.long_lengths);
+      class_count += classes[set].spans().size();
+    }
+    if(class_count == Sets)
+      return false;
+    Piece_task part = task;
+    part.may_be_swept = false;
+    part.is_one_class = true;
+    part.is_all_of_boxes = false;
+    const auto& others = classes[Sets - 1].spans();
+    for(auto a = classes[0].spans().begin(); a != classes[0].spans().end(); ++a) {
+      if constexpr(Sets == 1)
+        search_piece(worker, Piece<Box, 1>{{{*a}}}, part);
+      for(auto b = others.begin(); b != others.end() && (Sets == 2 || b != a); ++b)
+        search_piece(worker, Piece<Box, 2>{{{*a, *b}}}, part);
+      finish(Piece<Box, 1>{{{*a}}}, task);
+    }
+    if constexpr(Sets == 2)
+      finish(Piece<Box, 1>{{{piece[1]}}}, task);
+    return true;
   }
 
   // Searches the boxes by a tree. Boxes that are copies along a common axis are not searched for
@@ -248,11 +237,11 @@ private:
   {
     const auto report = [&](const Box& a, const Box& b) {
       if(!test_.do_intersect(a.position, b.position))
-        return true;
+        return !report_.is_stopped();
       return a.position < b.position ? report_(a.position, b.position)
                                      : report_(b.position, a.position);
     };
-    Box_tree<Box, Test, decltype(report)> tree(test_, report);
+    Box_tree<Box, decltype(report)> tree(report);
     using Boxes_by_sides = std::array<std::vector<const Box*>, std::size_t(1) << axes>;
     std::array<Boxes_by_sides, Sets> boxes;
     for(std::size_t set = 0; set < Sets; ++set)
@@ -266,16 +255,27 @@ private:
                                         : tree.between(boxes[0][a], boxes[Sets - 1][b]);
   }
 
-  // Advances the progress by the boxes that are no copies: each is finished in one piece.
+  // Advances the progress by the boxes of a piece.
   template <std::size_t Sets>
   void finish(const Piece<Box, Sets>& piece, const Piece_task& task)
   {
-    if(!task.has_progress)
-      return;
-    std::size_t finished = 0;
+    if(task.is_all_of_boxes)
+      advance(original_count(piece));
+  }
+
+  // The number of boxes that are no copies. Each box is one in one piece.
+  template <std::size_t Sets>
+  static std::size_t original_count(const Piece<Box, Sets>& piece)
+  {
+    std::size_t count = 0;
     for(const auto& span : piece)
       for(const Box* box = span.first; box != span.last; ++box)
-        finished += box->sides == 0;
+        count += box->sides == 0;
+    return count;
+  }
+
+  void advance(std::size_t finished)
+  {
     if(!report_.is_stopped() && !progress_.advance(finished))
       report_.stop();
   }

@@ -20,30 +20,26 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// `Test` has
-//
-//   dimension()                  the number of all axes
-//   interval(box, axis)         of a box along an axis
-//   do_meet(a, b, axes)          whether two boxes meet along the axes below `axes`
-//
 // The lower ends of boxes are ordered by coordinate and position, so no two of them are equal. Two
 // boxes meet along an axis iff one of them holds the lower end of the other one: it begins before
 // the other one begins, and does not end before.
-template <class Box, class Test, class Report>
+//
+// `Report` takes two boxes that meet, and returns false to stop.
+template <class Box, class Report>
 class Box_tree
 {
   using Boxes = std::vector<const Box*>;
   using Iterator = typename Boxes::const_iterator;
 
 public:
-  Box_tree(const Test& test, Report& report) : test_(test), report_(report) {}
+  explicit Box_tree(Report& report) : report_(report) {}
 
   // Reports the pairs of a set. Returns false to stop.
   bool within(const Boxes& boxes)
   {
     const std::vector<Box> sorted = sorted_copies(boxes);
     const Boxes all = pointers(sorted);
-    return search(all, all, last_axis());
+    return search(all, all, last_axis);
   }
 
   // Reports the pairs of a box of `a` and a box of `b`.
@@ -51,19 +47,28 @@ public:
   {
     const std::vector<Box> sorted_a = sorted_copies(a);
     const std::vector<Box> sorted_b = sorted_copies(b);
-    return search_both(pointers(sorted_a), pointers(sorted_b), last_axis());
+    return search_both(pointers(sorted_a), pointers(sorted_b), last_axis);
   }
 
 private:
   static constexpr std::size_t few = 24;
-  static constexpr std::size_t max_held = 24; // per box, in a sweep
+  static constexpr std::size_t max_held = 24; // lower ends, per box in a sweep
 
-  double low(const Box* box, int axis) const { return test_.interval(*box, axis).low; }
-  double high(const Box* box, int axis) const { return test_.interval(*box, axis).high; }
+  static constexpr int last_axis = Box::axes - 1;
 
-  int last_axis() const { return test_.dimension() - 1; }
+  static double low(const Box* box, int axis) { return box->low[axis]; }
+  static double high(const Box* box, int axis) { return box->high[axis]; }
 
-  bool is_before(const Box* a, const Box* b, int axis) const
+  // Whether two boxes meet along the axes below `axis`.
+  static bool do_meet_below(const Box* a, const Box* b, int axis)
+  {
+    for(int i = 0; i < axis; ++i)
+      if(!(low(a, i) <= high(b, i) && low(b, i) <= high(a, i)))
+        return false;
+    return true;
+  }
+
+  static bool is_before(const Box* a, const Box* b, int axis)
   {
     const double x = low(a, axis);
     const double y = low(b, axis);
@@ -71,7 +76,7 @@ private:
   }
 
   // The lower ends are copied, because they are compared often and lie far apart.
-  void sort(Boxes& boxes, int axis) const
+  static void sort(Boxes& boxes, int axis)
   {
     std::vector<std::pair<double, const Box*>> ends;
     ends.reserve(boxes.size());
@@ -86,7 +91,7 @@ private:
   }
 
   // Lists are mostly read along axis 0, so this is the order of the boxes in memory.
-  std::vector<Box> sorted_copies(Boxes boxes) const
+  static std::vector<Box> sorted_copies(Boxes boxes)
   {
     sort(boxes, 0);
     std::vector<Box> copies;
@@ -131,7 +136,7 @@ private:
     if(holding.empty() || starting.empty())
       return true;
     const auto test_along_axis = [&](const Box* a, const Box* b) {
-      return !test_.do_meet(*a, *b, axis) || report_(*a, *b);
+      return !do_meet_below(a, b, axis) || report_(*a, *b);
     };
     if(starting.size() < few || held_count(holding, first, last, axis) <= max_held)
       return for_held(holding, first, last, axis, test_along_axis);
@@ -158,7 +163,7 @@ private:
   }
 
   // The boxes of [first, last) whose lower ends a box holds. They are consecutive.
-  std::pair<Iterator, Iterator> held(const Box* box, Iterator first, Iterator last, int axis) const
+  static std::pair<Iterator, Iterator> held(const Box* box, Iterator first, Iterator last, int axis)
   {
     first = std::upper_bound(first, last, box, [&](const Box* a, const Box* b) {
       return is_before(a, b, axis);
@@ -170,7 +175,7 @@ private:
 
   // How many lower ends a box holds, on average over a sample, which takes no longer than to halve
   // the boxes.
-  std::size_t held_count(const Boxes& holding, Iterator first, Iterator last, int axis) const
+  static std::size_t held_count(const Boxes& holding, Iterator first, Iterator last, int axis)
   {
     std::size_t count = 0;
     const std::size_t search_cost = 4 * static_cast<std::size_t>(std::ilogb(last - first) + 1);
@@ -184,7 +189,8 @@ private:
 
   // Calls task(a, b) for each box b of [first, last) whose lower end a box a holds.
   template <class Task>
-  bool for_held(const Boxes& holding, Iterator first, Iterator last, int axis, const Task& task)
+  static bool for_held(const Boxes& holding, Iterator first, Iterator last, int axis,
+                       const Task& task)
   {
     for(const Box* a : holding) {
       const auto range = held(a, first, last, axis);
@@ -199,7 +205,7 @@ private:
   {
     const auto test = [&](const Box* a, const Box* b) {
       const bool is_held = is_before(a, b, axis) && low(b, axis) <= high(a, axis);
-      return !is_held || !test_.do_meet(*a, *b, axis) || report_(*a, *b);
+      return !is_held || !do_meet_below(a, b, axis) || report_(*a, *b);
     };
     const auto test_mirrored = [&](const Box* b, const Box* a) { return test(a, b); };
     return for_held(holding, starting.begin(), starting.end(), 0, test)
@@ -220,7 +226,6 @@ private:
     return true;
   }
 
-  const Test& test_;
   Report& report_;
 };
 

@@ -99,23 +99,6 @@ public:
     return true;
   }
 
-  // For the tree, which looks at all axes.
-  Interval interval(const Box& box, int axis) const
-  {
-    if(axis < Axes)
-      return {box.low[axis], box.high[axis]};
-    return objects_.intervals(box.position)(axes_[axis]);
-  }
-
-  // Whether two boxes meet along the first of the axes.
-  bool do_meet(const Box& a, const Box& b, int axis_count) const
-  {
-    for(int axis = 0; axis < axis_count; ++axis)
-      if(!do_meet(interval(a, axis), interval(b, axis)))
-        return false;
-    return true;
-  }
-
 private:
   static bool do_meet(const Interval& a, const Interval& b)
   {

@@ -59,7 +59,7 @@ struct Box_tuning
   Place few_boxes = 48;
 
   // Pieces with more candidates per box are looked at again.
-  double usual_candidates = 24;
+  double usual_box_candidates = 24;
 
   // The boxes of a bucket are candidates of each other. If there are more pairs in buckets than
   // this, per box, then sorting pays.

@@ -78,16 +78,15 @@ bool report_meeting_boxes(const Objects& objects, const Sets& sets, Callback& ca
                             + ".");
   const auto search = [&](auto& report) {
     constexpr int dimension = Objects::static_dimension;
+    constexpr int many_axes = max_box_axes(dimension);
     if constexpr(dimension == 0 || dimension > 3)
-      if(objects.dimension() > 3)
-        return report_by_boxes<ConcurrencyTag, max_box_axes(dimension)>(objects, sets, report,
-                                                                        progress);
+      if(dimension > 3 || objects.dimension() > 3)
+        return report_by_boxes<ConcurrencyTag, many_axes>(objects, sets, report, progress);
     if constexpr(dimension == 0 || dimension == 3)
-      if(objects.dimension() == 3)
+      if(dimension == 3 || objects.dimension() == 3)
         return report_by_boxes<ConcurrencyTag, 3>(objects, sets, report, progress);
     if constexpr(dimension < 3)
       return report_by_boxes<ConcurrencyTag, 2>(objects, sets, report, progress);
-    return true;
   };
   if constexpr(Sets::are_two) {
     const auto callback_of_two_sets
