@@ -72,7 +72,7 @@ struct Box_tuning
 
   // Crowded boxes of one class go to the tree if they have more candidates than this, per box and
   // factor 2^(d-1) log2 n. The tree takes 1 us per box in the plane, and 5 us in four dimensions.
-  double tree_candidates = 64;
+  double tree_candidates = 16;
 
   // A sweep with more candidates is swept in blocks, which threads share.
   double candidates_per_block = 1 << 24;
