@@ -101,6 +101,18 @@ BOOST_AUTO_TEST_CASE(what_a_cut_costs_decides_about_it)
   BOOST_CHECK_EQUAL(plan_of<2>(boxes, tuning).cut_axis, -1);
 }
 
+// However little moving and sweeping cost: copies take memory.
+BOOST_AUTO_TEST_CASE(cuts_make_at_most_one_copy_of_two_boxes)
+{
+  Box_tuning tuning;
+  tuning.move_cost = tuning.box_cost = tuning.piece_cost = 0;
+  for(const double length : {0.01, 0.02, 0.04}) {
+    const double pieces = plan_of<2>(uniform_boxes(10000, {length, length}), tuning).piece_count;
+    BOOST_CHECK_LT(pieces * length, 0.55);
+    BOOST_CHECK_GT(pieces * length, 0.2);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(long_boxes_are_long_in_the_range_of_the_boxes)
 {
   const Number_boxes boxes = uniform_boxes(5000, {0.1, 0.3});
