@@ -142,27 +142,6 @@ BOOST_AUTO_TEST_CASE(order_of_reports_is_a_function_of_the_input)
   BOOST_CHECK(pairs_by_boxes<3>(objects) == pairs_by_boxes<3>(objects));
 }
 
-BOOST_AUTO_TEST_CASE(callback_stops_each_part_of_the_search)
-{
-  for(unsigned int seed = 0; seed < 300; ++seed) {
-    Generator random(seed);
-    const Number_boxes boxes = structured_boxes(random, 2, 30 + random() % 100);
-    const Box_tuning tuning = small_tuning(random);
-    const Number_objects objects(boxes, 2);
-    std::optional<std::size_t> first_set_size;
-    if(seed % 2)
-      first_set_size = boxes.size() / 2;
-    const std::size_t all = pairs_by_boxes<2>(objects, tuning, first_set_size).size();
-    for(std::size_t limit = 1; limit <= all; limit += 1 + all / 10) {
-      std::size_t calls = 0;
-      const auto callback = [&](std::size_t, std::size_t) { return ++calls < limit; };
-      internal::Unwatched_progress progress;
-      BOOST_CHECK(!search_boxes<2>(objects, tuning, first_set_size, callback, progress));
-      BOOST_CHECK_EQUAL(calls, limit);
-    }
-  }
-}
-
 namespace {
 
 // Adds up the boxes that are finished, and cancels when there are `limit`.
@@ -179,6 +158,32 @@ struct Counting_progress
 };
 
 } // namespace
+
+BOOST_AUTO_TEST_CASE(callback_stops_each_part_of_the_search)
+{
+  for(unsigned int seed = 0; seed < 300; ++seed) {
+    Generator random(seed);
+    const Number_boxes boxes = structured_boxes(random, 2, 30 + random() % 100);
+    const Box_tuning tuning = small_tuning(random);
+    const Number_objects objects(boxes, 2);
+    std::optional<std::size_t> first_set_size;
+    if(seed % 2)
+      first_set_size = boxes.size() / 2;
+    const std::size_t all = pairs_by_boxes<2>(objects, tuning, first_set_size).size();
+    for(std::size_t limit = 1; limit <= all; limit += 1 + all / 10) {
+      std::size_t calls = 0;
+      Counting_progress progress = {std::size_t(-1)};
+      std::size_t finished = 0;
+      const auto callback = [&](std::size_t, std::size_t) {
+        finished = progress.finished;
+        return ++calls < limit;
+      };
+      BOOST_CHECK(!search_boxes<2>(objects, tuning, first_set_size, callback, progress));
+      BOOST_CHECK_EQUAL(calls, limit);
+      BOOST_CHECK_EQUAL(progress.finished, finished); // no progress after the stop
+    }
+  }
+}
 
 BOOST_AUTO_TEST_CASE(progress_counts_each_box_once_and_cancels)
 {
