@@ -106,6 +106,9 @@ void check_scenes(std::size_t n, double limit)
   check("beams", [=](Generator&, std::size_t i, int axis) {
     return static_cast<int>(i % Axes) == axis ? 1. : usual / 50;
   });
+  check("short beams", [=](Generator&, std::size_t i, int axis) {
+    return static_cast<int>(i % Axes) == axis ? 0.05 : usual / 5000;
+  });
   check("plates", [=](Generator&, std::size_t i, int axis) {
     return static_cast<int>(i % Axes) == axis ? usual / 50 : 0.3;
   });

@@ -35,9 +35,9 @@ inline constexpr std::size_t first_box_sample = 16384;
 inline constexpr double sample_tail_share = 1. / 64;
 inline constexpr Place max_stretch_of_tails = 4;
 
-// The length of a long box, in that of the range. 300,000 beams of a tenth of the range in space:
-// 2256 ms if an eighth is long, 100 ms with this number.
-inline constexpr double long_share = 1. / 64;
+// The length of a long box, in that of the range. Shorter boxes have at most a thousandth of all
+// boxes as candidates.
+inline constexpr double long_share = 1. / 1024;
 
 // How many candidates show whether boxes are crowded.
 inline constexpr Place crowd_sample = 512;

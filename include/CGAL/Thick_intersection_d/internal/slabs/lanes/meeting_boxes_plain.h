@@ -52,7 +52,7 @@ private:
       const double low = a.low[axis][i];
       const double high = a.high[axis][i];
       for(Place lane = 0; lane < lanes; ++lane)
-        meets[lane] &= (b.low[axis][j + lane] <= high) & (b.high[axis][j + lane] >= low);
+        meets[lane] &= int(b.low[axis][j + lane] <= high) & int(b.high[axis][j + lane] >= low);
     }
     Place count = found.count;
     for(Place lane = 0; lane < lanes; ++lane) {
