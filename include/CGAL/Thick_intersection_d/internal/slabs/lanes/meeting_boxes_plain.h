@@ -13,6 +13,8 @@
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
 
+#include <cstdint>
+
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
