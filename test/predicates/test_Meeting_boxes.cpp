@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(intervals_decide_boxes_of_doubles)
     BOOST_REQUIRE(meeting.are_exact());
     for(std::size_t i = 0; i < boxes.size(); ++i)
       for(std::size_t j = 0; j < i; ++j) {
-        const internal::Interval a = meeting.interval(i, 0), b = meeting.interval(j, 0);
+        const internal::Interval a = meeting.intervals(i)(0), b = meeting.intervals(j)(0);
         BOOST_REQUIRE(a.low <= a.high);
         BOOST_REQUIRE_EQUAL(a.low <= b.high && b.low <= a.high, meeting.do_intersect(i, j));
       }
@@ -80,7 +80,7 @@ BOOST_AUTO_TEST_CASE(flat_half_open_boxes_need_the_exact_question)
   const Boxes boxes(rectangles, none, traits);
   BOOST_CHECK(Meeting(boxes, true).are_exact());
   BOOST_CHECK(!Meeting(boxes, false).are_exact());
-  BOOST_CHECK_EQUAL(Meeting(boxes, false).interval(0, 0).high, 1);
+  BOOST_CHECK_EQUAL(Meeting(boxes, false).intervals(0)(0).high, 1);
 }
 
 BOOST_AUTO_TEST_CASE(a_flat_half_open_box_meets_what_holds_it_inside)
