@@ -290,8 +290,8 @@ BOOST_AUTO_TEST_CASE(axes_without_extent_are_not_stored)
   check_bytes_of_flat_scenes<CGAL::Simple_cartesian<CGAL::Exact_rational>>(2000);
 }
 
-// Balls of one size take the bytes of their centres. Those of other sizes take boxes, of 40 bytes in
-// the plane: one each, one in a piece with some copies, and the columns of a piece.
+// Balls of one size take the bytes of their centres. Those of other sizes take boxes, of 40 bytes
+// in the plane: one each, one in a piece with some copies, and the columns of a piece.
 BOOST_AUTO_TEST_CASE(radii_of_balls_of_one_size_are_not_stored)
 {
   const std::size_t n = 20000;
