@@ -7,8 +7,8 @@
 
 // Orders the boxes of a piece along the sweep axis, and finds the candidates of each box.
 
-#include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Box_columns.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/tuning.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
@@ -16,7 +16,6 @@
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Box_run.h>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 

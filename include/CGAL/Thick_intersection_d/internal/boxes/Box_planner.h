@@ -26,7 +26,7 @@ template <int Axes>
 struct Box_plan
 {
   int sweep_axis;
-  double candidates; // of a box in the sweep, on average
+  double candidates; // of a box in the sweep, on average, as if two sets were one
   int cut_axis = -1; // before the sweep, unless it is -1
   Interval range = {0, 0};
   Place piece_count = 1;

@@ -8,12 +8,12 @@
 // The divide and conquer of [V03] for boxes of any sizes: boxes are cut into pieces, with copies of
 // those that meet several pieces, and each piece is swept. doc/design.md describes it.
 
-#include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Box_classes.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Box_order.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Box_planner.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Box_tree.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Cut_boxes.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/tuning.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
@@ -75,9 +75,9 @@ private:
     int cuts_left;
     std::uint64_t copies_left;
     int sweep_axis = 0;
-    bool may_be_swept = false; // whether it is worth a try to sweep at once
-    bool is_one_class = false; // whether all boxes of a set are long along the same axes
-    bool is_all_of_boxes = true; // whether the boxes are finished when the piece is
+    bool may_be_swept = false;  // whether it is worth a try to sweep at once
+    bool is_one_class = false;  // whether all boxes of a set are long along the same axes
+    bool finishes_boxes = true; // whether the boxes are finished when the piece is
   };
 
   template <std::size_t Sets>
@@ -185,7 +185,7 @@ private:
   {
     const double candidates = static_cast<double>(order.candidate_count());
     const Place count = static_cast<Place>(candidates / tuning_.candidates_per_block) + 1;
-    const std::size_t size = task.is_all_of_boxes ? original_count(piece) : 0;
+    const std::size_t size = task.finishes_boxes ? original_count(piece) : 0;
     for_each_block<ConcurrencyTag>(count, [&](std::size_t block, std::size_t last) {
       Pair_sweep<Test, Report> pair_sweep(test_, report_);
       for(; block != last && !report_.is_stopped(); ++block) {
@@ -216,7 +216,7 @@ private:
     Piece_task part = task;
     part.may_be_swept = false;
     part.is_one_class = true;
-    part.is_all_of_boxes = false;
+    part.finishes_boxes = false;
     const auto& others = classes[Sets - 1].spans();
     for(auto a = classes[0].spans().begin(); a != classes[0].spans().end(); ++a) {
       if constexpr(Sets == 1)
@@ -259,7 +259,7 @@ private:
   template <std::size_t Sets>
   void finish(const Piece<Box, Sets>& piece, const Piece_task& task)
   {
-    if(task.is_all_of_boxes)
+    if(task.finishes_boxes)
       advance(original_count(piece));
   }
 

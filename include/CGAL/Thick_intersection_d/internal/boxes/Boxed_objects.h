@@ -64,12 +64,6 @@ public:
   }
 
   template <class Flush>
-  void collect_within(const Run& run, Found_pairs& found, const Flush& flush) const
-  {
-    collect_between(run, run, found, flush);
-  }
-
-  template <class Flush>
   void collect_between(const Run& a, const Run& b, Found_pairs& found, const Flush& flush) const
   {
     const bool are_undecided = !(are_exact_ && dimension() <= Axes)

@@ -27,7 +27,7 @@ namespace internal {
 //
 //   Run                                 sorted elements in columns, with positions and block()
 //   collect_within(run, found, flush)   finds the pairs in a run that are not certainly no pairs,
-//                                       by lanes
+//                                       by lanes; within() alone needs it
 //   collect_between(a, b, found, flush) finds such pairs between two runs
 //   is_pair(a, b, pair, counts)         decides about a found pair; called if lanes left any
 //                                       found pair undecided
