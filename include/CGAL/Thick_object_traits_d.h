@@ -11,6 +11,7 @@
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Dimension.h>
 
+#include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_vertices.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
 
@@ -26,14 +27,15 @@ namespace CGAL {
 /*!
 \ingroup PkgThickIntersectionDTraits
 
-is the traits class for bounded objects of a kernel of \cgal with `bbox()` and `do_intersect()`. The
-intersection test is exact on the coordinates that the objects hold. It is the test of the kernel if
-the kernel has exact predicates. Otherwise, as for `Simple_cartesian<double>`, it is the test of a
-kernel with exact predicates.
+is the traits class for bounded objects with `bbox()` and `do_intersect()`. For objects of a kernel
+of \cgal, the intersection test is exact on the coordinates that the objects hold. It is the test of
+the kernel if the kernel has exact predicates. Otherwise, as for `Simple_cartesian<double>`, it is
+the test of a kernel with exact predicates. For objects of other classes, it is the function
+`do_intersect()` in the namespace of the class.
 
 A search reads the bounding boxes of the objects as intervals, and tests the pairs whose boxes meet.
-So objects may have any sizes. Iso-rectangles and iso-cuboids whose coordinates are doubles are
-their own boxes, and need no further test.
+So objects may have any sizes. A `Bbox_2` or `Bbox_3`, and an iso-rectangle or iso-cuboid whose
+coordinates are doubles, is its own box, and needs no further test.
 
 The predicates of `ThickIntersectionTraits_d` compare the lower corners of the boxes. The reach
 along an axis is the largest extent of a box along the axis: the lower corners of two boxes that
@@ -46,8 +48,10 @@ within another circle would not intersect it. Use `Thick_ball_traits_d`.
 Objects of this class may be used by several threads at once.
 
 \tparam Object is `Segment_2`, `Triangle_2`, `Iso_rectangle_2`, `Segment_3`, `Triangle_3`,
-`Iso_cuboid_3`, `Tetrahedron_3`, or another type with `bbox()`, `do_intersect()` and
-`Kernel_traits`.
+`Iso_cuboid_3`, `Tetrahedron_3`, `Bbox_2`, `Bbox_3`, or another type. Another type has a member
+function `bbox()` that returns a `Bbox_2` or `Bbox_3` around the object, and a function
+`do_intersect(const Object&, const Object&)` in its namespace. It may not be a class of a kernel
+with inexact predicates.
 
 \cgalModels{ThickIntersectionTraits_d}
 \cgalModels{ThickIntersectionIntervalTraits_d}
@@ -55,7 +59,8 @@ Objects of this class may be used by several threads at once.
 template <class Object>
 class Thick_object_traits_d
 {
-  using Box = decltype(std::declval<const Object&>().bbox());
+  using Box = std::decay_t<decltype(Thick_intersection_d::internal::bounding_box(
+    std::declval<const Object&>()))>;
   static constexpr int dimension_ = std::is_same_v<Box, Bbox_2> ? 2 : 3;
   using Extents = std::array<double, dimension_>;
 
@@ -77,7 +82,7 @@ public:
     /// returns whether the box of `a` begins before the box of `b` along axis `i`.
     bool operator()(const Object& a, const Object& b, int i) const
     {
-      return (a.bbox().min)(i) < (b.bbox().min)(i);
+      return (box(a).min)(i) < (box(b).min)(i);
     }
   };
 
@@ -89,7 +94,7 @@ public:
     /// reach are rounded in the same way.
     bool operator()(const Object& a, const Object& b, int i) const
     {
-      return std::fabs((a.bbox().min)(i) - (b.bbox().min)(i)) <= reaches_[i];
+      return std::fabs((box(a).min)(i) - (box(b).min)(i)) <= reaches_[i];
     }
 
   private:
@@ -105,8 +110,12 @@ public:
     /// returns whether `a` and `b` have a point in common.
     bool operator()(const Object& a, const Object& b) const
     {
-      return do_overlap(a.bbox(), b.bbox())
-             && Thick_intersection_d::internal::do_objects_intersect(a, b);
+      if(!do_overlap(box(a), box(b)))
+        return false;
+      if constexpr(do_boxes_decide)
+        return true;
+      else
+        return Thick_intersection_d::internal::do_objects_intersect(a, b);
     }
   };
 
@@ -117,8 +126,8 @@ public:
     /// returns the ends of the box of `a` along axis `i`.
     std::pair<double, double> operator()(const Object& a, int i) const
     {
-      const auto box = Thick_object_traits_d::box(a);
-      return {(box.min)(i), (box.max)(i)};
+      const Box& box_of_a = box(a);
+      return {(box_of_a.min)(i), (box_of_a.max)(i)};
     }
   };
 
@@ -148,7 +157,10 @@ public:
 
   // For the box route, which asks for whole boxes. If objects are boxes of doubles themselves,
   // their boxes decide whether they intersect.
-  static Box box(const Object& object) { return object.bbox(); }
+  static decltype(auto) box(const Object& object)
+  {
+    return Thick_intersection_d::internal::bounding_box(object);
+  }
   static constexpr bool do_boxes_decide
     = Thick_intersection_d::internal::Is_box_of_doubles<Object>::value;
 #endif
@@ -177,9 +189,10 @@ private:
   {
     for(const Object& object : objects) {
       Thick_intersection_d::internal::settle(object);
-      const Box box = object.bbox();
+      const Box& box_of_object = box(object);
       for(int i = 0; i < dimension_; ++i)
-        reaches_[i] = (std::max)(reaches_[i], (box.max)(i) - (box.min)(i));
+        reaches_[i]
+          = (std::max)(reaches_[i], (box_of_object.max)(i) - (box_of_object.min)(i));
     }
   }
 

@@ -10,6 +10,7 @@
 #include <CGAL/Thick_intersection_d/internal/doors/Traits_boxes.h>
 #include <CGAL/Thick_intersection_d/internal/doors/box_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/doors/recursive_search.h>
+#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 
 #include <cstddef>
@@ -30,12 +31,13 @@ struct Has_check<Traits,
 
 // Checks each object with the traits, if they have check(), as the traits of the package do. Other
 // traits have to check their objects themselves.
-template <class Elements, class Traits>
+template <class ConcurrencyTag, class Elements, class Traits>
 void check_objects(const Elements& objects, const Traits& traits)
 {
   if constexpr(Has_check<Traits>::value)
-    for(std::size_t position = 0; position < objects.size(); ++position)
+    check_each<ConcurrencyTag>(objects.size(), [&](std::size_t position) {
       traits.check(objects[position], position);
+    });
 }
 
 // Reports the pairs by the route that the traits allow. Boxes of finite doubles are for the box
@@ -48,7 +50,8 @@ bool report_objects(const Elements& objects, const Sets& sets, const Traits& tra
 {
   if constexpr(Has_intervals<Traits>::value) {
     const Traits_boxes<Elements, Traits> boxes(objects, traits);
-    const bool are_finite = boxes.are_finite() && fits_box_route(objects.size());
+    const bool are_finite
+      = boxes.template are_finite<ConcurrencyTag>() && fits_box_route(objects.size());
     if(are_finite || !Has_close_predicate<Traits>::value) {
       auto progress = make_progress(np, objects.size());
       return report_meeting_boxes<ConcurrencyTag>(boxes, sets, callback, progress);
@@ -69,7 +72,7 @@ struct Object_route
   static bool report(const Elements& objects, const Sets& sets, const Traits& traits,
                      Callback& callback, const NamedParameters& np)
   {
-    check_objects(objects, traits);
+    check_objects<ConcurrencyTag>(objects, traits);
     return report_objects<ConcurrencyTag>(objects, sets, traits, callback, np);
   }
 };

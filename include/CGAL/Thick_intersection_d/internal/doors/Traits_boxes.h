@@ -10,7 +10,9 @@
 #include <CGAL/Dimension.h>
 
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -97,23 +99,35 @@ public:
   }
 
   // Returns whether all intervals are finite. Throws if an interval is empty or NaN.
+  template <class ConcurrencyTag>
   bool are_finite() const
   {
-    bool are_finite = true;
-    if constexpr(!Has_boxes<Traits>::value)
-      for(std::size_t position = 0; position < size(); ++position)
-        for(int axis = 0; axis < dimension(); ++axis) {
-          const Interval interval = intervals(position)(axis);
-          if(!(interval.low <= interval.high))
-            throw std::invalid_argument("The interval of object " + std::to_string(position)
-                                        + " along axis " + std::to_string(axis)
-                                        + " is empty or NaN.");
-          are_finite = are_finite && std::isfinite(interval.low) && std::isfinite(interval.high);
-        }
+    if constexpr(Has_boxes<Traits>::value)
+      return true;
+    std::atomic<bool> are_finite = true;
+    check_each<ConcurrencyTag>(size(), [&](std::size_t position) {
+      if(!is_finite(position))
+        are_finite.store(false, std::memory_order_relaxed);
+    });
     return are_finite;
   }
 
 private:
+  // Throws if an interval of the object is empty or NaN.
+  bool is_finite(std::size_t position) const
+  {
+    bool is_finite = true;
+    for(int axis = 0; axis < dimension(); ++axis) {
+      const Interval interval = intervals(position)(axis);
+      if(!(interval.low <= interval.high))
+        throw std::invalid_argument("The interval of object " + std::to_string(position)
+                                    + " along axis " + std::to_string(axis)
+                                    + " is empty or NaN.");
+      is_finite = is_finite && std::isfinite(interval.low) && std::isfinite(interval.high);
+    }
+    return is_finite;
+  }
+
   const Elements& objects_;
   const Traits& traits_;
   decltype(std::declval<const Traits&>().interval_d_object()) interval_;

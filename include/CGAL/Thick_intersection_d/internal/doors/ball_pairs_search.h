@@ -34,7 +34,7 @@ struct Object_route<Thick_ball_traits_d<Point>>
                      const Thick_ball_traits_d<Point>& traits, Callback& callback,
                      const NamedParameters& np)
   {
-    check_objects(balls, traits);
+    check_objects<ConcurrencyTag>(balls, traits);
     const auto radius = common_radius(balls);
     if(!radius)
       return report_objects<ConcurrencyTag>(balls, sets, traits, callback, np);

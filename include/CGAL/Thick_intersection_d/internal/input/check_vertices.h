@@ -8,6 +8,8 @@
 // Checks that the vertices of kernel objects are finite. Bounding boxes do not show this, because
 // the minimum of NaN and 1 may be 1.
 
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Circle_2.h>
 #include <CGAL/Iso_cuboid_3.h>
 #include <CGAL/Iso_rectangle_2.h>
@@ -20,6 +22,7 @@
 #include <CGAL/Triangle_3.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 
 #include <cmath>
@@ -50,6 +53,10 @@ template <class K>
 struct Is_box_of_doubles<Iso_cuboid_3<K>>
   : std::bool_constant<is_held_by_double_v<typename K::FT>>
 {};
+template <>
+struct Is_box_of_doubles<Bbox_2> : std::true_type {};
+template <>
+struct Is_box_of_doubles<Bbox_3> : std::true_type {};
 
 // The number of vertices of a kernel object; 0 for other types.
 template <class Object>
@@ -88,19 +95,26 @@ constexpr bool has_double_vertices()
     return is_held_by_double_v<typename Kernel_traits<Object>::Kernel::FT>;
 }
 
+// Throws if the box of an object is not finite. That of an empty Bbox begins behind its end.
+template <class Object>
+void check_bounding_box(const Object& object, std::size_t position)
+{
+  const auto& box = bounding_box(object);
+  for(int i = 0; i < box.dimension(); ++i)
+    if(!(std::isfinite((box.min)(i)) && std::isfinite((box.max)(i))
+         && (box.min)(i) <= (box.max)(i)))
+      throw std::invalid_argument("The bounding box of object " + std::to_string(position)
+                                  + " is empty or not finite.");
+}
+
 template <class Object>
 void check_vertices(const Object& object, std::size_t position)
 {
-  for(int v = 0; v < Vertex_count<Object>::value; v += Vertex_step<Object>::value)
-    check_point(object.vertex(v), object.vertex(v).dimension(), "vertex of object", position);
-
-  if constexpr(has_double_vertices<Object>())
-    return;
-  const auto box = object.bbox();
-  for(int i = 0; i < box.dimension(); ++i)
-    if(!(std::isfinite((box.min)(i)) && std::isfinite((box.max)(i))))
-      throw std::invalid_argument("The bounding box of object " + std::to_string(position)
-                                  + " is not finite.");
+  if constexpr(Vertex_count<Object>::value != 0)
+    for(int v = 0; v < Vertex_count<Object>::value; v += Vertex_step<Object>::value)
+      check_point(object.vertex(v), object.vertex(v).dimension(), "vertex of object", position);
+  if constexpr(!has_double_vertices<Object>())
+    check_bounding_box(object, position);
 }
 
 } // namespace internal

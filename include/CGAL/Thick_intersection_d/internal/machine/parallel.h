@@ -19,7 +19,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <exception>
 #include <type_traits>
+#include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -94,6 +96,32 @@ void for_each_numbered_block(std::size_t blocks, std::size_t count, const Task& 
     for(; block != end; ++block)
       task(block, block * count / blocks, (block + 1) * count / blocks);
   });
+}
+
+// Calls check(index) for each index in [0, count). If checks throw, what the check of the least
+// index throws passes through, in parallel as well.
+template <class ConcurrencyTag, class Check>
+void check_each(std::size_t count, const Check& check)
+{
+  if constexpr(is_parallel_v<ConcurrencyTag>) {
+    std::vector<std::exception_ptr> errors(block_count<ConcurrencyTag>());
+    const auto check_block = [&](std::size_t block, std::size_t first, std::size_t last) {
+      try {
+        for(; first != last; ++first)
+          check(first);
+      }
+      catch(...) {
+        errors[block] = std::current_exception();
+      }
+    };
+    for_each_numbered_block<ConcurrencyTag>(errors.size(), count, check_block);
+    for(const std::exception_ptr& error : errors)
+      if(error)
+        std::rethrow_exception(error);
+  }
+  else
+    for(std::size_t index = 0; index < count; ++index)
+      check(index);
 }
 
 // A value for each thread that asks for it: a copy of `first`.

@@ -24,6 +24,13 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
+// Whether an object is of a kernel. Other objects bring their own test.
+template <class Object, class = void>
+struct Has_kernel : std::false_type {};
+template <class Object>
+struct Has_kernel<Object, std::void_t<typename Kernel_traits<Object>::Kernel::Point_2>>
+  : std::true_type {};
+
 // A kernel whose predicates are exact on the objects of Kernel.
 template <class Kernel>
 using Kernel_with_exact_predicates = std::conditional_t<
@@ -50,23 +57,35 @@ struct Convert_exactly
 template <class Object>
 void settle(const Object& object)
 {
-  if constexpr(Is_lazy<typename Kernel_traits<Object>::Kernel::FT>::value)
-    CGAL::exact(object);
+  if constexpr(Has_kernel<Object>::value)
+    if constexpr(Is_lazy<typename Kernel_traits<Object>::Kernel::FT>::value)
+      CGAL::exact(object);
 }
 
+// Tests two objects of a kernel by predicates that are exact.
 template <class Object>
-bool do_objects_intersect(const Object& a, const Object& b)
+bool do_kernel_objects_intersect(const Object& a, const Object& b)
 {
   using Kernel = typename Kernel_traits<Object>::Kernel;
   using Exact_kernel = Kernel_with_exact_predicates<Kernel>;
   if constexpr(std::is_same_v<Kernel, Exact_kernel>)
-    return CGAL::do_intersect(a, b);
+    return do_intersect(a, b);
   else {
     const Cartesian_converter<Kernel, Exact_kernel,
                               Convert_exactly<typename Kernel::FT, typename Exact_kernel::FT>>
       convert;
-    return CGAL::do_intersect(convert(a), convert(b));
+    return do_intersect(convert(a), convert(b));
   }
+}
+
+// do_intersect() is found in the namespace of the objects.
+template <class Object>
+bool do_objects_intersect(const Object& a, const Object& b)
+{
+  if constexpr(Has_kernel<Object>::value)
+    return do_kernel_objects_intersect(a, b);
+  else
+    return do_intersect(a, b);
 }
 
 } // namespace internal

@@ -1,0 +1,171 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Objects of no kernel: a class of the user with a box and a test, and bounding boxes themselves.
+
+#define BOOST_TEST_MODULE own_objects
+#include "support/pairs.h"
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Bbox_3.h>
+#include <CGAL/tags.h>
+#include <CGAL/thick_intersection_d.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cstddef>
+#include <limits>
+#include <mutex>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using namespace test_support;
+
+namespace shapes {
+
+// Numbers are small integers, so the test is exact.
+struct Disk
+{
+  double x, y, radius;
+
+  CGAL::Bbox_2 bbox() const { return {x - radius, y - radius, x + radius, y + radius}; }
+};
+
+bool do_intersect(const Disk& a, const Disk& b)
+{
+  const double radii = a.radius + b.radius;
+  return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y) <= radii * radii;
+}
+
+} // namespace shapes
+
+namespace {
+
+using shapes::Disk;
+
+double random_number(std::mt19937& random, unsigned int end)
+{
+  return static_cast<double>(random() % end);
+}
+
+std::vector<Disk> random_disks(std::size_t n)
+{
+  std::mt19937 random(1);
+  std::vector<Disk> disks;
+  for(std::size_t i = 0; i < n; ++i) {
+    const double x = random_number(random, 200), y = random_number(random, 200);
+    disks.push_back({x, y, random_number(random, 6)});
+  }
+  disks.front().radius = 80; // one giant
+  return disks;
+}
+
+CGAL::Bbox_2 make_box(std::mt19937& random, CGAL::Dimension_tag<2>)
+{
+  const double x = random_number(random, 100), y = random_number(random, 100);
+  return {x, y, x + random_number(random, 6), y + random_number(random, 6)};
+}
+
+CGAL::Bbox_3 make_box(std::mt19937& random, CGAL::Dimension_tag<3>)
+{
+  const double x = random_number(random, 20), y = random_number(random, 20);
+  const double z = random_number(random, 20);
+  return {x, y, z, x + random_number(random, 4), y + random_number(random, 4), z};
+}
+
+template <class Dimension>
+auto random_boxes(std::size_t n)
+{
+  std::mt19937 random(2);
+  std::vector<decltype(make_box(random, Dimension()))> boxes;
+  for(std::size_t i = 0; i < n; ++i)
+    boxes.push_back(make_box(random, Dimension()));
+  return boxes;
+}
+
+template <class Object, class Test>
+Pairs all_pairs(const std::vector<Object>& objects, const Test& test)
+{
+  Pairs pairs;
+  for(std::size_t i = 0; i < objects.size(); ++i)
+    for(std::size_t j = i + 1; j < objects.size(); ++j)
+      if(test(objects[i], objects[j]))
+        pairs.emplace_back(i, j);
+  return pairs;
+}
+
+template <class ConcurrencyTag, class Object>
+Pairs found_pairs(const std::vector<Object>& objects)
+{
+  Pairs pairs;
+  std::mutex mutex;
+  CGAL::thick_self_intersection_d<ConcurrencyTag>(objects, [&](std::size_t i, std::size_t j) {
+    const std::lock_guard<std::mutex> lock(mutex);
+    pairs.emplace_back(i, j);
+  });
+  return pairs;
+}
+
+template <class Object, class Test>
+void check_pairs(const std::vector<Object>& objects, const Test& test)
+{
+  const Pairs expected = all_pairs(objects, test);
+  BOOST_REQUIRE_GT(expected.size(), objects.size() / 2);
+  const auto in_sequence = compare(expected, found_pairs<CGAL::Sequential_tag>(objects));
+  BOOST_CHECK_MESSAGE(in_sequence.empty(), in_sequence);
+  const auto in_parallel = compare(expected, found_pairs<CGAL::Parallel_if_available_tag>(objects));
+  BOOST_CHECK_MESSAGE(in_parallel.empty(), in_parallel);
+}
+
+template <class Box>
+bool do_boxes_overlap(const Box& a, const Box& b)
+{
+  bool do_overlap = true;
+  for(int i = 0; i < a.dimension(); ++i)
+    do_overlap = do_overlap && (a.min)(i) <= (b.max)(i) && (b.min)(i) <= (a.max)(i);
+  return do_overlap;
+}
+
+// Checks that a bad object at two positions is an error that tells the first position.
+template <class ConcurrencyTag, class Object>
+void check_error(std::vector<Object> objects, const Object& bad)
+{
+  objects[objects.size() - 1] = bad;
+  objects[1207] = bad;
+  bool is_reported = false;
+  const auto callback = [&](std::size_t, std::size_t) { is_reported = true; };
+  BOOST_CHECK_EXCEPTION(
+    CGAL::thick_self_intersection_d<ConcurrencyTag>(objects, callback), std::invalid_argument,
+    [](const std::invalid_argument& error) {
+      return error.what()
+             == std::string("The bounding box of object 1207 is empty or not finite.");
+    });
+  BOOST_CHECK(!is_reported);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_class_with_a_box_and_a_test_is_searched_without_traits)
+{
+  check_pairs(random_disks(3000), [](const Disk& a, const Disk& b) { return do_intersect(a, b); });
+}
+
+BOOST_AUTO_TEST_CASE(bounding_boxes_are_searched_without_traits)
+{
+  check_pairs(random_boxes<CGAL::Dimension_tag<2>>(3000), do_boxes_overlap<CGAL::Bbox_2>);
+  check_pairs(random_boxes<CGAL::Dimension_tag<3>>(3000), do_boxes_overlap<CGAL::Bbox_3>);
+}
+
+BOOST_AUTO_TEST_CASE(an_object_without_a_finite_box_is_an_error_at_its_first_position)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  const auto boxes = random_boxes<CGAL::Dimension_tag<3>>(3000);
+  const CGAL::Bbox_3 empty;
+  check_error<CGAL::Sequential_tag>(boxes, empty);
+  check_error<CGAL::Parallel_if_available_tag>(boxes, empty);
+  check_error<CGAL::Parallel_if_available_tag>(random_disks(3000), Disk{1, 2, infinity});
+  check_error<CGAL::Parallel_if_available_tag>(
+    random_disks(3000), Disk{1, std::numeric_limits<double>::quiet_NaN(), 1});
+}
