@@ -23,11 +23,17 @@ Pairs collected(const internal::Box_order<Axes, Sets>& order)
   for(std::size_t set = 0; set < Sets; ++set) {
     const auto& a = order.run(set);
     const auto& b = order.run(Sets - 1 - set);
+    const auto add = [&](internal::Place i, internal::Place j) {
+      pairs.emplace_back(std::minmax<std::size_t>(a.positions[i], b.positions[j]));
+    };
     const auto flush = [&] {
+      for(internal::Place row = 0; row < found.row_count; ++row)
+        for(internal::Place lane = 0; lane < internal::lanes; ++lane)
+          add(found.rows[row].i, found.rows[row].j + lane);
       for(internal::Place c = 0; c < found.count; ++c)
-        pairs.emplace_back(std::minmax<std::size_t>(a.positions[found.pairs[c].i],
-                                                    b.positions[found.pairs[c].j]));
+        add(found.pairs[c].i, found.pairs[c].j);
       found.count = 0;
+      found.row_count = 0;
       return true;
     };
     Lanes::collect_between(a, b, found, flush);
@@ -90,20 +96,25 @@ BOOST_AUTO_TEST_CASE(avx512_lanes_collect_the_meeting_pairs_in_the_same_order)
   check_lanes_of_boxes<internal::Meeting_boxes_avx512, 4>();
 }
 
+// Of 200 boxes all or every other one meet, so that they are found in rows or one by one.
 template <class Lanes>
-void check_stop()
+void check_stop(bool do_all_meet)
 {
   if(!Lanes::is_supported())
     return;
   std::vector<internal::Piece_box<2>> boxes(200, {{0, 0}, {1, 1}, 0, 0}); // 19900 pairs
+  for(std::size_t i = 1; i < boxes.size() && !do_all_meet; i += 2)
+    boxes[i] = {{0, 2}, {1, 3}, 0, 0};
   internal::Box_order<2, 1> order;
   order.set({{{{boxes.data(), boxes.data() + boxes.size()}}}}, 0);
   internal::Found_pairs found;
   int calls = 0;
   const auto stop = [&] {
     ++calls;
-    BOOST_CHECK_GE(found.count, internal::Found_pairs::capacity);
+    BOOST_CHECK(found.is_full());
+    BOOST_CHECK_EQUAL(found.row_count != 0, do_all_meet);
     found.count = 0;
+    found.row_count = 0;
     return false;
   };
   Lanes::collect_between(order.run(0), order.run(0), found, stop);
@@ -112,8 +123,10 @@ void check_stop()
 
 BOOST_AUTO_TEST_CASE(lanes_stop_when_told)
 {
-  check_stop<internal::Meeting_boxes_plain>();
-  check_stop<internal::Meeting_boxes_avx512>();
+  for(const bool do_all_meet : {true, false}) {
+    check_stop<internal::Meeting_boxes_plain>(do_all_meet);
+    check_stop<internal::Meeting_boxes_avx512>(do_all_meet);
+  }
 }
 
 // Each block starts from boxes of its own, and all of them together from all boxes.

@@ -14,6 +14,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
 
 #include <boost/config.hpp> // BOOST_NOINLINE
 
@@ -79,17 +80,16 @@ private:
   // lanes stay short. They call this function once per thousand found pairs.
   BOOST_NOINLINE bool flush(const Run& a, const Run& b)
   {
-    Place count = found_.count;
-    found_.count = 0;
+    const Place count = std::exchange(found_.count, 0);
+    const Place row_count = std::exchange(found_.row_count, 0);
     const bool is_any_undecided = std::exchange(found_.is_any_undecided, false);
-    if(report_.is_stopped())
-      is_stopped_ = true;
-    else {
-      if(is_any_undecided)
-        count = remove_others(a, b, count);
-      else
-        counts_.add(Arithmetic_tier::DOUBLE, count);
-      is_stopped_ = !report_pairs(a, b, count);
+    is_stopped_ = report_.is_stopped();
+    if(!is_stopped_ && is_any_undecided)
+      is_stopped_ = !decide_rows(a, b, row_count)
+                    || !report_pairs(a, b, remove_others(a, b, count));
+    else if(!is_stopped_) {
+      counts_.add(Arithmetic_tier::DOUBLE, count + lanes * row_count);
+      is_stopped_ = !report_rows(a, b, row_count) || !report_pairs(a, b, count);
     }
     return !is_stopped_;
   }
@@ -108,15 +108,46 @@ private:
   // The loop itself stores nothing. This makes short callbacks fast.
   bool report_pairs(const Run& a, const Run& b, Place count)
   {
-    for(Place c = 0; c < count; ++c) {
-      const Found_pair found = found_.pairs[c];
-      const Place i = a.positions[found.i];
-      const Place j = b.positions[found.j];
-      const Place swapped = (i ^ j) & (Place(0) - static_cast<Place>(j < i)); // no branch
-      if(!report_(i ^ swapped, j ^ swapped))
+    for(Place c = 0; c < count; ++c)
+      if(!report_pair(a.positions[found_.pairs[c].i], b.positions[found_.pairs[c].j]))
         return false;
-    }
     return true;
+  }
+
+  bool report_rows(const Run& a, const Run& b, Place row_count)
+  {
+    for(Place r = 0; r < row_count; ++r)
+      if(!report_row(a.positions[found_.rows[r].i], b.positions + found_.rows[r].j))
+        return false;
+    return true;
+  }
+
+  // Not inline, so that compilers make lanes of the others, not of rows.
+  BOOST_NOINLINE bool report_row(Place i, const Place* others)
+  {
+    for(Place lane = 0; lane < lanes; ++lane)
+      if(!report_pair(i, others[lane]))
+        return false;
+    return true;
+  }
+
+  // Reports the pairs of rows that are pairs. Returns false to stop.
+  bool decide_rows(const Run& a, const Run& b, Place row_count)
+  {
+    for(Place r = 0; r < row_count; ++r)
+      for(Place lane = 0; lane < lanes; ++lane) {
+        const Found_pair pair = {found_.rows[r].i, found_.rows[r].j + lane};
+        if(test_.is_pair(a, b, pair, counts_)
+           && !report_pair(a.positions[pair.i], b.positions[pair.j]))
+          return false;
+      }
+    return true;
+  }
+
+  bool report_pair(Place i, Place j)
+  {
+    const Place swapped = (i ^ j) & (Place(0) - static_cast<Place>(j < i)); // no branch
+    return report_(i ^ swapped, j ^ swapped);
   }
 
   const Test& test_;

@@ -23,13 +23,20 @@ struct Found_pair
   Place j;
 };
 
+// Where many boxes meet, most pairs are found in rows: the pairs {i, j}, {i, j + 1} and so on, one
+// in each lane. A row is stored as its first pair. This is quicker to write and to read.
 struct Found_pairs
 {
   static constexpr Place capacity = 1024;
+  static constexpr Place row_capacity = capacity / lanes;
+
+  bool is_full() const { return count >= capacity || row_count == row_capacity; }
 
   Place count = 0;
+  Place row_count = 0;
   bool is_any_undecided = false; // whether the filter left a pair undecided
   std::array<Found_pair, capacity + lanes> pairs; // `lanes` more before a look at count
+  std::array<Found_pair, row_capacity> rows;
 };
 
 } // namespace internal

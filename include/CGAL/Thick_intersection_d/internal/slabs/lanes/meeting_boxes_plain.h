@@ -35,7 +35,7 @@ struct Meeting_boxes_plain
     for(Place i = a.first; i < a.last; ++i)
       for(Place j = a.begins[i]; j < a.ends[i]; j += lanes) {
         append(a, i, b, j, found);
-        if(found.count >= Found_pairs::capacity && !flush())
+        if(found.is_full() && !flush())
           return;
       }
   }
@@ -61,7 +61,10 @@ private:
       found.pairs[count] = {i, j + lane};
       count += static_cast<Place>(meets[lane]);
     }
-    found.count = count;
+    if(count == found.count + lanes)
+      found.rows[found.row_count++] = {i, j};
+    else
+      found.count = count;
   }
 };
 
