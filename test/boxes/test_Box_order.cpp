@@ -127,4 +127,27 @@ BOOST_AUTO_TEST_CASE(crowded_lower_ends_are_sorted)
   });
 }
 
+// All boxes meet along axis 0. Those of 512 candidates at equal steps meet all boxes, and no others
+// meet.
+BOOST_AUTO_TEST_CASE(candidates_at_equal_steps_do_not_hide_that_few_are_pairs)
+{
+  const std::size_t size = 1 << 15;
+  const double step = size * (size - 1.) / 2 / internal::crowd_sample;
+  std::vector<internal::Piece_box<2>> boxes;
+  for(internal::Place i = 0; i < size; ++i)
+    boxes.push_back({{double(i), 2. * i}, {size, 2. * i + 1}, i, 0});
+  double passed = 0; // candidates of boxes before i
+  double next = step / 2;
+  for(std::size_t i = 0; i < size; passed += static_cast<double>(size - ++i))
+    for(; next < passed + static_cast<double>(size - i - 1); next += step)
+      for(const std::size_t j : {i, i + 1 + static_cast<std::size_t>(next - passed)}) {
+        boxes[j].low[1] = 0;
+        boxes[j].high[1] = 2 * size;
+      }
+  internal::Box_order<2, 1> order;
+  order.set({{{{boxes.data(), boxes.data() + size}}}}, 0);
+  BOOST_CHECK_EQUAL(order.candidate_count(), size * (size - 1) / 2);
+  BOOST_CHECK_LT(order.share_of_pairs(), .1);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -15,9 +15,12 @@
 #include <CGAL/Thick_intersection_d/internal/slabs/Equal_cut.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Box_run.h>
 
+#include <boost/functional/hash.hpp>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <random>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -54,24 +57,41 @@ public:
   // The boxes of a set, with their candidates in the same set, or in the other set.
   const Box_run<Axes>& run(std::size_t set) const { return columns_[set].run(); }
 
-  // The share of pairs of boxes among the candidates, by a sample of them.
+  // The share of pairs of boxes among the candidates, by a sample of them: a random one in each of
+  // `crowd_sample` steps. A scene made to mislead a sample at equal steps would be swept in
+  // quadratic time.
   double share_of_pairs() const
   {
+    std::minstd_rand random(seed());
     const double step = static_cast<double>(candidate_count_) / crowd_sample;
-    double next = step / 2;
+    Place steps = 0;
+    double next = 0;
+    const auto take_step = [&] { next = step * (steps++ + double(random()) / random.max()); };
+    take_step();
     double passed = 0;
     Place pairs = 0;
     for(std::size_t set = 0; set < Sets; ++set) {
       const auto& a = run(set);
       const auto& b = run(Sets - 1 - set);
       for(Place i = a.first; i < a.last; passed += a.ends[i] - a.begins[i], ++i)
-        for(; next < passed + (a.ends[i] - a.begins[i]); next += step)
+        for(; next < passed + (a.ends[i] - a.begins[i]); take_step())
           pairs += do_meet(a, i, b, a.begins[i] + static_cast<Place>(next - passed));
     }
     return static_cast<double>(pairs) / crowd_sample;
   }
 
 private:
+  // Equal boxes give equal seeds, so that reports depend on the boxes alone.
+  std::uint32_t seed() const
+  {
+    std::size_t hash = 0;
+    for(std::size_t set = 0; set < Sets; ++set)
+      for(const auto& ends : {run(set).low, run(set).high})
+        for(const double* end : ends)
+          boost::hash_range(hash, end + run(set).first, end + run(set).last);
+    return static_cast<std::uint32_t>(hash ^ (hash >> 32));
+  }
+
   static bool do_meet(const Box_run<Axes>& a, Place i, const Box_run<Axes>& b, Place j)
   {
     bool meet = (a.sides[i] & b.sides[j]) == 0;
