@@ -7,6 +7,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <functional>
 #include <type_traits>
 #include <vector>
 
@@ -43,6 +44,25 @@ BOOST_AUTO_TEST_CASE(who_has_cancelled_is_not_called_again)
   BOOST_CHECK(!progress.advance(1));
   BOOST_CHECK(progress.is_cancelled());
   BOOST_CHECK_EQUAL(calls, 1);
+}
+
+// As if the thread that calls the functor took another task of the search before the call returned.
+BOOST_AUTO_TEST_CASE(search_may_advance_while_the_functor_is_called)
+{
+  internal::Watched_progress<std::function<bool(double)>>* running = nullptr;
+  std::vector<double> told;
+  const auto note = [&](double done) {
+    told.push_back(done);
+    if(told.size() == 1)
+      BOOST_CHECK(running->advance(1));
+    return true;
+  };
+  internal::Watched_progress<std::function<bool(double)>> progress(note, 4);
+  running = &progress;
+  BOOST_CHECK(progress.advance(1));
+  BOOST_CHECK((told == std::vector<double>{0.25, 0.5})); // one call after the other
+  BOOST_CHECK(progress.advance(2));
+  BOOST_CHECK_EQUAL(told.back(), 1);
 }
 
 // Searches that nobody watches have nothing to keep or to count.

@@ -44,11 +44,8 @@ struct Has_close_predicate<
 template <class Traits, class = void>
 struct Object_dimension : std::integral_constant<int, 0> {};
 template <class Traits>
-struct Object_dimension<Traits, std::void_t<typename Traits::Dimension>>
-  : std::integral_constant<
-      int, std::is_same_v<typename Traits::Dimension, Dynamic_dimension_tag>
-             ? 0
-             : Traits::Dimension::value>
+struct Object_dimension<Traits, std::void_t<decltype(Traits::Dimension::value)>>
+  : std::integral_constant<int, Traits::Dimension::value>
 {};
 
 // Whether traits make boxes of all intervals at once, as those of kernel objects do. Their boxes

@@ -27,7 +27,9 @@ struct Unwatched_progress
   void finish() {}
 };
 
-// Calls the functor about a thousand times, one call at a time, with growing values up to 1.
+// Calls the functor about a thousand times, one call at a time, with growing values up to 1. No
+// lock is held in a call. The functor may search in parallel itself. Then the thread that calls it
+// may take another task of this search, which advances, before the call returns.
 template <class Functor>
 class Watched_progress
 {
@@ -45,11 +47,10 @@ public:
   // Counts `finished` more objects as done. Returns false iff the functor has cancelled the search.
   bool advance(std::size_t finished)
   {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    std::unique_lock<std::mutex> lock(mutex_);
     done_ += finished;
-    const double value = share_done();
-    if(value >= last_ + step || (value == 1 && last_ < 1))
-      tell(value);
+    while(!is_telling_ && !cancelled_ && is_news(share_done())) // again if others have advanced
+      tell(share_done(), lock);
     return !cancelled_;
   }
 
@@ -62,8 +63,9 @@ public:
   // Calls the functor with 1, unless this was done before.
   void finish()
   {
-    if(last_ < 1)
-      tell(1);
+    std::unique_lock<std::mutex> lock(mutex_);
+    if(last_ < 1 && !cancelled_)
+      tell(1, lock);
   }
 
 private:
@@ -76,11 +78,19 @@ private:
     return start_ + (1 - start_) * (static_cast<double>(done_) / static_cast<double>(total_));
   }
 
-  // A functor that has cancelled the search is not called again.
-  void tell(double value)
+  bool is_news(double value) const { return value >= last_ + step || (value == 1 && last_ < 1); }
+
+  // A functor that has cancelled the search is not called again. One that throws is not, either: it
+  // leaves is_telling_ behind.
+  void tell(double value, std::unique_lock<std::mutex>& lock)
   {
     last_ = value;
-    cancelled_ = cancelled_ || !functor_(value);
+    is_telling_ = true;
+    lock.unlock();
+    const bool goes_on = functor_(value);
+    lock.lock();
+    is_telling_ = false;
+    cancelled_ = !goes_on;
   }
 
   Functor functor_;
@@ -88,6 +98,7 @@ private:
   std::size_t done_ = 0;
   double start_ = 0;     // the fraction that was done before this part
   double last_ = -step;  // the last value that the functor got
+  bool is_telling_ = false;
   bool cancelled_ = false;
   std::mutex mutex_;
 };
