@@ -201,3 +201,17 @@ BOOST_AUTO_TEST_CASE(copies_are_few_where_the_sample_misleads)
     n, [](Generator&, std::size_t i, int axis) { return i % 3 == 0 || axis == 0 ? 0.01 : 0.5; });
   BOOST_CHECK_LE(check_work<2>("misleading sample", boxes, 9), 2);
 }
+
+// Most of the candidates are pairs, so neither classes nor the tree would save anything.
+BOOST_AUTO_TEST_CASE(crowded_boxes_that_mostly_meet_are_swept_once)
+{
+  const std::size_t n = 4000;
+  const Number_boxes of_one_class
+    = boxes_with<2>(n, [](Generator&, std::size_t, int) { return 2; });
+  BOOST_CHECK_EQUAL(check_work<2>("of one class", of_one_class, 9), 1);
+  Number_boxes of_two_classes = boxes_with<2>(n, [](Generator&, std::size_t, int) { return 0; });
+  for(std::size_t i = 0; i < n; ++i)
+    if(i % 4 != 0)
+      of_two_classes[i].fill({0, 1});
+  BOOST_CHECK_EQUAL(check_work<2>("of two classes", of_two_classes, 9), 1);
+}
