@@ -102,7 +102,7 @@ void check_pairs(const Number_boxes& boxes, const Traits& traits)
 template <int... Dimensions>
 void check_fixed_dimensions(std::size_t size)
 {
-  Calls calls;
+  Call_count calls = 0;
   (check_pairs(some_boxes(Dimensions, size), Fixed_interval_traits<Dimensions>(calls)), ...);
 }
 
@@ -112,9 +112,17 @@ BOOST_AUTO_TEST_CASE(archetype_traits_are_enough_in_any_dimension)
 {
   for(const int dimension : {1, 2, 3, 4, 5, 8})
     for(const std::size_t size : {0, 1, 2, 50, 400, 3000}) {
-      Calls calls;
+      Call_count calls = 0;
       check_pairs(some_boxes(dimension, size), Interval_traits(dimension, calls));
     }
+}
+
+BOOST_AUTO_TEST_CASE(boxes_may_have_any_sizes)
+{
+  for(int dimension = 1; dimension <= 6; ++dimension) {
+    Call_count calls = 0;
+    check_pairs(boxes_of_all_sizes(dimension, 2000), Interval_traits(dimension, calls));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(dimension_may_be_fixed_when_compiled)
@@ -127,9 +135,9 @@ BOOST_AUTO_TEST_CASE(predicate_is_asked_once_about_boxes_that_meet_and_about_no_
 {
   for(const int dimension : {1, 2, 3, 4}) {
     const Number_boxes boxes = some_boxes(dimension, 3000);
-    Calls calls;
+    Call_count calls = 0;
     found_pairs(colored(boxes), Interval_traits(dimension, calls));
-    BOOST_CHECK_EQUAL(calls.do_intersect, all_meeting_pairs(boxes, dimension).size());
+    BOOST_CHECK_EQUAL(calls, all_meeting_pairs(boxes, dimension).size());
   }
 }
 
@@ -149,7 +157,7 @@ BOOST_AUTO_TEST_CASE(intervals_may_be_infinite)
     boxes[5][0] = {infinity, infinity};
     boxes[6][0] = {-infinity, -infinity};
     boxes[7].fill({-infinity, infinity});
-    Calls calls;
+    Call_count calls = 0;
     check_pairs(boxes, Fixed_interval_traits<3>(calls));
   }
 }
@@ -161,8 +169,8 @@ BOOST_AUTO_TEST_CASE(empty_intervals_and_nan_are_refused_by_position)
        internal::Interval{0, nan_value}, internal::Interval{infinity, -infinity}})
     for(const int dimension : {1, 2, 5}) {
       Number_boxes boxes = some_boxes(dimension, 60);
-      boxes[57][dimension - 1] = bad;
-      Calls calls;
+      boxes[57][dimension - 1] = boxes[58][0] = bad; // the first one is named
+      Call_count calls = 0;
       const Interval_traits traits(dimension, calls);
       const auto objects = colored(boxes);
       std::size_t reports = 0;
@@ -183,10 +191,40 @@ BOOST_AUTO_TEST_CASE(empty_intervals_and_nan_are_refused_by_position)
     }
 }
 
+namespace {
+
+struct Checking_traits : Interval_traits
+{
+  using Interval_traits::Interval_traits;
+  void check(const Colored_box& box, std::size_t position) const
+  {
+    if(box.box()[0].low < 0)
+      throw std::out_of_range("Object " + std::to_string(position) + " is not allowed.");
+  }
+};
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(traits_check_objects_before_intervals_are_read)
+{
+  Number_boxes boxes = some_boxes(3, 200);
+  boxes[7][1] = {1, 0};
+  boxes[150][0].low = -1;
+  Call_count calls = 0;
+  const Callback fail = [](std::size_t, std::size_t) {
+    BOOST_ERROR("reported before all was checked");
+    return true;
+  };
+  BOOST_CHECK_EXCEPTION(search(colored(boxes), Checking_traits(3, calls), fail), std::out_of_range,
+                        [](const std::out_of_range& error) {
+                          return error.what() == std::string("Object 150 is not allowed.");
+                        });
+}
+
 BOOST_AUTO_TEST_CASE(order_of_reports_is_a_function_of_the_input)
 {
   const auto objects = colored(some_boxes(2, 3000));
-  Calls calls;
+  Call_count calls = 0;
   const Fixed_interval_traits<2> traits(calls);
   BOOST_CHECK(found_pairs(objects, traits) == found_pairs(objects, traits));
 }
@@ -194,7 +232,7 @@ BOOST_AUTO_TEST_CASE(order_of_reports_is_a_function_of_the_input)
 BOOST_AUTO_TEST_CASE(callback_stops_the_search_by_returning_false)
 {
   const auto objects = colored(some_boxes(2, 2000));
-  Calls calls;
+  Call_count calls = 0;
   const Fixed_interval_traits<2> traits(calls);
   const std::size_t k = found_pairs(objects, traits).size();
   for(const std::size_t limit : {std::size_t(1), k / 3, k - 1, k}) {
@@ -208,7 +246,7 @@ BOOST_AUTO_TEST_CASE(callback_stops_the_search_by_returning_false)
 BOOST_AUTO_TEST_CASE(exceptions_of_the_callback_pass_through)
 {
   const auto objects = colored(some_boxes(2, 2000));
-  Calls calls;
+  Call_count calls = 0;
   const Fixed_interval_traits<2> traits(calls);
   const std::size_t k = found_pairs(objects, traits).size();
   for(std::size_t last = 1; last <= k; last += k / 7) {
@@ -225,7 +263,7 @@ BOOST_AUTO_TEST_CASE(exceptions_of_the_callback_pass_through)
 
 BOOST_AUTO_TEST_CASE(progress_grows_to_one_and_cancels)
 {
-  Calls calls;
+  Call_count calls = 0;
   const Fixed_interval_traits<2> traits(calls);
   for(const std::size_t size : {1, 2, 40, 20000}) {
     const auto objects = colored(some_boxes(2, size));

@@ -12,6 +12,11 @@
 
 #include <CGAL/Dimension.h>
 
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -35,13 +40,16 @@ private:
   int color_;
 };
 
-// Boxes intersect if they meet and are of different colors. Writes down how often it is asked.
+using Call_count = std::atomic<std::size_t>;
+
+// Boxes intersect if they meet and are of different colors. Writes down how often it is asked, also
+// by several threads.
 class Interval_traits
 {
 public:
   using Object_d = Colored_box;
 
-  Interval_traits(int dimension, Calls& calls) : dimension_(dimension), calls_(calls) {}
+  Interval_traits(int dimension, Call_count& calls) : dimension_(dimension), calls_(calls) {}
   Interval_traits(const Interval_traits&) = delete;
 
   class Interval_d
@@ -62,16 +70,16 @@ public:
   class Do_intersect_d
   {
   public:
-    Do_intersect_d(int dimension, Calls& calls) : dimension_(dimension), calls_(&calls) {}
+    Do_intersect_d(int dimension, Call_count& calls) : dimension_(dimension), calls_(&calls) {}
     Answer operator()(const Colored_box& a, const Colored_box& b) const
     {
-      ++calls_->do_intersect;
+      calls_->fetch_add(1, std::memory_order_relaxed);
       return Answer(a.color() != b.color() && do_meet(a.box(), b.box(), dimension_));
     }
 
   private:
     int dimension_;
-    Calls* calls_;
+    Call_count* calls_;
   };
 
   int dimension() const { return dimension_; }
@@ -80,7 +88,7 @@ public:
 
 private:
   int dimension_;
-  Calls& calls_;
+  Call_count& calls_;
 };
 
 // The same with a dimension that is fixed when compiled.
@@ -89,7 +97,7 @@ class Fixed_interval_traits : public Interval_traits
 {
 public:
   using Dimension = CGAL::Dimension_tag<D>;
-  explicit Fixed_interval_traits(Calls& calls) : Interval_traits(D, calls) {}
+  explicit Fixed_interval_traits(Call_count& calls) : Interval_traits(D, calls) {}
 };
 
 // Makes boxes of three colors.
@@ -110,6 +118,25 @@ inline Pairs pairs_of_colored(const Number_boxes& boxes, int dimension,
     if(p.first % 3 != p.second % 3)
       pairs.push_back(p);
   return pairs;
+}
+
+// Boxes with extents over three decades. Some are infinite along axis 0.
+inline Number_boxes boxes_of_all_sizes(int dimension, std::size_t size)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Generator random(size);
+  Number_boxes boxes(size);
+  for(std::size_t i = 0; i < size; ++i) {
+    for(int axis = 0; axis < dimension; ++axis) {
+      const double low = below(random, 256) / 256;
+      boxes[i][axis] = {low, low + std::pow(10, -3 * below(random, 1000) / 1000)};
+    }
+    if(i % 100 == 0)
+      boxes[i][0].low = -infinity;
+    if(i % 100 == 1)
+      boxes[i][0].high = infinity;
+  }
+  return boxes;
 }
 
 } // namespace test_support
