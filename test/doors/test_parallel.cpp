@@ -5,18 +5,17 @@
 
 #define BOOST_TEST_MODULE parallel
 #include "support/kernels.h"
+#include "support/parallel_pairs.h"
 #include "support/point_generators.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <boost/test/unit_test.hpp>
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
 
 #include <atomic>
-#include <cmath>
-#include <functional>
+#include <stdexcept>
 
 using namespace test_support;
 
@@ -24,8 +23,6 @@ using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
 
 namespace {
-
-const std::size_t thread_count = 4; // more than processors, so that they interrupt each other
 
 // Scenes of more objects than a single task gets: ties, duplicates, clusters.
 Points large_scene(int dimension)
@@ -36,18 +33,6 @@ Points large_scene(int dimension)
   for(std::size_t i = 0; i < 2000; ++i)
     points.push_back(points[5 * i]);
   return shuffled(points, 2);
-}
-
-// The pairs that search(callback) reports from several threads.
-template <class Search>
-Pairs collected(const Search& search)
-{
-  tbb::enumerable_thread_specific<Pairs> found;
-  search([&](std::size_t i, std::size_t j) { found.local().emplace_back(i, j); });
-  Pairs all;
-  for(const Pairs& some : found)
-    all.insert(all.end(), some.begin(), some.end());
-  return all;
 }
 
 template <class Point>
@@ -163,92 +148,6 @@ BOOST_AUTO_TEST_CASE(crowds_are_shared_out)
   BOOST_CHECK_EQUAL(last, 1);
   BOOST_CHECK_EQUAL(std::count(neighbors.begin(), neighbors.end() - 1, size - 1), size);
   BOOST_CHECK_EQUAL(neighbors.back(), 0u);
-}
-
-namespace {
-
-// Rectangles of all sizes; more than a single task cuts.
-std::vector<Epick::Iso_rectangle_2> rectangles()
-{
-  Random random(5);
-  std::vector<Epick::Iso_rectangle_2> rectangles;
-  for(int i = 0; i < 40000; ++i) {
-    const double x = random.fixed_point(12), y = random.fixed_point(12);
-    const double size = std::pow(random.uniform() + 1e-4, -0.8) / 1024;
-    rectangles.emplace_back(x, y, x + size, y + random.below(3) * size);
-  }
-  return rectangles;
-}
-
-} // namespace
-
-BOOST_AUTO_TEST_CASE(same_pairs_of_rectangles)
-{
-  const auto objects = rectangles();
-  Pairs expected;
-  CGAL::thick_self_intersection_d(
-    objects, [&](std::size_t i, std::size_t j) { expected.emplace_back(i, j); });
-  BOOST_CHECK_GT(expected.size(), objects.size());
-  for(const std::size_t threads : {std::size_t(1), thread_count}) {
-    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-    const Pairs_difference difference = compare(expected, collected([&](const auto& callback) {
-      CGAL::thick_self_intersection_d<CGAL::Parallel_tag>(objects, callback);
-    }));
-    BOOST_CHECK_MESSAGE(difference.empty(), threads << " threads: " << difference);
-  }
-  const std::size_t half = objects.size() / 2;
-  const std::vector<Epick::Iso_rectangle_2> a(objects.begin(), objects.begin() + half);
-  const std::vector<Epick::Iso_rectangle_2> b(objects.begin() + half, objects.end());
-  Pairs between;
-  for(const Pair& p : expected)
-    if(p.first < half && p.second >= half)
-      between.emplace_back(p.first, p.second - half);
-  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, thread_count);
-  const Pairs_difference two_sets = compare(between, collected([&](const auto& callback) {
-    CGAL::thick_intersection_d<CGAL::Parallel_tag>(a, b, callback);
-  }));
-  BOOST_CHECK_MESSAGE(two_sets.empty(), two_sets);
-}
-
-BOOST_AUTO_TEST_CASE(search_of_rectangles_stops_throws_and_is_cancelled)
-{
-  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, thread_count);
-  const auto objects = rectangles();
-  std::atomic<std::size_t> calls = 0;
-  double last = 0, limit = 2;
-  std::size_t stop_at = std::size_t(-1), throw_at = std::size_t(-1);
-  const std::function<bool(double)> watch = [&](double done) {
-    BOOST_CHECK_GE(done, last);
-    last = done;
-    return done < limit;
-  };
-  const auto search = [&] {
-    calls = 0;
-    last = 0;
-    return CGAL::thick_self_intersection_d<CGAL::Parallel_tag>(
-      objects,
-      [&](std::size_t, std::size_t) {
-        const std::size_t call = ++calls;
-        if(call == throw_at)
-          throw std::runtime_error("enough");
-        return call < stop_at;
-      },
-      CGAL::parameters::callback(watch));
-  };
-  BOOST_CHECK(search());
-  BOOST_CHECK_EQUAL(last, 1);
-  const std::size_t all = calls;
-  stop_at = 100;
-  BOOST_CHECK(!search());
-  BOOST_CHECK_GE(calls, 100u);
-  BOOST_CHECK_LE(calls, 100u + thread_count - 1);
-  stop_at = std::size_t(-1);
-  throw_at = 1000;
-  BOOST_CHECK_THROW(search(), std::runtime_error);
-  throw_at = std::size_t(-1);
-  limit = 0.3;
-  BOOST_CHECK(!search());
-  BOOST_CHECK_LT(calls, all);
 }
 
 // The same lists for any number of threads.

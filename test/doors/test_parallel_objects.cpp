@@ -1,0 +1,228 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Objects with boxes in parallel: the same pairs, a stop that is obeyed, exceptions that come out.
+// ThreadSanitizer watches these tests too.
+
+#define BOOST_TEST_MODULE parallel_objects
+#include "support/interval_traits.h"
+#include "support/parallel_pairs.h"
+#include "support/point_generators.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/thick_intersection_d.h>
+
+#include <boost/test/unit_test.hpp>
+#include <tbb/global_control.h>
+
+#include <atomic>
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+using namespace test_support;
+
+using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+namespace {
+
+// Rectangles of all sizes; more than a single task cuts.
+std::vector<Epick::Iso_rectangle_2> rectangles()
+{
+  Random random(5);
+  std::vector<Epick::Iso_rectangle_2> rectangles;
+  for(int i = 0; i < 40000; ++i) {
+    const double x = random.fixed_point(12), y = random.fixed_point(12);
+    const double size = std::pow(random.uniform() + 1e-4, -0.8) / 1024;
+    rectangles.emplace_back(x, y, x + size, y + random.below(3) * size);
+  }
+  return rectangles;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(same_pairs_of_rectangles)
+{
+  const auto objects = rectangles();
+  Pairs expected;
+  CGAL::thick_self_intersection_d(
+    objects, [&](std::size_t i, std::size_t j) { expected.emplace_back(i, j); });
+  BOOST_CHECK_GT(expected.size(), objects.size());
+  for(const std::size_t threads : {std::size_t(1), thread_count}) {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    const Pairs_difference difference = compare(expected, collected([&](const auto& callback) {
+      CGAL::thick_self_intersection_d<CGAL::Parallel_tag>(objects, callback);
+    }));
+    BOOST_CHECK_MESSAGE(difference.empty(), threads << " threads: " << difference);
+  }
+  const std::size_t half = objects.size() / 2;
+  const std::vector<Epick::Iso_rectangle_2> a(objects.begin(), objects.begin() + half);
+  const std::vector<Epick::Iso_rectangle_2> b(objects.begin() + half, objects.end());
+  Pairs between;
+  for(const Pair& p : expected)
+    if(p.first < half && p.second >= half)
+      between.emplace_back(p.first, p.second - half);
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, thread_count);
+  const Pairs_difference two_sets = compare(between, collected([&](const auto& callback) {
+    CGAL::thick_intersection_d<CGAL::Parallel_tag>(a, b, callback);
+  }));
+  BOOST_CHECK_MESSAGE(two_sets.empty(), two_sets);
+}
+
+BOOST_AUTO_TEST_CASE(search_of_rectangles_stops_throws_and_is_cancelled)
+{
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, thread_count);
+  const auto objects = rectangles();
+  std::atomic<std::size_t> calls = 0;
+  double last = 0, limit = 2;
+  std::size_t stop_at = std::size_t(-1), throw_at = std::size_t(-1);
+  const std::function<bool(double)> watch = [&](double done) {
+    BOOST_CHECK_GE(done, last);
+    last = done;
+    return done < limit;
+  };
+  const auto search = [&] {
+    calls = 0;
+    last = 0;
+    return CGAL::thick_self_intersection_d<CGAL::Parallel_tag>(
+      objects,
+      [&](std::size_t, std::size_t) {
+        const std::size_t call = ++calls;
+        if(call == throw_at)
+          throw std::runtime_error("enough");
+        return call < stop_at;
+      },
+      CGAL::parameters::callback(watch));
+  };
+  BOOST_CHECK(search());
+  BOOST_CHECK_EQUAL(last, 1);
+  const std::size_t all = calls;
+  stop_at = 100;
+  BOOST_CHECK(!search());
+  BOOST_CHECK_GE(calls, 100u);
+  BOOST_CHECK_LE(calls, 100u + thread_count - 1);
+  stop_at = std::size_t(-1);
+  throw_at = 1000;
+  BOOST_CHECK_THROW(search(), std::runtime_error);
+  throw_at = std::size_t(-1);
+  limit = 0.3;
+  BOOST_CHECK(!search());
+  BOOST_CHECK_LT(calls, all);
+}
+
+namespace {
+
+// One type of callback, because compilers make a search for each.
+using Callback = std::function<bool(std::size_t, std::size_t)>;
+
+template <class Traits>
+bool search_colored(const Number_boxes& boxes, const Traits& traits, const Callback& callback)
+{
+  return CGAL::thick_self_intersection_d<CGAL::Parallel_tag>(
+    colored(boxes), callback, CGAL::parameters::geom_traits(traits));
+}
+
+// Traits of a user who throws at a call of a functor: at that of which `calls_left` are left.
+struct Throwing_traits : Interval_traits
+{
+  using Count = std::atomic<std::ptrdiff_t>;
+  static constexpr std::ptrdiff_t never = std::ptrdiff_t(1) << 40;
+
+  template <class Functor>
+  struct Throwing
+  {
+    Functor functor;
+    Count* calls_left;
+
+    template <class A, class B>
+    auto operator()(const A& a, const B& b) const
+    {
+      if(calls_left->fetch_sub(1, std::memory_order_relaxed) == 1)
+        throw std::runtime_error("enough");
+      return functor(a, b);
+    }
+  };
+
+  using Interval_traits::Interval_traits;
+  Throwing<Interval_d> interval_d_object() const
+  {
+    return {Interval_traits::interval_d_object(), &intervals_left};
+  }
+  Throwing<Do_intersect_d> do_intersect_d_object() const
+  {
+    return {Interval_traits::do_intersect_d_object(), &tests_left};
+  }
+
+  mutable Count intervals_left = never;
+  mutable Count tests_left = never;
+};
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(same_pairs_of_traits_with_intervals)
+{
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, thread_count);
+  for(const int dimension : {2, 3, 4}) {
+    const Number_boxes boxes = boxes_of_all_sizes(dimension, 4000);
+    Call_count calls = 0;
+    const Interval_traits traits(dimension, calls);
+    const Pairs_difference one_set
+      = compare(pairs_of_colored(boxes, dimension), collected([&](const auto& add) {
+          BOOST_CHECK(search_colored(boxes, traits, [&](std::size_t i, std::size_t j) {
+            add(i, j);
+            return true;
+          }));
+        }));
+    BOOST_CHECK_MESSAGE(one_set.empty(), dimension << "D: " << one_set);
+    BOOST_CHECK_EQUAL(calls, all_meeting_pairs(boxes, dimension).size());
+
+    const std::size_t half = 1500; // so that colors go on in the second set
+    const auto a = colored(Number_boxes(boxes.begin(), boxes.begin() + half));
+    const auto b = colored(Number_boxes(boxes.begin() + half, boxes.end()));
+    const Pairs_difference two_sets
+      = compare(pairs_of_colored(boxes, dimension, half), collected([&](const auto& add) {
+          CGAL::thick_intersection_d<CGAL::Parallel_tag>(
+            a, b, [&](std::size_t i, std::size_t j) { add(i, half + j); },
+            CGAL::parameters::geom_traits(traits));
+        }));
+    BOOST_CHECK_MESSAGE(two_sets.empty(), dimension << "D, two sets: " << two_sets);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(exceptions_of_traits_with_intervals_come_out)
+{
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, thread_count);
+  const Number_boxes boxes = boxes_of_all_sizes(3, 4000);
+  Call_count calls = 0;
+  const Callback go_on = [](std::size_t, std::size_t) { return true; };
+  Throwing_traits traits(3, calls);
+  BOOST_CHECK(search_colored(boxes, traits, go_on));
+  const std::ptrdiff_t intervals = Throwing_traits::never - traits.intervals_left;
+  const std::ptrdiff_t tests = Throwing_traits::never - traits.tests_left;
+  for(const double part : {0., 0.3, 0.6, 1.}) {
+    traits.intervals_left = 1 + static_cast<std::ptrdiff_t>(part * (intervals - 1));
+    BOOST_CHECK_THROW(search_colored(boxes, traits, go_on), std::runtime_error);
+    traits.tests_left = 1 + static_cast<std::ptrdiff_t>(part * (tests - 1));
+    BOOST_CHECK_THROW(search_colored(boxes, traits, go_on), std::runtime_error);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(empty_intervals_and_nan_are_refused_by_position)
+{
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, thread_count);
+  Number_boxes boxes = boxes_of_all_sizes(3, 4000);
+  Call_count calls = 0;
+  const Callback fail = [](std::size_t, std::size_t) -> bool {
+    throw std::logic_error("reported before all was checked");
+  };
+  for(const internal::Interval& bad :
+      {internal::Interval{1, 0}, internal::Interval{0, std::nan("")}}) {
+    boxes[3210][2] = bad;
+    BOOST_CHECK_EXCEPTION(search_colored(boxes, Interval_traits(3, calls), fail),
+                          std::invalid_argument, [](const std::invalid_argument& error) {
+                            const std::string message = error.what();
+                            return message.find("object 3210 along axis 2") != std::string::npos;
+                          });
+  }
+}
