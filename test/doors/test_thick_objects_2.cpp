@@ -15,8 +15,8 @@ using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 namespace {
 
-template <class Kernel>
-typename Kernel::Point_2 point_2(const Numbers& c, std::size_t i)
+template <class Kernel, class Coordinates>
+typename Kernel::Point_2 point_2(const Coordinates& c, std::size_t i)
 {
   using FT = typename Kernel::FT;
   return typename Kernel::Point_2(FT(c[2 * i]), FT(c[2 * i + 1]));
@@ -25,8 +25,8 @@ typename Kernel::Point_2 point_2(const Numbers& c, std::size_t i)
 struct Segments_2
 {
   static constexpr int dimension = 2, points = 2;
-  template <class K>
-  static auto make(const Numbers& c)
+  template <class K, class Coordinates>
+  static auto make(const Coordinates& c)
   {
     return typename K::Segment_2(point_2<K>(c, 0), point_2<K>(c, 1));
   }
@@ -34,8 +34,8 @@ struct Segments_2
 struct Triangles_2
 {
   static constexpr int dimension = 2, points = 3;
-  template <class K>
-  static auto make(const Numbers& c)
+  template <class K, class Coordinates>
+  static auto make(const Coordinates& c)
   {
     return typename K::Triangle_2(point_2<K>(c, 0), point_2<K>(c, 1), point_2<K>(c, 2));
   }
@@ -43,8 +43,8 @@ struct Triangles_2
 struct Rectangles_2
 {
   static constexpr int dimension = 2, points = 2;
-  template <class K>
-  static auto make(const Numbers& c)
+  template <class K, class Coordinates>
+  static auto make(const Coordinates& c)
   {
     return typename K::Iso_rectangle_2(point_2<K>(c, 0), point_2<K>(c, 1));
   }

@@ -10,8 +10,8 @@ using namespace test_support;
 
 namespace {
 
-template <class Kernel>
-typename Kernel::Point_3 point_3(const Numbers& c, std::size_t i)
+template <class Kernel, class Coordinates>
+typename Kernel::Point_3 point_3(const Coordinates& c, std::size_t i)
 {
   using FT = typename Kernel::FT;
   return typename Kernel::Point_3(FT(c[3 * i]), FT(c[3 * i + 1]), FT(c[3 * i + 2]));
@@ -20,8 +20,8 @@ typename Kernel::Point_3 point_3(const Numbers& c, std::size_t i)
 struct Segments_3
 {
   static constexpr int dimension = 3, points = 2;
-  template <class K>
-  static auto make(const Numbers& c)
+  template <class K, class Coordinates>
+  static auto make(const Coordinates& c)
   {
     return typename K::Segment_3(point_3<K>(c, 0), point_3<K>(c, 1));
   }
@@ -29,8 +29,8 @@ struct Segments_3
 struct Triangles_3
 {
   static constexpr int dimension = 3, points = 3;
-  template <class K>
-  static auto make(const Numbers& c)
+  template <class K, class Coordinates>
+  static auto make(const Coordinates& c)
   {
     return typename K::Triangle_3(point_3<K>(c, 0), point_3<K>(c, 1), point_3<K>(c, 2));
   }
@@ -38,8 +38,8 @@ struct Triangles_3
 struct Cuboids_3
 {
   static constexpr int dimension = 3, points = 2;
-  template <class K>
-  static auto make(const Numbers& c)
+  template <class K, class Coordinates>
+  static auto make(const Coordinates& c)
   {
     return typename K::Iso_cuboid_3(point_3<K>(c, 0), point_3<K>(c, 1));
   }
@@ -47,8 +47,8 @@ struct Cuboids_3
 struct Tetrahedra_3
 {
   static constexpr int dimension = 3, points = 4;
-  template <class K>
-  static auto make(const Numbers& c)
+  template <class K, class Coordinates>
+  static auto make(const Coordinates& c)
   {
     return typename K::Tetrahedron_3(point_3<K>(c, 0), point_3<K>(c, 1), point_3<K>(c, 2),
                                      point_3<K>(c, 3));

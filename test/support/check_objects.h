@@ -3,22 +3,21 @@
 
 // Kernel objects on several kernels, against all pairs tested in exact rational numbers, and
 // against CGAL::box_self_intersection_d() with the same test.
-//
-// A maker of a type of objects has the `dimension` and the number of `points` that they are made
-// of, and make<Kernel>(numbers).
 
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_CHECK_OBJECTS_H
 #define THICK_INTERSECTION_TEST_SUPPORT_CHECK_OBJECTS_H
 
 #include "number_boxes.h"
+#include "object_scenes.h"
 #include "pairs.h"
+#include "parallel_pairs.h"
 
 #include <CGAL/Thick_intersection_d/internal/doors/Traits_boxes.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 
+#include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/thick_intersection_d.h>
@@ -27,39 +26,64 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <random>
-#include <string>
+#include <type_traits>
+#include <vector>
 
 namespace test_support {
 
 using Double_kernel = CGAL::Simple_cartesian<double>;
-using Rational_kernel = CGAL::Simple_cartesian<CGAL::Exact_rational>;
 using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
 
-// Objects as lists of numbers: n random ones on a lattice of a unit, so that many of them touch.
-using Numbers = std::vector<float>; // which doubles hold too
-
+// n random objects on a lattice of a unit, so that many of them touch.
 inline std::vector<Numbers> random_numbers(std::size_t n, std::size_t per_object, int dimension,
-                                    float unit, unsigned int seed)
+                                           float unit, unsigned int seed)
 {
   std::mt19937_64 random(seed);
   std::vector<Numbers> objects(n);
   for(Numbers& object : objects) {
     Numbers corner;
     for(int i = 0; i < dimension; ++i)
-      corner.push_back(static_cast<float>(random() % (dimension == 2 ? 40 : 12)));
-    for(std::size_t k = 0; k < per_object; ++k)
-      object.push_back(unit * (corner[k % dimension] + static_cast<float>(random() % 6)));
+      corner.push_back(static_cast<double>(random() % (dimension == 2 ? 40 : 12)));
+    for(std::size_t k = 0; k < per_object; ++k) {
+      const double steps = corner[k % dimension] + static_cast<double>(random() % 6);
+      object.push_back(unit * static_cast<float>(steps)); // rounded as kernels of floats need it
+    }
   }
   return objects;
 }
 
+// What integers are multiplied by, without rounding. The pairs stay the same.
+enum class Scale {
+  ONE,
+  HUGE_POWER, // squares of such numbers are no doubles
+  DENORMAL,
+  THIRD       // few of these are doubles, so the boxes are larger than the objects
+};
+
+template <class FT>
+FT scaled(double x, Scale scale)
+{
+  if constexpr(CGAL::Algebraic_structure_traits<FT>::Is_exact::value)
+    if(scale == Scale::THIRD)
+      return FT(x) / FT(3);
+  return FT(scale == Scale::HUGE_POWER ? std::ldexp(x, 990)
+            : scale == Scale::DENORMAL ? std::ldexp(x, -1074)
+                                       : x);
+}
+
 template <class Maker, class Kernel>
-auto make_objects(const std::vector<Numbers>& numbers)
+auto make_objects(const std::vector<Numbers>& numbers, Scale scale = Scale::ONE)
 {
   std::vector<decltype(Maker::template make<Kernel>(numbers.front()))> objects;
-  for(const Numbers& c : numbers)
-    objects.push_back(Maker::template make<Kernel>(c));
+  for(const Numbers& c : numbers) {
+    std::vector<typename Kernel::FT> coordinates;
+    for(const double x : c)
+      coordinates.push_back(scaled<typename Kernel::FT>(x, scale));
+    objects.push_back(Maker::template make<Kernel>(coordinates));
+  }
   return objects;
 }
 
@@ -86,24 +110,28 @@ Pairs all_intersecting_pairs(const std::vector<Object>& objects)
   return pairs;
 }
 
-template <class Object>
+// One type of callback, because compilers make a search for each.
+using Callback = std::function<void(std::size_t, std::size_t)>;
+
+// The pairs that are reported in sequence or in parallel.
+template <class ConcurrencyTag, class Object>
 Pairs reported_pairs(const std::vector<Object>& objects)
 {
-  Pairs pairs;
-  CGAL::thick_self_intersection_d(
-    objects, [&](std::size_t i, std::size_t j) { pairs.emplace_back(i, j); });
-  return pairs;
+  return collected([&](const Callback& callback) {
+    CGAL::thick_self_intersection_d<ConcurrencyTag>(objects, callback);
+  });
 }
 
-template <class Object>
+template <class ConcurrencyTag, class Object>
 Pairs reported_pairs(const std::vector<Object>& objects, std::size_t first_set_size)
 {
   const auto middle = objects.begin() + static_cast<std::ptrdiff_t>(first_set_size);
   const std::vector<Object> a(objects.begin(), middle), b(middle, objects.end());
-  Pairs pairs;
-  CGAL::thick_intersection_d(a, b, [&](std::size_t i, std::size_t j) {
-    pairs.emplace_back(i, first_set_size + j);
+  Pairs pairs = collected([&](const Callback& callback) {
+    CGAL::thick_intersection_d<ConcurrencyTag>(a, b, callback);
   });
+  for(Pair& p : pairs)
+    p.second += first_set_size;
   return pairs;
 }
 
@@ -116,16 +144,50 @@ inline Pairs between_sets(const Pairs& pairs, std::size_t first_set_size)
   return result;
 }
 
-template <class Maker, class Kernel>
-void check_objects(const std::vector<Numbers>& numbers, const Pairs& expected)
+template <class ConcurrencyTag, class Object>
+void check_pairs(const std::vector<Object>& objects, const Pairs& expected, const char* how)
 {
-  const auto objects = make_objects<Maker, Kernel>(numbers);
-  const Pairs_difference one_set = compare(expected, reported_pairs(objects));
-  BOOST_CHECK_MESSAGE(one_set.empty(), "one set: " << one_set);
+  const Pairs_difference one_set = compare(expected, reported_pairs<ConcurrencyTag>(objects));
+  BOOST_CHECK_MESSAGE(one_set.empty(), how << ", one set: " << one_set);
   const std::size_t first_set_size = objects.size() / 3;
   const Pairs_difference two_sets
-    = compare(between_sets(expected, first_set_size), reported_pairs(objects, first_set_size));
-  BOOST_CHECK_MESSAGE(two_sets.empty(), "two sets: " << two_sets);
+    = compare(between_sets(expected, first_set_size),
+              reported_pairs<ConcurrencyTag>(objects, first_set_size));
+  BOOST_CHECK_MESSAGE(two_sets.empty(), how << ", two sets: " << two_sets);
+}
+
+// In parallel, two kernels are enough: one that computes when it is asked, one that does not.
+template <class Maker, class Kernel>
+void check_objects(const std::vector<Numbers>& numbers, const Pairs& expected,
+                   Scale scale = Scale::ONE)
+{
+  const auto objects = make_objects<Maker, Kernel>(numbers, scale);
+  check_pairs<CGAL::Sequential_tag>(objects, expected, "in sequence");
+  if constexpr(std::is_same_v<Kernel, Epeck> || std::is_same_v<Kernel, Double_kernel>)
+    check_pairs<CGAL::Parallel_tag>(make_objects<Maker, Kernel>(numbers, scale), expected,
+                                    "in parallel");
+}
+
+// The first objects, of any magnitude, because most predicates need exact numbers for these.
+template <class Maker, class Kernel>
+void check_scales(const std::vector<Numbers>& numbers, const Pairs& expected)
+{
+  using FT = typename Kernel::FT;
+  const std::size_t size = (std::min)(numbers.size(), std::size_t(60));
+  const std::vector<Numbers> first(numbers.begin(), numbers.begin() + size);
+  Pairs expected_of_first;
+  for(const Pair& p : expected)
+    if(p.second < size)
+      expected_of_first.push_back(p);
+  for(const Scale scale : {Scale::HUGE_POWER, Scale::DENORMAL, Scale::THIRD})
+    BOOST_TEST_CONTEXT("scale " << static_cast<int>(scale))
+    {
+      const bool is_possible = scale == Scale::THIRD
+                                 ? CGAL::Algebraic_structure_traits<FT>::Is_exact::value
+                                 : !std::is_same_v<FT, float>;
+      if(is_possible)
+        check_objects<Maker, Kernel>(first, expected_of_first, scale);
+    }
 }
 
 // On each of the kernels: each costs half a minute of compilation for objects in space.
@@ -140,109 +202,15 @@ void check_type_of_object()
   }
 }
 
-// Scenes of objects whose boxes are of all sizes, on a lattice.
-
-struct Object_scene
-{
-  std::string name;
-  std::vector<Numbers> objects;
-};
-
-// Makes an object of random places in the box of a corner and extents.
-template <class Maker>
-Numbers object_in_box(Generator& random, const std::array<std::uint64_t, 3>& corner,
-                      const std::array<std::uint64_t, 3>& extents)
-{
-  Numbers object;
-  for(int k = 0; k < Maker::points * Maker::dimension; ++k) {
-    const std::size_t axis = static_cast<std::size_t>(k % Maker::dimension);
-    object.push_back(static_cast<float>(corner[axis] + random() % (extents[axis] + 1)));
-  }
-  return object;
-}
-
-// Calls box(i, corner, extents) for n objects, and makes each in its box, if it is not degenerate.
-template <class Maker, class Box>
-Object_scene object_scene(const std::string& name, std::size_t n, const Box& box)
-{
-  Object_scene scene = {name, {}};
-  Generator random(n);
-  for(std::size_t i = 0; i < n; ++i) {
-    std::array<std::uint64_t, 3> corner, extents;
-    box(random, i, corner, extents);
-    const Numbers object = object_in_box<Maker>(random, corner, extents);
-    if(!Maker::template make<Rational_kernel>(object).is_degenerate())
-      scene.objects.push_back(object);
-  }
-  return scene;
-}
-
-template <class Maker>
-std::vector<Object_scene> object_scenes()
-{
-  using Triple = std::array<std::uint64_t, 3>;
-  const std::uint64_t side = Maker::dimension == 2 ? 120 : 24;
-  const std::size_t n = Maker::dimension == 2 ? 600 : 300;
-  const auto anywhere = [=](Generator& random, Triple& corner) {
-    for(std::uint64_t& c : corner)
-      c = random() % side;
-  };
-  std::vector<Object_scene> scenes;
-  const auto power_law = [&](Generator& random, std::size_t, Triple& corner, Triple& extents) {
-    anywhere(random, corner);
-    const double u = static_cast<double>(1 + random() % 1000) / 1000;
-    for(std::uint64_t& e : extents)
-      e = 1 + (std::min)(side, static_cast<std::uint64_t>(3 / u)) / (1 + random() % 2);
-  };
-  scenes.push_back(object_scene<Maker>("power law", n, power_law));
-  const auto one_giant = [&](Generator& random, std::size_t i, Triple& corner, Triple& extents) {
-    anywhere(random, corner);
-    extents.fill(5);
-    if(i == 77) {
-      corner.fill(0);
-      extents.fill(side);
-    }
-  };
-  scenes.push_back(object_scene<Maker>("one giant", n, one_giant));
-  const auto beams = [&](Generator& random, std::size_t i, Triple& corner, Triple& extents) {
-    anywhere(random, corner);
-    extents.fill(1);
-    corner[i % Maker::dimension] = 0;
-    extents[i % Maker::dimension] = side;
-  };
-  scenes.push_back(object_scene<Maker>("beams", 300, beams));
-  const auto nested = [&](Generator&, std::size_t i, Triple& corner, Triple& extents) {
-    corner.fill(i);
-    extents.fill(400 - 2 * i);
-  };
-  scenes.push_back(object_scene<Maker>("nested", 80, nested));
-  const auto touching = [&](Generator& random, std::size_t, Triple& corner, Triple& extents) {
-    const std::uint64_t cell = random() % 4 == 0 ? 8 : 4;
-    anywhere(random, corner);
-    for(std::uint64_t& c : corner)
-      c = c / cell * cell;
-    extents.fill(cell);
-  };
-  scenes.push_back(object_scene<Maker>("touching cells", n, touching));
-  const auto clusters = [&](Generator& random, std::size_t i, Triple& corner, Triple& extents) {
-    for(std::uint64_t& c : corner)
-      c = 100000 * (i % 10) + random() % 20;
-    extents.fill(i % 10 == 0 ? 1 : 3);
-  };
-  scenes.push_back(object_scene<Maker>("clusters", 300, clusters));
-  scenes.push_back({"identical", std::vector<Numbers>(60, scenes[0].objects.front())});
-  return scenes;
-}
-
 // The pairs by the boxes of CGAL, tested in exact rational numbers.
 template <class Maker>
 Pairs pairs_by_box_intersection(const std::vector<Numbers>& numbers)
 {
-  using Box = CGAL::Box_intersection_d::Box_with_info_d<float, Maker::dimension, std::size_t>;
+  using Box = CGAL::Box_intersection_d::Box_with_info_d<double, Maker::dimension, std::size_t>;
   const auto objects = make_objects<Maker, Rational_kernel>(numbers);
   std::vector<Box> boxes;
   for(const Numbers& c : numbers) {
-    float low[Maker::dimension], high[Maker::dimension];
+    double low[Maker::dimension], high[Maker::dimension];
     for(std::size_t axis = 0; axis < Maker::dimension; ++axis) {
       low[axis] = high[axis] = c[axis];
       for(std::size_t k = axis; k < c.size(); k += Maker::dimension) {
@@ -295,6 +263,7 @@ void check_scenes_of_objects()
       const Pairs expected = pairs_by_box_intersection<Maker>(scene.objects);
       pairs += expected.size();
       (check_objects<Maker, Kernels>(scene.objects, expected), ...);
+      (check_scales<Maker, Kernels>(scene.objects, expected), ...);
       check_other_routes(make_objects<Maker, Double_kernel>(scene.objects), expected);
     }
   BOOST_CHECK_GT(pairs, 1800u); // more than those of identical objects
