@@ -4,6 +4,7 @@
 // Balls with individual radii, on the kernels: against all pairs tested in exact rational numbers.
 
 #define BOOST_TEST_MODULE thick_balls
+#include "support/check_balls.h"
 #include "support/kernels.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -25,26 +26,11 @@ using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
 
 namespace {
 
-Pairs between(const Pairs& pairs, std::size_t first_set_size)
-{
-  Pairs result;
-  for(const Pair& p : pairs)
-    if(p.first < first_set_size && p.second >= first_set_size)
-      result.push_back(p);
-  return result;
-}
-
-struct Number_ball
-{
-  Coordinates centre;
-  double radius;
-};
-
 template <int Dimension>
-std::vector<Number_ball> random_balls(double unit, std::size_t radii)
+Number_balls random_balls(double unit, std::size_t radii)
 {
   std::mt19937_64 random(19);
-  std::vector<Number_ball> balls;
+  Number_balls balls;
   for(int i = 0; i < 300; ++i) {
     Coordinates c;
     for(int k = 0; k < Dimension; ++k)
@@ -54,51 +40,21 @@ std::vector<Number_ball> random_balls(double unit, std::size_t radii)
   return balls;
 }
 
-// Are the balls closer than the sum of their radii, tangent, or apart? In exact rationals.
-int compare_distance_with_radii(const Number_ball& a, const Number_ball& b)
-{
-  CGAL::Exact_rational squared_distance(0);
-  for(std::size_t i = 0; i < a.centre.size(); ++i) {
-    const CGAL::Exact_rational d
-      = CGAL::Exact_rational(a.centre[i]) - CGAL::Exact_rational(b.centre[i]);
-    squared_distance += d * d;
-  }
-  const CGAL::Exact_rational sum = CGAL::Exact_rational(a.radius) + CGAL::Exact_rational(b.radius);
-  return CGAL::compare(squared_distance, CGAL::Exact_rational(sum * sum));
-}
-
 template <class Maker, class Kernel>
-void check_balls(const std::vector<Number_ball>& balls, const Pairs& expected)
+void check_balls(const Number_balls& balls, const Pairs& expected)
 {
   using Ball = std::pair<typename Maker::Point, typename Kernel::FT>;
   std::vector<Ball> objects;
   for(const Number_ball& ball : balls)
-    objects.emplace_back(Maker::make(ball.centre), typename Kernel::FT(ball.radius));
-  const CGAL::Thick_ball_traits_d<typename Maker::Point> traits(objects);
-
-  Pairs found;
-  CGAL::thick_self_intersection_d(
-    objects, [&](std::size_t i, std::size_t j) { found.emplace_back(i, j); },
-    CGAL::parameters::geom_traits(traits));
-  const Pairs_difference one_set = compare(expected, found);
-  BOOST_CHECK_MESSAGE(one_set.empty(), "one set: " << one_set);
-
-  const std::vector<Ball> a(objects.begin(), objects.begin() + 150);
-  const std::vector<Ball> b(objects.begin() + 150, objects.end());
-  const CGAL::Thick_ball_traits_d<typename Maker::Point> traits_of_both(a, b);
-  Pairs found_between;
-  CGAL::thick_intersection_d(
-    a, b, [&](std::size_t i, std::size_t j) { found_between.emplace_back(i, 150 + j); },
-    CGAL::parameters::geom_traits(traits_of_both));
-  const Pairs_difference two_sets = compare(between(expected, 150), found_between);
-  BOOST_CHECK_MESSAGE(two_sets.empty(), "two sets: " << two_sets);
+    objects.emplace_back(Maker::make(ball.center), typename Kernel::FT(ball.radius));
+  check_ball_pairs<CGAL::Sequential_tag>(objects, expected);
 }
 
 template <int Dimension>
 void check_balls_on_kernels(std::size_t radii)
 {
   for(const double unit : {1., 0.1, 1e-170, 1e170}) {
-    const std::vector<Number_ball> balls = random_balls<Dimension>(unit, radii);
+    const Number_balls balls = random_balls<Dimension>(unit, radii);
     Pairs expected;
     std::size_t tangent = 0;
     for(std::size_t i = 0; i < balls.size(); ++i)

@@ -1,0 +1,155 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Balls in the points of a maker, against all pairs tested in exact rational numbers.
+
+#ifndef THICK_INTERSECTION_TEST_SUPPORT_CHECK_BALLS_H
+#define THICK_INTERSECTION_TEST_SUPPORT_CHECK_BALLS_H
+
+#include "pairs.h"
+#include "parallel_pairs.h"
+#include "point_scene.h"
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Thick_ball_traits_d.h>
+#include <CGAL/thick_intersection_d.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace test_support {
+
+struct Number_ball
+{
+  Coordinates center;
+  double radius;
+};
+using Number_balls = std::vector<Number_ball>;
+
+// Are the balls closer than the sum of their radii, tangent, or apart? In exact rationals.
+inline int compare_distance_with_radii(const Number_ball& a, const Number_ball& b)
+{
+  CGAL::Exact_rational squared_distance(0);
+  for(std::size_t i = 0; i < a.center.size(); ++i) {
+    const CGAL::Exact_rational d
+      = CGAL::Exact_rational(a.center[i]) - CGAL::Exact_rational(b.center[i]);
+    squared_distance += d * d;
+  }
+  const CGAL::Exact_rational sum = CGAL::Exact_rational(a.radius) + CGAL::Exact_rational(b.radius);
+  return CGAL::compare(squared_distance, CGAL::Exact_rational(sum * sum));
+}
+
+inline Pairs intersecting_balls(const Number_balls& balls)
+{
+  Pairs pairs;
+  for(std::size_t i = 0; i < balls.size(); ++i)
+    for(std::size_t j = i + 1; j < balls.size(); ++j)
+      if(compare_distance_with_radii(balls[i], balls[j]) <= 0)
+        pairs.emplace_back(i, j);
+  return pairs;
+}
+
+// Balls at places of a lattice, with radius(random, i), both in a unit.
+template <class Radius>
+Number_balls balls_on_lattice(int dimension, double unit, const Radius& radius)
+{
+  std::mt19937_64 random(static_cast<unsigned int>(dimension));
+  Number_balls balls;
+  for(std::size_t i = 0; i < 240; ++i) {
+    Coordinates center;
+    for(int axis = 0; axis < dimension; ++axis)
+      center.push_back(unit * (static_cast<double>(random() % (dimension == 2 ? 60 : 16)) - 8));
+    balls.push_back({center, unit * static_cast<double>(radius(random, i))});
+  }
+  return balls;
+}
+
+struct Ball_scene
+{
+  std::string name;
+  Number_balls balls;
+};
+
+inline std::vector<Ball_scene> ball_scenes(int dimension, double unit)
+{
+  using Random = std::mt19937_64;
+  const auto add = [&](const std::string& name, const auto& radius) {
+    return Ball_scene{name, balls_on_lattice(dimension, unit, radius)};
+  };
+  std::vector<Ball_scene> scenes = {
+    add("of one radius", [](Random&, std::size_t) { return 2; }),
+    add("of any radii", [](Random& random, std::size_t) { return random() % 4; }),
+    add("power law", [](Random& random, std::size_t) { return 30 / (1 + random() % 60); }),
+    add("one giant", [](Random&, std::size_t i) { return i == 77 ? 40 : 1; }),
+    add("without extent", [](Random& random, std::size_t) { return random() % 50 == 0; })};
+  Ball_scene concentric = {"concentric", {}}, tangent = {"tangent from within", {}};
+  for(int i = 0; i < 60; ++i) {
+    Coordinates center(static_cast<std::size_t>(dimension), unit);
+    concentric.balls.push_back({center, unit * i});
+    center[0] = unit * i;
+    tangent.balls.push_back({center, unit * i});
+  }
+  scenes.push_back(concentric);
+  scenes.push_back(tangent);
+  return scenes;
+}
+
+using Report = std::function<void(std::size_t, std::size_t)>;
+
+// Searches the balls as one set, and as two sets.
+template <class ConcurrencyTag, class Ball>
+void check_ball_pairs(const std::vector<Ball>& balls, const Pairs& expected)
+{
+  using Traits = CGAL::Thick_ball_traits_d<typename Ball::first_type>;
+  const Traits traits(balls);
+  const Pairs_difference one_set = compare(expected, collected([&](const Report& report) {
+    CGAL::thick_self_intersection_d<ConcurrencyTag>(balls, report,
+                                                    CGAL::parameters::geom_traits(traits));
+  }));
+  BOOST_CHECK_MESSAGE(one_set.empty(), "one set: " << one_set);
+
+  const std::size_t half = balls.size() / 2;
+  const std::vector<Ball> a(balls.begin(), balls.begin() + half), b(balls.begin() + half,
+                                                                    balls.end());
+  const Traits traits_of_both(a, b);
+  Pairs found = collected([&](const Report& report) {
+    CGAL::thick_intersection_d<ConcurrencyTag>(a, b, report,
+                                               CGAL::parameters::geom_traits(traits_of_both));
+  });
+  for(Pair& p : found)
+    p.second += half;
+  Pairs between;
+  for(const Pair& p : expected)
+    if(p.first < half && p.second >= half)
+      between.push_back(p);
+  const Pairs_difference two_sets = compare(between, found);
+  BOOST_CHECK_MESSAGE(two_sets.empty(), "two sets: " << two_sets);
+}
+
+// With centers that Maker makes, and radii that are numbers of its kernel.
+template <class Maker, class FT, class... ConcurrencyTags>
+void check_ball_scenes(int dimension, double unit)
+{
+  using Ball = std::pair<typename Maker::Point, FT>;
+  for(const Ball_scene& scene : ball_scenes(dimension, unit))
+    BOOST_TEST_CONTEXT(dimension << "D " << scene.name << ", unit " << unit)
+    {
+      std::vector<Ball> balls;
+      for(const Number_ball& ball : scene.balls)
+        balls.emplace_back(Maker::make(ball.center), FT(ball.radius));
+      const Pairs expected = intersecting_balls(scene.balls);
+      (check_ball_pairs<ConcurrencyTags>(balls, expected), ...);
+    }
+}
+
+} // namespace test_support
+
+#endif // THICK_INTERSECTION_TEST_SUPPORT_CHECK_BALLS_H
