@@ -17,6 +17,7 @@ using namespace test_support;
 using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 template <int Dimension>
 using Static_points = Points_d<CGAL::Epick_d<CGAL::Dimension_tag<Dimension>>>;
+using Dynamic_points = Points_d<CGAL::Epick_d<CGAL::Dynamic_dimension_tag>>;
 using Integer_kernel = CGAL::Homogeneous<CGAL::Exact_integer>;
 
 namespace {
@@ -39,6 +40,12 @@ BOOST_AUTO_TEST_CASE(balls_epick_d)
     check_ball_scenes<Static_points<2>, double, CGAL::Sequential_tag>(2, unit);
     check_ball_scenes<Static_points<5>, double, CGAL::Sequential_tag>(5, unit);
   }
+}
+
+BOOST_AUTO_TEST_CASE(balls_epick_d_of_dynamic_dimension)
+{
+  for(const int dimension : {2, 3, 5})
+    check_ball_scenes<Dynamic_points, double, CGAL::Sequential_tag>(dimension, 0.1);
 }
 
 BOOST_AUTO_TEST_CASE(balls_homogeneous)

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Balls in the points of a maker, against all pairs tested in exact rational numbers.
+// Balls in the points of a maker, against all pairs tested in exact rational numbers, against
+// CGAL::box_self_intersection_d() with the same test, and against the recursive route.
 
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_CHECK_BALLS_H
 #define THICK_INTERSECTION_TEST_SUPPORT_CHECK_BALLS_H
@@ -9,9 +10,12 @@
 #include "pairs.h"
 #include "parallel_pairs.h"
 #include "point_scene.h"
+#include "recursion_variants.h"
 
+#include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Thick_ball_traits_d.h>
+#include <CGAL/box_intersection_d.h>
 #include <CGAL/thick_intersection_d.h>
 
 #include <boost/test/unit_test.hpp>
@@ -20,6 +24,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <random>
 #include <string>
 #include <utility>
@@ -55,6 +60,36 @@ inline Pairs intersecting_balls(const Number_balls& balls)
       if(compare_distance_with_radii(balls[i], balls[j]) <= 0)
         pairs.emplace_back(i, j);
   return pairs;
+}
+
+// By boxes around the balls. Sides of the boxes are rounded once.
+template <int Dimension>
+Pairs intersecting_balls_by_boxes(const Number_balls& balls)
+{
+  using Box = CGAL::Box_intersection_d::Box_with_info_d<double, Dimension, std::size_t>;
+  const double infinity = std::numeric_limits<double>::infinity();
+  std::vector<Box> boxes;
+  for(const Number_ball& ball : balls) {
+    double low[Dimension], high[Dimension];
+    for(std::size_t axis = 0; axis < Dimension; ++axis) {
+      low[axis] = std::nextafter(ball.center[axis] - ball.radius, -infinity);
+      high[axis] = std::nextafter(ball.center[axis] + ball.radius, infinity);
+    }
+    boxes.emplace_back(low, high, boxes.size());
+  }
+  Pairs pairs;
+  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
+    if(compare_distance_with_radii(balls[a.info()], balls[b.info()]) <= 0)
+      pairs.push_back(std::minmax(a.info(), b.info()));
+  });
+  return pairs;
+}
+
+inline Pairs intersecting_balls_by_boxes(const Number_balls& balls, int dimension)
+{
+  return dimension == 2   ? intersecting_balls_by_boxes<2>(balls)
+         : dimension == 3 ? intersecting_balls_by_boxes<3>(balls)
+                          : intersecting_balls_by_boxes<5>(balls);
 }
 
 // Balls at places of a lattice, with radius(random, i), both in a unit.
@@ -134,6 +169,16 @@ void check_ball_pairs(const std::vector<Ball>& balls, const Pairs& expected)
   BOOST_CHECK_MESSAGE(two_sets.empty(), "two sets: " << two_sets);
 }
 
+// The recursive route finds the same pairs of one set.
+template <class Ball>
+void check_recursive_route(const std::vector<Ball>& balls, const Pairs& expected)
+{
+  const CGAL::Thick_ball_traits_d<typename Ball::first_type> traits(balls);
+  const Pairs_difference recursive
+    = compare(expected, pairs_by_variant(balls, traits, Recursion_variant()));
+  BOOST_CHECK_MESSAGE(recursive.empty(), "recursive route: " << recursive);
+}
+
 // With centers that Maker makes, and radii that are numbers of its kernel.
 template <class Maker, class FT, class... ConcurrencyTags>
 void check_ball_scenes(int dimension, double unit)
@@ -146,7 +191,9 @@ void check_ball_scenes(int dimension, double unit)
       for(const Number_ball& ball : scene.balls)
         balls.emplace_back(Maker::make(ball.center), FT(ball.radius));
       const Pairs expected = intersecting_balls(scene.balls);
+      BOOST_CHECK(sorted(intersecting_balls_by_boxes(scene.balls, dimension)) == expected);
       (check_ball_pairs<ConcurrencyTags>(balls, expected), ...);
+      check_recursive_route(balls, expected);
     }
 }
 
