@@ -74,7 +74,7 @@ Columns package_columns()
   using Mpfr_kernel = CGAL::Simple_cartesian<test_support::Mpfr_number<50>>;
   return {
     {{"ours, double", by_search<Double_kernel>}, "ours"},
-    {{"ours, double, book route", by_traits}, "ours"},
+    {{"ours, double, recursive route", by_traits}, "ours"},
     {{"ours, int64", by_tier<Arithmetic_tier::INT64>}, "ours"},
     {{"ours, int128", by_tier<Arithmetic_tier::INT128>}, "ours"},
     {{"ours, filter + exact", by_tier<Arithmetic_tier::FILTERED_EXACT>}, "ours"},
