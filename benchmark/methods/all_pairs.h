@@ -21,13 +21,19 @@ constexpr int dimension_of<std::array<double, Dimension>> = static_cast<int>(Dim
 
 // Returns whether the points at two positions are within r, as a function object.
 template <class Point>
-auto is_near_exactly(const std::vector<Point>& points, double r)
+auto is_near_exactly(const std::vector<Point>& points, double r, int dimension)
 {
-  const auto is_near
-    = CGAL::Thick_point_traits_d<Point>(CGAL::within_distance(r)).do_intersect_d_object();
+  const CGAL::Thick_point_traits_d<Point> traits(CGAL::within_distance(r), dimension);
+  const auto is_near = traits.do_intersect_d_object();
   return [&points, is_near](std::size_t i, std::size_t j) -> bool {
     return is_near(points[i], points[j]);
   };
+}
+
+template <class Point>
+auto is_near_exactly(const std::vector<Point>& points, double r)
+{
+  return is_near_exactly(points, r, dimension_of<Point>);
 }
 
 template <class Is_near, class Answer>

@@ -19,30 +19,36 @@
 
 namespace thick_benchmark {
 
-template <class Point>
-using Box_of_point
-  = CGAL::Box_intersection_d::Box_with_info_d<double, dimension_of<Point>, std::uint32_t>;
+template <int Dimension>
+using Numbered_box = CGAL::Box_intersection_d::Box_with_info_d<double, Dimension, std::uint32_t>;
 
 inline double outwards(double x, double infinity) { return std::nextafter(x, infinity); }
 inline double as_written(double x, double) { return x; }
 
-template <class Point, class Round>
-std::vector<Box_of_point<Point>> boxes_around(const std::vector<Point>& points, double r,
-                                              const Round& round)
+// The dimension of the boxes is known to the compiler, that of the points need not be.
+template <int Dimension, class Point, class Round>
+std::vector<Numbered_box<Dimension>> boxes_around(const std::vector<Point>& points, double r,
+                                                  const Round& round)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const double half_side = round(r / 2, infinity);
-  std::vector<Box_of_point<Point>> boxes;
+  std::vector<Numbered_box<Dimension>> boxes;
   boxes.reserve(points.size());
   for(std::size_t i = 0; i < points.size(); ++i) {
-    double low[dimension_of<Point>], high[dimension_of<Point>];
-    for(int axis = 0; axis < dimension_of<Point>; ++axis) {
+    double low[Dimension], high[Dimension];
+    for(int axis = 0; axis < Dimension; ++axis) {
       low[axis] = round(points[i].cartesian(axis) - half_side, -infinity);
       high[axis] = round(points[i].cartesian(axis) + half_side, infinity);
     }
     boxes.emplace_back(low, high, static_cast<std::uint32_t>(i));
   }
   return boxes;
+}
+
+template <class Point, class Round>
+auto boxes_around(const std::vector<Point>& points, double r, const Round& round)
+{
+  return boxes_around<dimension_of<Point>>(points, r, round);
 }
 
 // Ranges below `cutoff` are scanned; CGAL's default is 10.

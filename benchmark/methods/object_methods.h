@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The searches of objects, and of points in four dimensions and more. Each library is compiled in a
-// file of its own.
+// The searches of objects, and of points and boxes in four dimensions and more. Each library is
+// compiled in a file of its own.
 
 #ifndef THICK_INTERSECTION_BENCHMARK_METHODS_OBJECT_METHODS_H
 #define THICK_INTERSECTION_BENCHMARK_METHODS_OBJECT_METHODS_H
@@ -17,13 +17,20 @@ namespace thick_benchmark {
 
 using Object_method = Method<Tally, Object_scene>;
 
+// Whether the compiler knows the dimension of points or boxes, or only they do.
+enum class Dimension_kind { STATIC, DYNAMIC };
+
 Search search_objects(const Object_scene& scene); // thick_self_intersection_d, thick_intersection_d
-Search search_points_d(const Scene& scene);       // fixed_radius_near_neighbors
+Search search_points_d(const Scene& scene, Dimension_kind kind); // fixed_radius_near_neighbors
+
+// thick_box_self_intersection_d, on boxes that lie in the scene, which must outlive the runs.
+Search search_boxes_d(const Object_scene& scene, Dimension_kind kind);
 
 // CGAL's box_self_intersection_d and box_intersection_d, and then the exact test: none of boxes,
-// and the test of distances of points.
+// and the test of distances of points. Its boxes always have a dimension that the compiler knows.
 Object_method boxes_of_objects(std::ptrdiff_t cutoff);
-Method<Tally> boxes_of_points_d(std::ptrdiff_t cutoff);
+Object_method boxes_d(std::ptrdiff_t cutoff);
+Method<Tally> boxes_of_points_d(std::ptrdiff_t cutoff, Dimension_kind kind);
 
 // For scenes in one set: as self_intersections() of Polygon_mesh_processing calls it.
 Object_method boxes_by_address();

@@ -232,6 +232,24 @@ Object_scene uniform_boxes(int dimension, std::size_t n, double k)
   return scatter_boxes("uniform boxes", dimension, n, k, random_point);
 }
 
+// Two intervals with sides up to s meet with probability s, but for those at the ends of the scene.
+Object_scene uniform_boxes_d(int dimension, std::size_t n, double k)
+{
+  const double size = static_cast<double>(n);
+  const double longest = std::pow(2 * k / (size * size), 1. / dimension);
+  Object_scene scene{std::to_string(dimension) + "D uniform boxes", Shape::BOX, dimension, {}};
+  const auto d = static_cast<std::size_t>(dimension);
+  scene.numbers.resize(2 * d * n);
+  Random random(10);
+  for(double* low = scene.numbers.data(); low != scene.numbers.data() + 2 * d * n; low += 2 * d)
+    for(std::size_t axis = 0; axis < d; ++axis) {
+      const double center = random.uniform(), half = longest * random.uniform() / 2;
+      low[axis] = center - half;
+      low[d + axis] = center + half;
+    }
+  return scene;
+}
+
 Object_scene power_law_boxes(int dimension, std::size_t n, double k)
 {
   return scatter_boxes("cubes by a power law", dimension, n, k,

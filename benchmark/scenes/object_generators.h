@@ -17,6 +17,9 @@ namespace thick_benchmark {
 // Each side is uniform between 0 and the same length.
 Object_scene uniform_boxes(int dimension, std::size_t n, double k);
 
+// The same in any dimension.
+Object_scene uniform_boxes_d(int dimension, std::size_t n, double k);
+
 // Cubes: the side exceeds s with probability s^-2, over three decades.
 Object_scene power_law_boxes(int dimension, std::size_t n, double k);
 

@@ -114,11 +114,22 @@ Rows measure_objects(const std::string& name, const Goal& goal, const Make_objec
   return rows;
 }
 
-Rows measure_points(const std::string& name, const Goal& goal, int dimension, std::size_t n)
+Rows measure_points(const std::string& name, const Goal& goal, int dimension, std::size_t n,
+                    Dimension_kind kind)
 {
   const Scene scene = uniform(dimension, n, static_cast<double>(n) / 2);
-  const Entrant boxes = best_boxes(name, scene, boxes_of_points_d);
-  return measure_against(make_subject(name, n, search_points_d(scene), boxes.tally), goal,
+  const Entrant boxes = best_boxes(
+    name, scene, [=](std::ptrdiff_t cutoff) { return boxes_of_points_d(cutoff, kind); });
+  return measure_against(make_subject(name, n, search_points_d(scene, kind), boxes.tally), goal,
+                         {boxes});
+}
+
+Rows measure_boxes_d(const std::string& name, const Goal& goal, int dimension, std::size_t n,
+                     Dimension_kind kind)
+{
+  const Object_scene scene = uniform_boxes_d(dimension, n, static_cast<double>(n) / 2);
+  const Entrant boxes = best_boxes(name, scene, boxes_d);
+  return measure_against(make_subject(name, n, search_boxes_d(scene, kind), boxes.tally), goal,
                          {boxes});
 }
 
@@ -128,6 +139,13 @@ std::string in_space(int dimension, const std::string& name)
 {
   return std::to_string(dimension) + "D " + name;
 }
+
+std::string suffix_of(Dimension_kind kind)
+{
+  return kind == Dimension_kind::STATIC ? "" : ", dynamic dimension";
+}
+
+const Goal in_four_dimensions = at_most(0.25, 0.12), in_six_dimensions = at_most(0.45, 0.3);
 
 class Object_experiments
 {
@@ -201,10 +219,26 @@ public:
 
   void add_points()
   {
-    add_points(4, at_most(0.25, 0.12), 200000);
+    add_points(4, in_four_dimensions, 200000);
     add_points(5, at_most(0.35, 0.2), 200000);
-    add_points(6, at_most(0.45, 0.3), 200000);
+    add_points(6, in_six_dimensions, 200000);
     add_points(8, at_most(0.7, 0.5), 30000);
+  }
+
+  // With the targets of points.
+  void add_boxes_of_more_dimensions()
+  {
+    add_boxes(4, in_four_dimensions, Dimension_kind::STATIC);
+    add_boxes(6, in_six_dimensions, Dimension_kind::STATIC);
+  }
+
+  // With the targets of what the compiler knows more about.
+  void add_dynamic_dimension()
+  {
+    add_points(4, in_four_dimensions, 200000, Dimension_kind::DYNAMIC);
+    add_points(6, in_six_dimensions, 200000, Dimension_kind::DYNAMIC);
+    add_boxes(4, in_four_dimensions, Dimension_kind::DYNAMIC);
+    add_boxes(6, in_six_dimensions, Dimension_kind::DYNAMIC);
   }
 
   std::vector<Experiment> all() const { return all_; }
@@ -232,9 +266,16 @@ private:
   {
     add_row(name, measure_objects, goal, make, fitted(n), extras);
   }
-  void add_points(int dimension, const Goal& goal, std::size_t n)
+  void add_points(int dimension, const Goal& goal, std::size_t n,
+                  Dimension_kind kind = Dimension_kind::STATIC)
   {
-    add_row(in_space(dimension, "points, k ~ n/2"), measure_points, goal, dimension, fitted(n));
+    add_row(in_space(dimension, "points, k ~ n/2") + suffix_of(kind), measure_points, goal,
+            dimension, fitted(n), kind);
+  }
+  void add_boxes(int dimension, const Goal& goal, Dimension_kind kind)
+  {
+    add_row(in_space(dimension, "boxes, k ~ n/2") + suffix_of(kind), measure_boxes_d, goal,
+            dimension, fitted(200000), kind);
   }
 
   template <class Measurement, class... Arguments>
@@ -261,6 +302,8 @@ std::vector<Experiment> experiments(const Settings& settings)
   all.add_hard();
   all.add_two_sets();
   all.add_points();
+  all.add_boxes_of_more_dimensions();
+  all.add_dynamic_dimension();
   return all.all();
 }
 
