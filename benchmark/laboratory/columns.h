@@ -39,10 +39,13 @@ struct Found
   }
 };
 
-struct Column : Method<Found>
+template <class Scene>
+struct Column_for : Method<Found, Scene>
 {
   std::string group; // "form", "library", "grid", "boxes", "ours"
 };
+
+using Column = Column_for<Scene>;
 
 using Columns = std::vector<Column>;
 

@@ -29,7 +29,8 @@ struct Outcome
   bool is_ok() const { return status == "ok"; }
 };
 
-inline Outcome find_in_child(const Column& column, const Scene& scene, unsigned int limit)
+template <class Scene>
+Outcome find_in_child(const Column_for<Scene>& column, const Scene& scene, unsigned int limit)
 {
   // What is not a pair travels as one, at the end.
   const auto send = [&] {

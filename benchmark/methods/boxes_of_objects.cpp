@@ -1,9 +1,10 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
+#include "boxes_of_objects.h"
+
 #include "box_intersection.h"
 #include "object_methods.h"
-#include "on_objects.h"
 
 #include <CGAL/intersections.h>
 
@@ -14,39 +15,6 @@ namespace thick_benchmark {
 namespace {
 
 namespace boxes = CGAL::Box_intersection_d;
-
-template <int Dimension, class Id>
-using Box = boxes::Box_with_info_d<double, Dimension, std::uint32_t, Id>;
-
-template <class Id, class Object>
-auto box_of(const Object& object, std::uint32_t position)
-{
-  using Bbox = decltype(object.bbox());
-  return Box<std::is_same_v<Bbox, CGAL::Bbox_2> ? 2 : 3, Id>(object.bbox(), position);
-}
-
-// Rounded outwards.
-template <class Id>
-auto box_of(const Ball_3& ball, std::uint32_t position)
-{
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  double low[3], high[3];
-  for(int axis = 0; axis < 3; ++axis) {
-    low[axis] = outwards(ball.first[axis] - ball.second, -infinity);
-    high[axis] = outwards(ball.first[axis] + ball.second, infinity);
-  }
-  return Box<3, Id>(low, high, position);
-}
-
-template <class Id, class Object>
-auto boxes_of(const std::vector<Object>& objects)
-{
-  std::vector<decltype(box_of<Id>(objects[0], 0))> boxes;
-  boxes.reserve(objects.size());
-  for(std::size_t i = 0; i < objects.size(); ++i)
-    boxes.push_back(box_of<Id>(objects[i], static_cast<std::uint32_t>(i)));
-  return boxes;
-}
 
 // Whether two objects intersect whose boxes do.
 template <class Object>
@@ -64,8 +32,8 @@ bool is_intersection(const Epick::Iso_cuboid_3&, const Epick::Iso_cuboid_3&) { r
 template <class Object>
 void search(const Objects<Object>& objects, Tally& tally, std::ptrdiff_t cutoff)
 {
-  auto a = boxes_of<boxes::ID_EXPLICIT>(objects.a);
-  auto b = boxes_of<boxes::ID_EXPLICIT>(objects.b);
+  auto a = boxes_of<double, boxes::ID_EXPLICIT>(objects.a, outwards);
+  auto b = boxes_of<double, boxes::ID_EXPLICIT>(objects.b, outwards);
   const std::vector<Object>& others = objects.are_two_sets ? objects.b : objects.a;
   const auto report = [&](const auto& s, const auto& t) {
     if(is_intersection(objects.a[s.info()], others[t.info()]))
@@ -80,7 +48,8 @@ void search(const Objects<Object>& objects, Tally& tally, std::ptrdiff_t cutoff)
 template <class Object>
 void search_by_address(const std::vector<Object>& objects, Tally& tally)
 {
-  const auto boxes_in_order = boxes_of<boxes::ID_FROM_BOX_ADDRESS>(objects);
+  const auto boxes_in_order
+    = boxes_of<double, boxes::ID_FROM_BOX_ADDRESS>(objects, outwards);
   using Box = typename std::decay_t<decltype(boxes_in_order)>::value_type;
   std::vector<const Box*> addresses;
   for(const Box& box : boxes_in_order)

@@ -63,6 +63,9 @@ struct Ball_from_numbers
   static Ball_3 make(const double* x) { return {point_at<Epick::Point_3>(x), x[3]}; }
 };
 
+using Rectangle_from_numbers = From_corners<Epick::Iso_rectangle_2, Epick::Point_2, 2>;
+using Cuboid_from_numbers = From_corners<Epick::Iso_cuboid_3, Epick::Point_3, 2>;
+
 template <class Maker>
 auto make_objects(const Object_scene& scene)
 {
@@ -93,16 +96,14 @@ template <class Answer, class Search>
 Run<Answer> run_on_objects(const Object_scene& scene, const Search& search)
 {
   using K = Epick;
-  using Rectangle = From_corners<K::Iso_rectangle_2, K::Point_2, 2>;
-  using Cuboid = From_corners<K::Iso_cuboid_3, K::Point_3, 2>;
   using Segment_2 = From_corners<K::Segment_2, K::Point_2, 2>;
   using Segment_3 = From_corners<K::Segment_3, K::Point_3, 2>;
   using Triangle_3 = From_corners<K::Triangle_3, K::Point_3, 3>;
   const bool is_plane = scene.dimension == 2;
   switch(scene.shape) {
   case Shape::BOX:
-    return is_plane ? run_on_objects<Answer, Rectangle>(scene, search)
-                    : run_on_objects<Answer, Cuboid>(scene, search);
+    return is_plane ? run_on_objects<Answer, Rectangle_from_numbers>(scene, search)
+                    : run_on_objects<Answer, Cuboid_from_numbers>(scene, search);
   case Shape::SEGMENT:
     return is_plane ? run_on_objects<Answer, Segment_2>(scene, search)
                     : run_on_objects<Answer, Segment_3>(scene, search);

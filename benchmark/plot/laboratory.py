@@ -3,10 +3,11 @@
 #
 #   laboratory.py <folder of the CSV files> <folder for the figures>
 #
-# Nothing is computed here but shares and the Pareto fronts.
+# Nothing is computed here but shares, quotients, their means, and the Pareto fronts.
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 
+import math
 import os
 import re
 import sys
@@ -274,6 +275,117 @@ figure_of("predicates.csv")(lambda rows: draw_chart(
 figure_of("whole_runs.csv")(lambda rows: draw_chart(
     rows, lambda r: 1e9 * float(r["seconds"]) / int(r["true_pairs"]),
     "time of the search per true pair, ns", "lab_chart_runs.png"))
+
+
+# ---- families of sizes --------------------------------------------------------------------------
+
+def nanoseconds_of(row):
+    """The time per object and pair."""
+    return 1e9 * float(row["seconds"]) / (int(row["objects"]) + int(row["true_pairs"]))
+
+
+def of_two_digits(number):
+    return f"{number:.0f}" if number >= 10 else f"{number:.2g}"
+
+
+def place_of(row):
+    return row["shape"], row["family"]
+
+
+def times_over_ours(rows):
+    """(row, its time over that of this package) of each row that came to its end."""
+    own = {place_of(r): float(r["seconds"]) for r in where(rows, method="ours")}
+    return [(r, float(r["seconds"]) / own[place_of(r)]) for r in rows if r["status"] == "ok"]
+
+
+def is_dark(colour):
+    red, green, blue = colour[:3]
+    return 0.3 * red + 0.59 * green + 0.11 * blue < 0.5
+
+
+def draw_cells(axes, places, methods, cells, **options):
+    """A map of cells (number, text): grey where there is none, black where it has no number."""
+    numbers = [[cells[p, m][0] if (p, m) in cells and cells[p, m][0] is not None
+                else float("nan") for m in methods] for p in places]
+    image = axes.imshow(numbers, aspect="auto", **options)
+    for y, place in enumerate(places):
+        for x, method in enumerate(methods):
+            number, text = cells.get((place, method), (None, ""))
+            if number is None:
+                axes.add_patch(plt.Rectangle((x - 0.5, y - 0.5), 1, 1,
+                                             color=BLACK if text else "#cccccc"))
+            elif number > 0 and not is_dark(image.cmap(image.norm(number))):
+                axes.text(x, y, text, ha="center", va="center", fontsize=6)
+                continue
+            axes.text(x, y, text, ha="center", va="center", fontsize=6, color="white")
+    return image
+
+
+def label_places(axes, places, methods, rows):
+    counts = {place_of(r): f"{short(int(r['objects']))}, {short(int(r['true_pairs']))}"
+              for r in rows}
+    axes.set_yticks(range(len(places)),
+                    [f"{shape}, {family}   ({counts[shape, family]})" for shape, family in places],
+                    fontsize=7.5)
+    axes.set_xticks(range(len(methods)), methods, rotation=60, ha="right", fontsize=8,
+                    rotation_mode="anchor")
+    for label, method in zip(axes.get_xticklabels(), methods):
+        label.set_color(GREEN if method.startswith("ours") else "black")
+    for y in range(1, len(places)):
+        if places[y][0] != places[y - 1][0]:
+            axes.axhline(y - 0.5, color=BLACK, linewidth=1)
+
+
+@figure_of("sizes.csv")
+def draw_sizes(rows):
+    methods = in_order(where(rows, shape=rows[-1]["shape"]), "method")
+    places = list(dict.fromkeys(place_of(r) for r in rows))
+    times = {(place_of(r), r["method"]): (None, "> 120 s") for r in rows}
+    for row, time in times_over_ours(rows):
+        is_ours = row["method"] == "ours"
+        text = f"{of_two_digits(nanoseconds_of(row))} ns" if is_ours else of_two_digits(time)
+        times[place_of(row), row["method"]] = time, text
+    wrong = {(place_of(r), r["method"]): cell_of({**r, "asymmetric": "0", "order_dependent": "0"})
+             for r in rows}
+    figure, ((left, right),) = panels(1, 2, (11.5, 7.6), sharey=True)
+    image = draw_cells(left, places, methods, times, cmap="PuOr_r", norm=LogNorm(0.01, 100))
+    bar = figure.colorbar(image, ax=left, location="bottom", shrink=0.8, pad=0.01, extend="max")
+    bar.ax.set_xlim(0.5, 100)
+    image = draw_cells(right, places, methods, wrong, cmap=viridis_on_white(),
+                       norm=LogNorm(0.01, 100))
+    figure.colorbar(image, ax=right, location="bottom", shrink=0.8, pad=0.01)
+    for axes in (left, right):
+        label_places(axes, places, methods, rows)
+    left.set_title("time over ours; of ours, per object and pair", fontsize=9)
+    right.set_title("missing (−) and extra (+) pairs; color: per 100 true pairs", fontsize=9)
+    return figure, "lab_sizes.png"
+
+
+def summary_of(rows, times):
+    """A row of a method: the mean time over ours, and the family with most wrong pairs."""
+    worst = max(rows, key=lambda r: wrong_pairs(r) / int(r["true_pairs"]))
+    logarithms = [math.log(times[place_of(r), r["method"]]) for r in rows if r["status"] == "ok"]
+    return {**worst, "set": worst["shape"], "status": "ok",
+            "time": math.exp(sum(logarithms) / len(logarithms))}
+
+
+@figure_of("sizes.csv")
+def draw_chart_of_sizes(rows):
+    times = {(place_of(r), r["method"]): time for r, time in times_over_ours(rows)}
+    summaries = [summary_of(where(rows, shape=shape, method=method), times)
+                 for shape in in_order(rows, "shape")
+                 for method in in_order(where(rows, shape=shape), "method")]
+    figure, name = draw_chart(summaries, lambda r: r["time"],
+                              "time over ours, geometric mean of all families",
+                              "lab_chart_sizes.png")
+    end = 1.3 * max(r["time"] for r in summaries)
+    ticks = [t for t in (1, 2, 5, 10, 20, 50, 100, 200, 500) if t < end]
+    for axes in figure.axes:
+        axes.set_xlim(0.8, end)
+        axes.set_xticks(ticks, ticks)
+        axes.xaxis.set_minor_locator(NullLocator())
+    figure.axes[0].set_ylabel("wrong pairs per true pair, in the worst family")
+    return figure, name
 
 
 # ---- pictures -----------------------------------------------------------------------------------

@@ -176,6 +176,52 @@ double power_law(Random& random) { return (std::min)(1000., 1 / std::sqrt(1 - ra
 // Two balls in two cubes that overlap meet with this probability.
 const double ball_in_cube = pi / 6;
 
+// The balls in the cubes of a scene in space.
+Object_scene balls_in(const Object_scene& cubes)
+{
+  Object_scene balls{cubes.name, Shape::BALL, 3, {}};
+  for(std::size_t i = 0; i < cubes.size(); ++i) {
+    const double* low = cubes.object(i);
+    for(std::size_t axis = 0; axis < 3; ++axis)
+      balls.numbers.push_back((low[axis] + low[3 + axis]) / 2);
+    balls.numbers.push_back((low[3] - low[0]) / 2);
+  }
+  return balls;
+}
+
+// ---- lattices -----------------------------------------------------------------------------------
+
+// Appends the numbers of a cube or ball. The corners are rounded, as programs compute them.
+void append_around(const Vector& center, double half, Object_scene& scene)
+{
+  const auto append = [&](double offset) {
+    for(int axis = 0; axis < scene.dimension; ++axis)
+      scene.numbers.push_back(center[static_cast<std::size_t>(axis)] + offset);
+  };
+  append(scene.shape == Shape::BALL ? 0 : -half);
+  if(scene.shape == Shape::BALL)
+    scene.numbers.push_back(half);
+  else
+    append(half);
+}
+
+// Points of a lattice with `steps` steps from 0 to 1. A quotient of integers is the double next to
+// the decimal.
+Object_scene lattice_objects(const std::string& name, Shape shape, int dimension, std::size_t n,
+                             double steps)
+{
+  const double row = std::floor(std::pow(8 * static_cast<double>(n), 1. / dimension));
+  Object_scene scene{std::to_string(dimension) + "D " + name, shape, dimension, {}};
+  Random random(11);
+  for(std::size_t i = 0; i < n; ++i) {
+    const auto coordinate = [&] { return std::floor(row * random.uniform()) / steps; };
+    const double x = coordinate(), y = coordinate();
+    const double twice_half = 2 + static_cast<double>(random.below(3));
+    append_around({x, y, coordinate()}, twice_half / (2 * steps), scene);
+  }
+  return scene;
+}
+
 // ---- meshes -------------------------------------------------------------------------------------
 
 // A point of the mesh, parameters between 0 and 1: of the plane, or of a wavy torus.
@@ -388,6 +434,23 @@ Object_scene power_law_balls(std::size_t n, double k)
                        [](Random& random) { return cube(power_law(random)); }, Shape::BALL);
 }
 
+Object_scene log_uniform_balls(std::size_t n, double k)
+{
+  return balls_in(log_uniform_boxes(3, n, k / ball_in_cube));
+}
+
+Object_scene balls_with_giant(std::size_t n, double k)
+{
+  Object_scene scene = uniform_balls(n, k);
+  std::fill_n(scene.numbers.begin(), 3, 0.5);
+  scene.numbers[3] = 2;
+  return scene;
+}
+
+Object_scene nested_balls(std::size_t n) { return balls_in(nested_boxes(3, n)); }
+
+Object_scene identical_balls(std::size_t n) { return balls_in(identical_boxes(3, n)); }
+
 Object_scene uniform_segments(int dimension, std::size_t n, double k)
 {
   return scatter("segments", Shape::SEGMENT, dimension, n, k, [=](Random& random) {
@@ -437,6 +500,18 @@ Object_scene uniform_triangles(std::size_t n, double k)
     const Vector a = random_point(random), b = random_point(random);
     return {a, b, random_point(random)};
   });
+}
+
+// ---- lattices -----------------------------------------------------------------------------------
+
+Object_scene decimal_objects(Shape shape, int dimension, std::size_t n)
+{
+  return lattice_objects("decimals", shape, dimension, n, 10);
+}
+
+Object_scene integer_objects(Shape shape, int dimension, std::size_t n)
+{
+  return lattice_objects("integers", shape, dimension, n, 1);
 }
 
 // ---- two sets -----------------------------------------------------------------------------------

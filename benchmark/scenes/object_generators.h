@@ -65,6 +65,16 @@ Object_scene uniform_balls(std::size_t n, double k);
 // Balls: the radius exceeds s with probability s^-2, over three decades.
 Object_scene power_law_balls(std::size_t n, double k);
 
+// Balls: the logarithm of the radius is uniform over six decades.
+Object_scene log_uniform_balls(std::size_t n, double k);
+
+// Uniform balls, and one that meets all of them.
+Object_scene balls_with_giant(std::size_t n, double k);
+
+// Each ball within the next; and n times the same ball.
+Object_scene nested_balls(std::size_t n);
+Object_scene identical_balls(std::size_t n);
+
 // Segments of any direction, of length between 0 and the same length. In space, they do not meet.
 Object_scene uniform_segments(int dimension, std::size_t n, double k);
 
@@ -76,6 +86,15 @@ Object_scene paths(std::size_t n, double k);
 
 // Triangles in space, with corners in a cube.
 Object_scene uniform_triangles(std::size_t n, double k);
+
+// ---- lattices -----------------------------------------------------------------------------------
+
+// Cubes or balls around random points of a lattice, eight times as many as objects. Half sides and
+// radii are 1, 1.5 and 2 steps, so many objects touch. With integers, they do so exactly. With
+// decimals, the step is 0.1, and they do so up to rounding: all numbers are read as doubles, and
+// the corners of cubes are computed from these.
+Object_scene integer_objects(Shape shape, int dimension, std::size_t n);
+Object_scene decimal_objects(Shape shape, int dimension, std::size_t n);
 
 // ---- two sets -----------------------------------------------------------------------------------
 
