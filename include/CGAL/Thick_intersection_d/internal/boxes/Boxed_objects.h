@@ -8,6 +8,8 @@
 // Objects with boxes, as the box route sees them: the boxes that it moves into pieces, the lanes
 // that find pairs, and the test that decides the found pairs.
 
+#include <CGAL/Uncertain.h>
+
 #include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
@@ -16,13 +18,37 @@
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/meeting_boxes.h>
 
+#include <array>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
+
+// For objects of which boxes tell no more than that they meet.
+struct No_box_filter
+{
+  template <std::size_t Axes>
+  static Uncertain<bool> do_intersect(const std::array<Interval, Axes>&,
+                                      const std::array<Interval, Axes>&)
+  {
+    return Uncertain<bool>::indeterminate();
+  }
+};
+
+template <class Objects, class = void>
+struct Box_filter_of
+{
+  using type = No_box_filter;
+};
+template <class Objects>
+struct Box_filter_of<Objects, std::void_t<typename Objects::Box_filter>>
+{
+  using type = typename Objects::Box_filter;
+};
 
 // `Objects` has
 //
@@ -32,6 +58,8 @@ namespace internal {
 //   are_exact()                whether two objects intersect iff their intervals meet along all
 //                              axes
 //   do_intersect(i, j)         asked about pairs whose boxes meet
+//   Box_filter                 if there is one, decides about most of these pairs by their boxes,
+//                              as Ball_box_filter does
 //
 // Boxes have `Axes` of the axes. If there are more axes, the intervals along the others are read
 // when a pair has met along those of the boxes.
@@ -78,8 +106,15 @@ public:
 
   bool is_pair(const Run& a, const Run& b, Found_pair pair, Decision_counts&) const
   {
-    return (a.sides[pair.i] & b.sides[pair.j]) == 0
-           && do_intersect(a.positions[pair.i], b.positions[pair.j]);
+    if((a.sides[pair.i] & b.sides[pair.j]) != 0)
+      return false;
+    if(dimension() == Axes) {
+      const Uncertain<bool> answer
+        = Box_filter_of<Objects>::type::do_intersect(box_at(a, pair.i), box_at(b, pair.j));
+      if(is_certain(answer))
+        return get_certain(answer);
+    }
+    return do_intersect(a.positions[pair.i], b.positions[pair.j]);
   }
 
   // Whether two objects whose boxes meet intersect.
@@ -94,6 +129,15 @@ public:
   }
 
 private:
+  // The axes are in another order, but in the same one for all boxes.
+  static std::array<Interval, Axes> box_at(const Run& run, Place place)
+  {
+    std::array<Interval, Axes> box;
+    for(std::size_t axis = 0; axis < Axes; ++axis)
+      box[axis] = {run.low[axis][place], run.high[axis][place]};
+    return box;
+  }
+
   static bool do_meet(const Interval& a, const Interval& b)
   {
     return a.low <= b.high && b.low <= a.high;

@@ -9,6 +9,7 @@
 
 #include <CGAL/Dimension.h>
 
+#include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 
@@ -55,10 +56,18 @@ struct Has_boxes : std::false_type {};
 template <class Traits>
 struct Has_boxes<Traits, std::void_t<decltype(Traits::do_boxes_decide)>> : std::true_type {};
 
+// Decides about objects by their boxes. A specialization for some traits may know more.
+template <class Traits>
+struct Box_filter_of_traits
+{
+  using type = No_box_filter;
+};
+
 template <class Elements, class Traits>
 class Traits_boxes
 {
 public:
+  using Box_filter = typename Box_filter_of_traits<Traits>::type;
   static constexpr int static_dimension = Object_dimension<Traits>::value;
 
   Traits_boxes(const Elements& objects, const Traits& traits)

@@ -11,9 +11,13 @@
 #include <CGAL/Distance_bound.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
 #include <CGAL/Thick_intersection_d/internal/doors/Object_route.h>
+#include <CGAL/Thick_intersection_d/internal/doors/Traits_boxes.h>
 #include <CGAL/Thick_intersection_d/internal/doors/near_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/Ball_centers.h>
+#include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Ball_box_filter.h>
 
 #include <type_traits>
 
@@ -24,6 +28,13 @@ class Thick_ball_traits_d;
 
 namespace Thick_intersection_d {
 namespace internal {
+
+template <class Point>
+struct Box_filter_of_traits<Thick_ball_traits_d<Point>>
+{
+  using type = std::conditional_t<is_held_by_double_v<Coordinate_t<Point>>, Ball_box_filter,
+                                  No_box_filter>;
+};
 
 // Two balls of one radius intersect if their centers are within twice the radius.
 template <class Point>
