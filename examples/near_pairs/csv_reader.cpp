@@ -46,9 +46,9 @@ std::string take_field(const std::string& record, std::size_t& position)
   }
 }
 
-bool has_open_quote(const std::string& record)
+bool has_odd_quotes(const std::string& line)
 {
-  return std::count(record.begin(), record.end(), '"') % 2 != 0;
+  return std::count(line.begin(), line.end(), '"') % 2 != 0;
 }
 
 // Cuts a record into its fields; returns false if a quoted field does not end at a comma.
@@ -79,9 +79,6 @@ Csv_reader::Csv_reader(const Options& options)
 {
   if(!next_record(header_))
     throw Error(options.file, "is empty");
-  const std::string mark = "\xEF\xBB\xBF"; // some programs begin UTF-8 files with it
-  if(header_.front().compare(0, mark.size(), mark) == 0)
-    header_.front().erase(0, mark.size());
   choose_columns(options);
   dimension = static_cast<int>(columns_.size());
   for(std::size_t axis = 0; axis < columns_.size(); ++axis)
@@ -113,9 +110,13 @@ bool Csv_reader::next_record(std::vector<std::string>& fields)
       return false;
   } while(trimmed(record).empty());
   first_line_ = lines_.number();
-  for(std::string line; has_open_quote(record); record += '\n' + line)
+  // Each line is looked at once, so that a stray quote costs no more than any other letter.
+  bool is_open = has_odd_quotes(record);
+  for(std::string line; is_open; is_open ^= has_odd_quotes(line)) {
     if(!lines_.next(line))
       throw Error(lines_.file(), first_line_, "a quote is not closed");
+    record.append(1, '\n').append(line);
+  }
   if(!split(record, fields))
     throw Error(lines_.file(), first_line_, "a quoted field does not end at a comma");
   return true;

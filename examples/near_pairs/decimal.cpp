@@ -8,14 +8,15 @@
 #include <cstdint>
 #include <cstdlib>
 #include <sstream>
+#include <utility>
 
 namespace near_pairs {
 namespace {
 
 // Moves the digits at the front of `text` to the end of `digits`; returns how many there were.
-int take_digits(std::string_view& text, std::string& digits)
+std::int64_t take_digits(std::string_view& text, std::string& digits)
 {
-  int count = 0;
+  std::int64_t count = 0;
   while(!text.empty() && text.front() >= '0' && text.front() <= '9') {
     digits.push_back(text.front());
     text.remove_prefix(1);
@@ -48,30 +49,33 @@ std::optional<int> parse_exponent(std::string_view text)
   return negative ? -value : value;
 }
 
-// Strips the zeros at both ends, so that the number has one form only.
-void normalize(Decimal& decimal)
+// Strips the zeros at both ends of the digits, so that the number has one form only. Returns
+// nothing if the exponent is out of range.
+std::optional<Decimal> normalized(bool negative, std::string digits, std::int64_t exponent)
 {
-  const std::size_t last = decimal.digits.find_last_not_of('0');
-  if(last == std::string::npos) {
-    decimal = Decimal();
-    return;
-  }
-  decimal.exponent += static_cast<int>(decimal.digits.size() - 1 - last);
-  decimal.digits.erase(last + 1);
-  decimal.digits.erase(0, decimal.digits.find_first_not_of('0'));
+  const std::size_t last = digits.find_last_not_of('0');
+  if(last == std::string::npos)
+    return Decimal();
+  exponent += static_cast<std::int64_t>(digits.size() - 1 - last);
+  if(exponent < -largest_exponent || exponent > largest_exponent)
+    return std::nullopt;
+  digits.erase(last + 1);
+  digits.erase(0, digits.find_first_not_of('0'));
+  return Decimal{negative, std::move(digits), static_cast<int>(exponent)};
 }
 
 } // namespace
 
 std::optional<Decimal> parse_decimal(std::string_view text)
 {
-  Decimal decimal;
-  decimal.negative = take_sign(text);
-  int count = take_digits(text, decimal.digits);
+  const bool negative = take_sign(text);
+  std::string digits;
+  std::int64_t exponent = 0;
+  std::int64_t count = take_digits(text, digits);
   if(!text.empty() && text.front() == '.') {
     text.remove_prefix(1);
-    const int decimals = take_digits(text, decimal.digits);
-    decimal.exponent = -decimals;
+    const std::int64_t decimals = take_digits(text, digits);
+    exponent = -decimals;
     count += decimals;
   }
   if(count == 0)
@@ -79,15 +83,12 @@ std::optional<Decimal> parse_decimal(std::string_view text)
   if(!text.empty()) {
     if(text.front() != 'e' && text.front() != 'E')
       return std::nullopt;
-    const std::optional<int> exponent = parse_exponent(text.substr(1));
-    if(!exponent)
+    const std::optional<int> shift = parse_exponent(text.substr(1));
+    if(!shift)
       return std::nullopt;
-    decimal.exponent += *exponent;
+    exponent += *shift;
   }
-  normalize(decimal);
-  if(decimal.exponent < -largest_exponent || decimal.exponent > largest_exponent)
-    return std::nullopt;
-  return decimal;
+  return normalized(negative, std::move(digits), exponent);
 }
 
 std::optional<CGAL::Exact_rational> parse_exact(std::string_view text)

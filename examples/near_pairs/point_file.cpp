@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Rows of text, or the vertices of a mesh file, to a scene; see point_file.h.
+// Rows of text to a scene; see point_file.h.
 
 #include "point_file.h"
 
@@ -9,9 +9,6 @@
 #include "error.h"
 #include "row_reader.h"
 
-#include <CGAL/IO/OFF.h>
-#include <CGAL/IO/PLY.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_utils.h> // to_double
 
 #include <algorithm>
@@ -143,31 +140,6 @@ double unscaled(const CGAL::Exact_rational& value, int scale)
   return CGAL::to_double(CGAL::Exact_rational(value * power_of_ten(-scale)));
 }
 
-// CGAL reads the file; it knows no lines, so that the position of the point is all one can tell.
-Scene read_mesh(const Options& options, const std::string& format)
-{
-  if(options.decimal || options.geographic || !options.columns.empty())
-    throw Error(options.file, "--decimal, --geographic and --columns do not apply to " + format);
-  Lines(options.file); // throws if the file cannot be opened
-  std::vector<CGAL::Simple_cartesian<double>::Point_3> points;
-  std::vector<std::vector<std::size_t>> faces;
-  const auto quiet = CGAL::parameters::verbose(false);
-  const bool read = format == ".off" ? CGAL::IO::read_OFF(options.file, points, faces, quiet)
-                                     : CGAL::IO::read_PLY(options.file, points, faces, quiet);
-  if(!read)
-    throw Error(options.file, "is no complete " + format.substr(1) + " file");
-  Scene scene;
-  scene.dimension = options.dimension == 0 ? 3 : options.dimension;
-  scene.names = {"x", "y", "z"};
-  for(std::size_t i = 0; i < points.size(); ++i)
-    for(int axis = 0; axis < scene.dimension; ++axis) {
-      if(!std::isfinite(points[i][axis]))
-        throw Error(options.file, "point " + std::to_string(i) + " (from 0) is not finite");
-      scene.doubles.push_back(points[i][axis]);
-    }
-  return scene;
-}
-
 } // namespace
 
 std::size_t Scene::size() const
@@ -194,9 +166,6 @@ double Scene::distance(std::size_t i, std::size_t j) const
 
 Scene read_scene(const Options& options)
 {
-  const std::string format = extension(options.file);
-  if(format == ".off" || format == ".ply")
-    return read_mesh(options, format);
   if(options.geographic)
     return read_geographic(options);
   return options.decimal ? read_decimals(options) : read_plain(options);

@@ -9,6 +9,8 @@
 #include "csv_reader.h"
 #include "decimal.h"
 #include "error.h"
+#include "off_reader.h"
+#include "ply_reader.h"
 
 #include <algorithm>
 #include <cctype>
@@ -16,15 +18,9 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <sstream>
 
 namespace near_pairs {
 namespace {
-
-std::string plural(std::size_t count, const std::string& word)
-{
-  return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
-}
 
 // The numbers of a point on each line; lines that begin with # and blank lines are skipped.
 class Xyz_reader : public Row_reader
@@ -39,7 +35,7 @@ public:
   bool next(Row& row) override
   {
     for(std::string line; lines_.next(line); ) {
-      const std::vector<std::string> texts = words(line);
+      const std::vector<std::string> texts = words(line, dimension);
       if(texts.empty() || texts.front().front() == '#')
         continue;
       if(texts.size() < std::size_t(dimension))
@@ -66,7 +62,7 @@ public:
   {
     read_head();
     more_ = lines_.next(line_);
-    const std::size_t in_file = std::max<std::size_t>(words(line_).size(), 1) - 1;
+    const std::size_t in_file = std::max<std::size_t>(words(line_, 5).size(), 1) - 1;
     dimension = in_file == 3 ? 3 : 2;
     if(options.dimension > dimension)
       throw Error(options.file, lines_.number(), "the nodes have no third coordinate");
@@ -77,14 +73,14 @@ public:
 
   bool next(Row& row) override
   {
-    const std::vector<std::string> texts = words(line_);
+    const std::vector<std::string> texts = words(line_, words_per_node_ + 1);
     if(!more_ || texts.empty() || is_end(texts.front())) {
       check_count();
       return false;
     }
     if(texts.size() != words_per_node_)
-      throw Error(lines_.file(), lines_.number(), plural(texts.size(), "word")
-                  + " where a node has " + std::to_string(words_per_node_));
+      throw Error(lines_.file(), lines_.number(), "a node has " + plural(words_per_node_, "word")
+                  + ", and this line has not");
     row.line = lines_.number();
     std::copy_n(texts.begin() + 1, dimension, row.coordinates.begin());
     ++count_;
@@ -146,9 +142,24 @@ bool Lines::next(std::string& line)
     return false;
   }
   ++number_;
+  const std::string mark = "\xEF\xBB\xBF"; // some programs begin UTF-8 files with it
+  if(number_ == 1 && line.compare(0, mark.size(), mark) == 0)
+    line.erase(0, mark.size());
   if(!line.empty() && line.back() == '\r')
     line.pop_back();
   return true;
+}
+
+bool Lines::read_bytes(std::string& bytes, std::size_t count)
+{
+  bytes.resize(count);
+  return bool(stream_.read(bytes.data(), static_cast<std::streamsize>(count)));
+}
+
+bool Lines::skip_bytes(std::size_t count)
+{
+  stream_.ignore(static_cast<std::streamsize>(count));
+  return static_cast<std::size_t>(stream_.gcount()) == count;
 }
 
 std::unique_ptr<Row_reader> open_rows(const Options& options)
@@ -163,6 +174,10 @@ std::unique_ptr<Row_reader> open_rows(const Options& options)
     return std::make_unique<Xyz_reader>(options);
   if(format == ".tsp")
     return std::make_unique<Tsp_reader>(options);
+  if(format == ".off")
+    return std::make_unique<Off_reader>(options);
+  if(format == ".ply")
+    return std::make_unique<Ply_reader>(options);
   throw Error(options.file, "unknown format (known are .csv, .xyz, .off, .ply and .tsp)");
 }
 
@@ -174,13 +189,31 @@ std::string extension(const std::string& file)
   return format;
 }
 
-std::vector<std::string> words(const std::string& line)
+std::vector<std::string> words(const std::string& line, std::size_t most)
 {
-  std::istringstream stream(line);
+  const char* const blanks = " \t\r\v\f";
   std::vector<std::string> result;
-  for(std::string word; stream >> word; )
-    result.push_back(word);
+  std::size_t end = 0;
+  while(result.size() < most) {
+    const std::size_t begin = line.find_first_not_of(blanks, end);
+    if(begin == std::string::npos)
+      break;
+    end = std::min(line.find_first_of(blanks, begin), line.size());
+    result.push_back(line.substr(begin, end - begin));
+  }
   return result;
+}
+
+std::string plural(std::size_t count, const std::string& word)
+{
+  return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
+}
+
+std::optional<std::size_t> parse_count(const std::string& text)
+{
+  if(text.empty() || text.size() > 18 || text.find_first_not_of("0123456789") != std::string::npos)
+    return std::nullopt;
+  return std::stoull(text);
 }
 
 } // namespace near_pairs

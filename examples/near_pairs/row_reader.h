@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <fstream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,11 @@ public:
   explicit Lines(const std::string& file);
 
   bool next(std::string& line);
+
+  // What follows the last line, as bytes. They return whether the file has so many.
+  bool read_bytes(std::string& bytes, std::size_t count);
+  bool skip_bytes(std::size_t count);
+
   std::size_t number() const { return number_; }
   const std::string& file() const { return file_; }
 
@@ -59,15 +65,22 @@ private:
   std::size_t number_ = 0;
 };
 
-// Opens options.file by its extension: .csv, .xyz or .tsp.
+// Opens options.file by its extension: .csv, .xyz, .tsp, .off or .ply.
 // With --geographic the coordinates of a row are latitude and longitude, in this order.
 std::unique_ptr<Row_reader> open_rows(const Options& options);
 
 // The extension of a file name, in lower case, with its point.
 std::string extension(const std::string& file);
 
-// The words of a line that is separated by blanks.
-std::vector<std::string> words(const std::string& line);
+// The first words of a line that is separated by blanks, at most `most`: a line may be as long as a
+// file, and each word takes more memory than its text.
+std::vector<std::string> words(const std::string& line, std::size_t most);
+
+// "1 word" or "2 words".
+std::string plural(std::size_t count, const std::string& word);
+
+// Reads a count as the heads of files have it, of at most 18 digits.
+std::optional<std::size_t> parse_count(const std::string& text);
 
 } // namespace near_pairs
 

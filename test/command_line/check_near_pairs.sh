@@ -44,9 +44,10 @@ verdict() {
   fi
 }
 
-# run ARGUMENT...: runs the program; what it printed is in the files out and err.
+# run ARGUMENT...: runs the program; what it printed is in the files out and err. None of the small
+# files takes a second: a program that takes a minute takes time that is not linear in their size.
 run() {
-  "$binary" "$@" > out 2> err
+  timeout 60 "$binary" "$@" > out 2> err
   status=$?
 }
 
@@ -239,7 +240,7 @@ expect_error "column number out of range" "no column '3'" names.csv --distance 1
 expect_error "latitude beyond the pole" "pole.csv:3: lat: latitude 90.5" pole.csv --distance 1 --geographic
 expect_error "decimals beyond 53 bits" "use --kernel exact" long.csv --distance 1 --decimal
 expect_error "short line" "short.xyz:3: 2 numbers" short.xyz --distance 1
-expect_error "cut .off file" "cut.off: " cut.off --distance 1
+expect_error "cut .off file" "cut.off:3: the file ends after vertex 1 of 3" cut.off --distance 1
 expect_error "no number in .tsp" "word.tsp:3: x: 'zero'" word.tsp --distance 1
 expect_error "cut .tsp file" "cut.tsp:4: 2 nodes" cut.tsp --distance 1
 expect_error ".tsp without nodes" "head.tsp: no NODE_COORD_SECTION" head.tsp --distance 1
@@ -284,6 +285,84 @@ status=${PIPESTATUS[0]}
 true > out
 verdict "a pipe that is closed early" is_one_error "near_pairs: -: "
 verdict "  and leaves no temporary file" test -z "$(find . -name 'closed.svg.part*')"
+
+# ---------------------------------------------------------------- bytes from strangers
+
+rows() { # COUNT TEXT
+  yes "$2" | head -n "$1"
+}
+digits=$(head -c 100000 /dev/zero | tr '\0' 7)
+ply=$'property float x\nproperty int y\nproperty uchar red\nproperty double z\n'
+{ printf 'x,y\n"0,0\n'; rows 1250000 1,1; } > stray.csv
+{ printf 'x,y\n'; rows 500000 '1"1,1'; } > quotes.csv
+{ printf 'x,y\n0,0\n'; head -c 5000000 /dev/zero | tr '\0' ,; } > commas.csv
+{ printf '"x\ny\nz",'; head -c 100000 /dev/zero | tr '\0' a; } > names_in_lines.csv
+printf 'x,y\n0\0,0\n' > nul.csv
+printf '\xEF\xBB\xBF"x",y\r\n0,0\r\n\r\n1,0' > quoted_mark.csv
+printf '\xEF\xBB\xBF0 0 0\r\n1 0 0' > mark.xyz
+printf 'x,y\n%s,0\n' "$digits" > digits.csv
+printf 'x,y\n0.%s,0\n' "$digits" > decimals.csv
+printf 'x,y\n1e999999999,0\n' > exponent.csv
+{ printf '0 0 0 '; head -c 5000000 /dev/zero | tr '\0' ' '; rows 1000000 a | tr '\n' ' '
+  printf '\n1 0 0'; } > label.xyz
+printf 'DIMENSION : 99999999999999999999\nNODE_COORD_SECTION\n1 0 0\n' > promise.tsp
+printf 'COFF\n3 1 0\n0 0 0 255\n0.5 0 0 0 0 255 255 9 9 # near\n5 5 5\n3 0 1 2\n' > colors.off
+printf 'STOFF\r\n2 0 0\r\n0 0 0\r\n0.5 0 0' > textures.off
+printf 'OFF\n1000000000 1000000000 0\n0 0 0\n' > promise.off
+printf 'OFF\n-1 0 0\n' > negative.off
+printf 'OFF BINARY\n\0\0\0\1\0\0\0\0\0\0\0\0' > binary.off
+printf '4OFF\n1 0 0\n0 0 0 0\n' > homogeneous.off
+printf "ply\nformat ascii 1.0\nelement vertex 2\n${ply}end_header\n0 0 255 0\n0.5 0 0 0" > colors.ply
+printf "ply\nformat binary_little_endian 1.0\nelement l 1\nproperty list uchar short s\n%s" \
+       "element vertex 2"$'\n'"${ply}end_header"$'\n' > binary.ply
+printf '\2abcd\0\0\0\0\1\0\0\0\377\0\0\0\0\0\0\0\0' >> binary.ply
+printf '\0\0\0\77\1\0\0\0\377\0\0\0\0\0\0\0\0' >> binary.ply
+head -c -1 binary.ply > cut.ply
+printf "ply\nformat binary_big_endian 1.0\nelement vertex 1\n${ply}end_header\n" > nan.ply
+printf '\177\300\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0' >> nan.ply
+printf "ply\nformat ascii 1.0\nelement vertex 1000000000\n${ply}end_header\n0 0 0 0\n" > promise.ply
+printf "ply\nformat ascii 1.0\nelement none 1000000000000000\nelement vertex 0\n${ply}end_header\n" \
+       > nothing.ply
+printf "ply\nformat binary_big_endian 1.0\nelement l 9\nproperty list uint double s\n%s\377\377\377\377" \
+       "element vertex 1"$'\n'"${ply}end_header"$'\n' > list.ply
+printf 'ply\nformat ascii 1.0\nproperty float x\nelement vertex 1\nend_header\n0\n' > first.ply
+printf 'ply\nformat ascii 1.0\nelement vertex 1\nproperty int64 x\nend_header\n0\n' > type.ply
+printf 'ply\nformat ascii 1.0\nelement vertex 1\nproperty int x\nend_header\n0\n' > line.ply
+
+expect_error "stray quote" "stray.csv:2: a quote is not closed" stray.csv --distance 1
+expect_error "very many quotes" "quotes.csv:2: 3 fields, but the header has 2" quotes.csv --distance 1
+expect_error "a line of commas" "commas.csv:3: 5000001 fields" commas.csv --distance 1
+expect_error "long names with line ends" "among x?y?z, aaa" names_in_lines.csv --distance 1
+verdict "  of which the beginning is shown" test "$(wc -c < err)" -lt 1000
+expect_error "a zero byte" "nul.csv:2: x: '0?' is no" nul.csv --distance 1
+expect_pairs "byte order mark before a quote" 1 quoted_mark.csv --distance 1
+expect_pairs "byte order mark in .xyz" 1 mark.xyz --distance 1
+expect_error "10^5 digits" "digits.csv:2: x: '777" digits.csv --distance 1
+expect_error "10^5 decimals" "decimals.csv:2: x: '0.777" decimals.csv --distance 1
+expect_error "10^5 digits, as decimals" "digits.csv:2: --decimal: 777" digits.csv --distance 1 --decimal
+expect_pairs "10^5 digits, exactly" 0 digits.csv --distance 1 --decimal --kernel exact
+expect_error "exponent of nine digits" "exponent.csv:2: x: '1e999999999'" exponent.csv --distance 1
+expect_error "the same, exactly" "exponent.csv:2: x: '1e9" exponent.csv --distance 1 --decimal --kernel exact
+expect_pairs "a label of 10^6 words" 1 label.xyz --distance 1
+expect_error ".tsp promises more" "promise.tsp:3: 1 node" promise.tsp --distance 1
+expect_pairs ".off with colors, some cut" 1 colors.off --distance 0.5
+expect_pairs "  as decimals" 1 colors.off --distance 0.5 --decimal
+expect_pairs ".off with textures, but none there" 1 textures.off --distance 0.5
+expect_error ".off promises 10^9 vertices" "the file ends after vertex 1 of 1000000000" promise.off --distance 1
+expect_error ".off with fewer than none" "negative.off:2: OFF is not followed by" negative.off --distance 1
+expect_error "binary .off" "binary.off:2: OFF is not followed by" binary.off --distance 1
+expect_error ".off in projective space" "does not begin with OFF" homogeneous.off --distance 1
+expect_pairs ".ply of integers, with colors" 1 colors.ply --distance 0.5
+expect_pairs "binary .ply, behind a list" 1 binary.ply --distance 0.5
+expect_error "binary .ply, a byte less" "cut.ply: the file ends before the vertices do" cut.ply --distance 1
+expect_error "binary .ply, as decimals" "--decimal needs" binary.ply --distance 1 --decimal
+expect_error "binary .ply, NaN" "vertex 0 (from 0) is not finite" nan.ply --distance 1
+expect_error ".ply promises 10^9 vertices" "the file ends before the vertices do" promise.ply --distance 1
+expect_pairs ".ply promises 10^15 times nothing" 0 nothing.ply --distance 1
+expect_error ".ply promises a long list" "the file ends before the vertices do" list.ply --distance 1
+expect_error ".ply with a property of nothing" "first.ply:3: no line of a header" first.ply --distance 1
+expect_error ".ply with a type of 64 bits" "type.ply:4: unknown type 'int64'" type.ply --distance 1
+expect_error ".ply on a line" "the vertices have no property y" line.ply --distance 1
 
 # ---------------------------------------------------------------- kernels, and many points
 
