@@ -12,10 +12,10 @@
 #include "picture.h"
 #include "point_file.h"
 #include "search.h"
+#include "standard_streams.h"
 
 #include <sys/resource.h>
 
-#include <csignal>
 #include <exception>
 #include <iomanip>
 #include <iostream>
@@ -119,19 +119,6 @@ void print_summary(std::ostream& out, const Scene& scene, const Options& options
   print_costs(out, result.seconds, "");
 }
 
-// Lets an interrupted search end by an error, so that no temporary file stays. A pipe that nobody
-// reads is an error as well.
-void catch_signals()
-{
-  const auto stop = [](int signal) {
-    stop_requested = true;
-    std::signal(signal, SIG_DFL); // the second one ends the program at once
-  };
-  std::signal(SIGINT, stop);
-  std::signal(SIGTERM, stop);
-  std::signal(SIGPIPE, SIG_IGN);
-}
-
 // The options of a search for the pairs at the distance of the closest one.
 Options options_at(const CGAL::Exact_rational& squared_distance, Options options)
 {
@@ -184,6 +171,7 @@ void run(const Options& options)
       out << result.profile << '\n';
     print_summary(out, scene, options, result);
   }
+  finish(out, "the summary");
 }
 
 } // namespace
@@ -192,15 +180,15 @@ void run(const Options& options)
 int main(int argc, char** argv)
 {
   try {
+    near_pairs::keep_closed_streams_closed();
     const near_pairs::Options options = near_pairs::parse_options(argc, argv);
     if(options.help)
-      std::cout << near_pairs::help_text();
+      near_pairs::finish(std::cout << near_pairs::help_text(), "the help");
     else
       near_pairs::run(options);
     return 0;
   }
   catch(const std::exception& error) {
-    std::cerr << "near_pairs: " << error.what() << '\n';
-    return 2;
+    return near_pairs::end_with_error(error.what());
   }
 }

@@ -180,7 +180,8 @@ std::string help_text()
   text << "near_pairs [options] FILE\n"
           "reports every pair of points of FILE (.csv, .xyz, .off, .ply, .tsp) within a distance,\n"
           "or the closest one.\n"
-       << visible << "\nExit status: 0, or 2 with one line on the standard error.\n";
+       << visible << "\nExit status: 0, or 2 with one line on the standard error; "
+          "a broken pipe ends the\nprogram by its signal.\n";
   return text.str();
 }
 

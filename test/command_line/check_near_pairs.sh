@@ -282,9 +282,28 @@ run word.csv --distance 1 --pairs old.csv
 verdict "an error leaves the old output" test "$status $(cat old.csv)" = "2 old"
 "$binary" "$ships" --distance 1 --pairs - --picture closed.svg 2> err | head -n 1 > out
 status=${PIPESTATUS[0]}
-true > out
-verdict "a pipe that is closed early" is_one_error "near_pairs: -: "
+verdict "a pipe that is closed early ends the program by its signal" test "$status" -eq 141
+verdict "  quietly" test ! -s err
 verdict "  and leaves no temporary file" test -z "$(find . -name 'closed.svg.part*')"
+rm -f out
+(trap '' PIPE; "$binary" "$ships" --distance 1 --pairs - 2> err; echo $? > ended) | head -n 1 > first
+status=$(cat ended)
+true > out
+verdict "a closed pipe is an error for who ignores the signal" is_one_error "near_pairs: -: "
+if [ -w /dev/full ]; then
+  for lost in "ties.csv --distance 1" "ties.csv --closest" --help; do
+    "$binary" $lost > /dev/full 2> err
+    status=$?
+    verdict "a full standard output: $lost" is_one_error "cannot be written to its end"
+  done
+fi
+"$binary" ties.csv --distance 1 --picture kept.svg >&- 2> err
+status=$?
+verdict "a closed standard output" is_one_error "the summary: cannot be written"
+verdict "  is not mistaken for the picture" grep -q '^</svg>' kept.svg
+"$binary" ties.csv --distance 1 --pairs - --picture kept.svg >&- 2> err
+status=$?
+verdict "pairs to a closed standard output" is_one_error "near_pairs: -: "
 
 # ---------------------------------------------------------------- bytes from strangers
 
