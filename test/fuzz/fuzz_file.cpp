@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Gives any bytes to near_pairs as a file of one format, THICK_FUZZ_FORMAT, in each way to read it.
+// A reader may refuse them, by Error, or return a scene that keeps its promises; nothing else.
+
+#include "error.h"
+#include "point_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <string>
+
+namespace {
+
+// A file of its own for each process, removed at the end.
+class Temporary_file
+{
+public:
+  Temporary_file()
+    : path_(std::filesystem::temp_directory_path()
+            / ("near_pairs_fuzz_" + std::to_string(std::random_device()()) + THICK_FUZZ_FORMAT))
+  {}
+
+  ~Temporary_file() { std::filesystem::remove(path_); }
+
+  std::string path() const { return path_.string(); }
+
+  void fill(const std::uint8_t* data, std::size_t size) const
+  {
+    std::ofstream(path_, std::ios::binary)
+      .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
+  }
+
+private:
+  std::filesystem::path path_;
+};
+
+void require(bool condition)
+{
+  if(!condition)
+    std::abort();
+}
+
+void check(const near_pairs::Scene& scene, std::size_t bytes)
+{
+  require(scene.dimension == 2 || scene.dimension == 3);
+  require(scene.doubles.empty() || scene.exact.empty());
+  require((scene.doubles.size() + scene.exact.size()) % scene.dimension == 0);
+  require(scene.size() <= bytes);
+  require(scene.ids.empty() || scene.ids.size() == scene.size());
+  require(std::all_of(scene.doubles.begin(), scene.doubles.end(),
+                      [](double coordinate) { return std::isfinite(coordinate); }));
+}
+
+void read(const near_pairs::Options& options, std::size_t bytes)
+{
+  try {
+    check(near_pairs::read_scene(options), bytes);
+  }
+  catch(const near_pairs::Error&) {
+  }
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  static const Temporary_file file;
+  file.fill(data, size);
+  near_pairs::Options options;
+  options.file = file.path();
+  options.closest = true; // so that ids are kept
+  read(options, size);
+  options.dimension = 2;
+  read(options, size);
+  options.dimension = 0;
+  options.decimal = true;
+  read(options, size);
+  options.kernel = "exact";
+  read(options, size);
+  options.decimal = false;
+  options.geographic = true;
+  read(options, size);
+  options.columns = {"2", "1"};
+  read(options, size);
+  return 0;
+}
