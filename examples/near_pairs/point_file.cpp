@@ -103,11 +103,16 @@ int common_scale(const Options& options)
   return scale;
 }
 
-// From here on the scene is held as exact numbers.
+// From here on the scene is held as exact numbers, as they are in the file: at the scale of the
+// least one, the others could be longer than the whole file.
 void switch_to_exact(Scene& scene)
 {
-  scene.exact.assign(scene.doubles.begin(), scene.doubles.end());
+  const CGAL::Exact_rational unit = power_of_ten(-scene.scale);
+  scene.exact.reserve(scene.doubles.size());
+  for(double value : scene.doubles)
+    scene.exact.push_back(CGAL::Exact_rational(CGAL::Exact_rational(value) * unit));
   std::vector<double>().swap(scene.doubles);
+  scene.scale = 0;
 }
 
 // The file is read twice, so that no text is kept: once for the scale, once for the integers.
@@ -125,19 +130,17 @@ Scene read_decimals(const Options& options)
         scene.doubles.push_back(*value);
         continue;
       }
+      // The search of numbers that no double encloses looks at all pairs.
+      if(!std::isfinite(nearest_double(row.coordinates[axis])))
+        throw bad_coordinate(options, *reader, row, axis);
       if(options.kernel == "double" || options.kernel == "epick")
         throw Error(options.file, row.line, "--decimal: " + row.coordinates[axis] + " times 10^"
                     + std::to_string(scale) + " exceeds 53 bits; use --kernel exact");
       if(scene.exact.empty())
         switch_to_exact(scene);
-      scene.exact.push_back(to_rational(decimal) * power_of_ten(scale));
+      scene.exact.push_back(to_rational(decimal));
     }
   return scene;
-}
-
-double unscaled(const CGAL::Exact_rational& value, int scale)
-{
-  return CGAL::to_double(CGAL::Exact_rational(value * power_of_ten(-scale)));
 }
 
 } // namespace
@@ -150,7 +153,7 @@ std::size_t Scene::size() const
 double Scene::coordinate(std::size_t point, int axis) const
 {
   const std::size_t at = point * dimension + axis;
-  return exact.empty() ? doubles[at] / std::pow(10., scale) : unscaled(exact[at], scale);
+  return exact.empty() ? doubles[at] / std::pow(10., scale) : CGAL::to_double(exact[at]);
 }
 
 double Scene::distance(std::size_t i, std::size_t j) const
@@ -159,7 +162,7 @@ double Scene::distance(std::size_t i, std::size_t j) const
   for(int axis = 0; axis < dimension; ++axis) {
     const std::size_t a = i * dimension + axis, b = j * dimension + axis;
     difference[axis] = exact.empty() ? (doubles[a] - doubles[b]) / std::pow(10., scale)
-                                     : unscaled(exact[a] - exact[b], scale);
+                                     : CGAL::to_double(CGAL::Exact_rational(exact[a] - exact[b]));
   }
   return std::hypot(std::hypot(difference[0], difference[1]), difference[2]);
 }

@@ -19,7 +19,8 @@ namespace near_pairs {
 
 // Coordinates are held once, point after point: as doubles where these are the values to search
 // with, which is nearly always, or as exact numbers where --decimal met integers beyond 53 bits.
-// With --decimal they are the coordinates of the file times 10^scale, all of them integers.
+// With --decimal the doubles are the coordinates of the file times 10^scale, all of them integers;
+// exact numbers are the coordinates as they are, and the scale is 0.
 struct Scene
 {
   int dimension = 0;

@@ -322,6 +322,7 @@ printf '\xEF\xBB\xBF0 0 0\r\n1 0 0' > mark.xyz
 printf 'x,y\n%s,0\n' "$digits" > digits.csv
 printf 'x,y\n0.%s,0\n' "$digits" > decimals.csv
 printf 'x,y\n1e999999999,0\n' > exponent.csv
+{ printf 'x,y\n1e-1000,0\n'; seq -f '%g,0' 0 9999; } > scales.csv
 { printf '0 0 0 '; head -c 5000000 /dev/zero | tr '\0' ' '; rows 1000000 a | tr '\n' ' '
   printf '\n1 0 0'; } > label.xyz
 printf 'DIMENSION : 99999999999999999999\nNODE_COORD_SECTION\n1 0 0\n' > promise.tsp
@@ -358,8 +359,10 @@ expect_pairs "byte order mark before a quote" 1 quoted_mark.csv --distance 1
 expect_pairs "byte order mark in .xyz" 1 mark.xyz --distance 1
 expect_error "10^5 digits" "digits.csv:2: x: '777" digits.csv --distance 1
 expect_error "10^5 decimals" "decimals.csv:2: x: '0.777" decimals.csv --distance 1
-expect_error "10^5 digits, as decimals" "digits.csv:2: --decimal: 777" digits.csv --distance 1 --decimal
-expect_pairs "10^5 digits, exactly" 0 digits.csv --distance 1 --decimal --kernel exact
+expect_error "10^5 digits, as decimals" "digits.csv:2: x: '777" digits.csv --distance 1 --decimal
+expect_error "10^5 digits, exactly" "digits.csv:2: x: '777" digits.csv --distance 1 --decimal --kernel exact
+expect_pairs "10^4 integers and 1e-1000, exactly" 1 scales.csv --distance 0.5 --decimal --kernel exact
+expect_pairs "  and its ties" 10001 scales.csv --distance 1 --decimal --kernel exact --dimension 2
 expect_error "exponent of nine digits" "exponent.csv:2: x: '1e999999999'" exponent.csv --distance 1
 expect_error "the same, exactly" "exponent.csv:2: x: '1e9" exponent.csv --distance 1 --decimal --kernel exact
 expect_pairs "a label of 10^6 words" 1 label.xyz --distance 1
