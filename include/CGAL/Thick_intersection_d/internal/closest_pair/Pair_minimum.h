@@ -8,6 +8,9 @@
 // The closest pair so far, and all comparisons with its distance. Doubles decide where they can,
 // and exact numbers elsewhere. It compares squares and takes no root, so the degree is 2.
 //
+// Squares are those of differences times a power of two, the scale, so that the square of the least
+// distance neither over- nor underflows. The scale is 1 where doubles hold the square anyway.
+//
 // Among pairs at the same distance, the lexicographically smallest pair stays. So if all closest
 // pairs are offered, the pair that remains does not depend on the order of offers.
 
@@ -48,9 +51,14 @@ public:
   // Takes the pair if it is closer, or as close and lexicographically smaller.
   void offer(std::size_t i, std::size_t j)
   {
-    const Gap square = squared_distance_bounds(points_[i], points_[j], dimension_);
-    if(square.inf > filter_.outside)
+    Gap square = squared_distance_bounds(points_[i], points_[j], dimension_);
+    if(square.inf > outside_)
       return;
+    if(scale_ != 1) {
+      square = scaled_square_bounds(i, j);
+      if(square.inf > filter_.outside)
+        return;
+    }
     const Position_pair candidate = std::minmax(i, j);
     if(!has_pair_)
       replace(candidate, square, std::nullopt);
@@ -80,34 +88,38 @@ public:
   {
     if(!has_pair_)
       return false;
-    const auto& p = points_[i];
-    const auto& q = points_[j];
-    const Gap g = gap_along(p, q, axis);
+    const Gap g = scaled_gap(i, j, axis);
     if(g.inf * g.inf > filter_.outside)
       return true;
     if(is_exact_ || g.sup * g.sup <= filter_.inside)
       return false;
-    const Exact difference
-      = to_exact_number(coordinate(p, axis)) - to_exact_number(coordinate(q, axis));
+    const Exact difference = to_exact_number(coordinate(points_[i], axis))
+                             - to_exact_number(coordinate(points_[j], axis));
     return Exact(difference * difference) > exact_square();
   }
 
   // An upper bound on the distance.
   double reach() const
   {
-    return std::nextafter(std::sqrt(max_square_), std::numeric_limits<double>::infinity());
+    return std::nextafter(scaled_reach() / scale_, std::numeric_limits<double>::infinity());
   }
 
-  // Whether reach() is at most twice the distance. False if the square over- or underflows, or if
-  // the errors of the coordinates hide the distance.
+  // Whether reach() is at most twice the distance, or the next double, or beyond the doubles. False
+  // if points are equal, or if the errors of the coordinates hide the distance.
   bool has_tight_reach() const
   {
-    return has_pair_ && min_square_ > 0 && max_square_ <= 4 * min_square_;
+    return has_pair_ && min_square_ > 0
+           && (max_square_ <= 4 * min_square_ || min_square_ > max_safe_square / 4);
   }
 
   bool is_zero() const { return has_pair_ && min_square_ == 0 && exact_square() == Exact(0); }
 
 private:
+  double scaled_reach() const
+  {
+    return std::nextafter(std::sqrt(max_square_), std::numeric_limits<double>::infinity());
+  }
+
   const Exact& exact_square() const
   {
     if(!exact_square_)
@@ -124,23 +136,71 @@ private:
       replace(candidate, square, std::move(exact));
   }
 
+  // As squared_distance_bounds(), of differences times the scale.
+  Gap scaled_square_bounds(std::size_t i, std::size_t j) const
+  {
+    Gap sum = {0, 0};
+    for(int axis = 0; axis < dimension_; ++axis) {
+      const Gap g = scaled_gap(i, j, axis);
+      sum.inf += g.inf * g.inf;
+      sum.sup += g.sup * g.sup;
+    }
+    return sum;
+  }
+
+  // Returns doubles that enclose the scaled distance of two points along an axis. If a difference
+  // overflows, that of the halves does not. What halving loses is less than 2^-1074.
+  Gap scaled_gap(std::size_t i, std::size_t j, int axis) const
+  {
+    const Gap g = gap_along(points_[i], points_[j], axis);
+    if(g.sup <= (std::numeric_limits<double>::max)())
+      return {g.inf * scale_, g.sup * scale_};
+    const std::pair<double, double> x = coordinate_bounds(points_[i], axis);
+    const std::pair<double, double> y = coordinate_bounds(points_[j], axis);
+    const Gap half = gap(std::pair(x.first / 2, x.second / 2), std::pair(y.first / 2, y.second / 2));
+    return {2 * scale_ * half.inf, 2 * scale_ * half.sup};
+  }
+
+  // Chooses the scale for the pair, and returns the bounds of its squared distance at this scale.
+  // If its points are equal, any other distance has a square beyond min_safe_threshold.
+  Gap choose_scale()
+  {
+    double size = 0;
+    for(int axis = 0; axis < dimension_; ++axis)
+      size = (std::max)(size, gap_along(points_[pair_.first], points_[pair_.second], axis).sup);
+    size = (std::min)(size, (std::numeric_limits<double>::max)()); // a difference may overflow
+    constexpr int min_exponent = -1000;
+    const int exponent = size > 0 ? (std::max)(std::ilogb(size), min_exponent) : min_exponent;
+    scale_exponent_ = is_plain(size * size) ? 0 : -exponent;
+    scale_ = std::ldexp(1, scale_exponent_);
+    return scaled_square_bounds(pair_.first, pair_.second);
+  }
+
+  static bool is_plain(double square) { return square >= 0x1p-900 && square <= 0x1p1000; }
+
   // Takes a pair. Its computed squared distance is between the doubles of `square`.
-  void replace(const Position_pair& pair, const Gap& square, std::optional<Exact> exact)
+  void replace(const Position_pair& pair, Gap square, std::optional<Exact> exact)
   {
     const double error = relative_error(dimension_);
     has_pair_ = true;
     pair_ = pair;
     exact_square_ = std::move(exact);
+    if(scale_ != 1 || !is_plain(square.sup))
+      square = choose_scale();
     min_square_ = square.inf >= min_safe_square
                     ? (std::min)(square.inf, max_safe_square / 2) * (1 - error) : 0;
     max_square_ = square.sup <= max_safe_square
                     ? (std::max)(square.sup * (1 + error), min_safe_threshold)
                     : std::numeric_limits<double>::infinity();
     is_exact_ = grid_exponent_
-                && are_squares_exact_in_double(reach(), *grid_exponent_, dimension_);
+                && are_squares_exact_in_double(scaled_reach(), *grid_exponent_ + scale_exponent_,
+                                               dimension_);
     filter_ = make_distance_filter(min_square_, max_square_, dimension_);
     if(is_exact_)
       filter_.outside = square.inf;
+    outside_ = scale_ == 1
+                 ? filter_.outside
+                 : make_distance_filter(0, max_square_ / scale_ / scale_, dimension_).outside;
   }
 
   const Elements& points_;
@@ -150,10 +210,13 @@ private:
   bool has_pair_ = false;
   Position_pair pair_ = {0, 0};
   mutable std::optional<Exact> exact_square_; // of the pair, once it was needed
-  double min_square_ = 0; // min_square_ <= squared distance <= max_square_
+  int scale_exponent_ = 0;
+  double scale_ = 1;
+  double min_square_ = 0; // min_square_ <= squared distance at this scale <= max_square_
   double max_square_ = std::numeric_limits<double>::infinity();
   bool is_exact_ = false;  // whether doubles compute squares up to that of the pair without error
-  Distance_filter filter_; // the distance of the pair is its bound
+  Distance_filter filter_; // the distance of the pair at this scale is its bound
+  double outside_ = std::numeric_limits<double>::infinity(); // of the filter at scale 1
 };
 
 } // namespace internal
