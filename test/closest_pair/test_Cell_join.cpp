@@ -9,6 +9,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <cmath>
+#include <limits>
 #include <set>
 
 BOOST_AUTO_TEST_SUITE(Cell_join)
@@ -19,6 +20,8 @@ using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 template <int Dimension>
 using Maker = Cartesian_points<Epick, Dimension>;
 using Point = Epick::Point_2;
+
+constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
 
 // What a join promises: all close pairs are visited, in the order of the input or not.
 BOOST_AUTO_TEST_CASE(joins_visit_all_close_pairs)
@@ -45,9 +48,10 @@ BOOST_AUTO_TEST_CASE(joins_visit_all_close_pairs)
     for(const double factor : {2., 16.}) {
       Pairs visited;
       const internal::Cell_join<CGAL::Sequential_tag, 2, Elements> join(elements, reach,
-                                                                        factor * reach);
+                                                                        factor * reach, 1);
       internal::Unwatched_progress progress;
-      join(internal::All_positions(points.size()), [&] { return Visitor{visited}; }, progress);
+      join(internal::All_positions(points.size()), no_limit, [&] { return Visitor{visited}; },
+           progress);
       std::sort(visited.begin(), visited.end());
       const Pairs& pairs = truth_of(scene).pairs;
       BOOST_CHECK_MESSAGE(std::includes(visited.begin(), visited.end(), pairs.begin(),
@@ -76,9 +80,10 @@ BOOST_AUTO_TEST_CASE(joins_of_many_lists_visit_all_close_pairs)
       x = std::floor(x);
   const Plain_points<double> elements = plain_points(points);
   std::set<Pair> visited;
-  const internal::Cell_join<CGAL::Sequential_tag, 3, Plain_points<double>> join(elements, 3, 10);
+  const internal::Cell_join<CGAL::Sequential_tag, 3, Plain_points<double>> join(elements, 3, 10, 1);
   internal::Unwatched_progress progress;
-  join(internal::All_positions(points.size()), [&] { return Visitor{visited}; }, progress);
+  join(internal::All_positions(points.size()), no_limit, [&] { return Visitor{visited}; },
+       progress);
   std::size_t close = 0, missing = 0;
   for(std::size_t i = 0; i < points.size(); ++i)
     for(std::size_t j = i + 1; j < points.size(); ++j) {
@@ -104,10 +109,11 @@ BOOST_AUTO_TEST_CASE(joins_end_when_the_visitor_says_so)
     void finish() { calls += 1000; }
   };
   const auto elements = plain_points(repeated(axis_points(2, 5000, 0, 0, 10), 2));
-  const internal::Cell_join<CGAL::Sequential_tag, 2, Plain_points<double>> join(elements, 1, 2);
+  const internal::Cell_join<CGAL::Sequential_tag, 2, Plain_points<double>> join(elements, 1, 2, 1);
   internal::Unwatched_progress progress;
   int calls = 0;
-  join(internal::All_positions(elements.size()), [&] { return Visitor{calls}; }, progress);
+  join(internal::All_positions(elements.size()), no_limit, [&] { return Visitor{calls}; },
+       progress);
   BOOST_CHECK_EQUAL(calls, 1005);
 }
 

@@ -53,9 +53,9 @@ void check_law(int dimension)
 {
   Random random(1);
   for(const double offset : {0., 1., -1., 1e6, -1e15, 1e19, 1e300})
-    for(const double width : {0.5, 0.1, 1e-9})
+    for(const double width : {0.5, 0.1, 1e-9, 1e-290, 1e-322, 1e200, 1e306, 1e308})
       for(const double factor : {1., 2., 16.}) {
-        const internal::Hashed_cells<Dimension> cells(dimension, width, factor * width);
+        const internal::Hashed_cells<Dimension> cells(dimension, width, factor * width, 3);
         for(int i = 0; i < 50; ++i) {
           Point p;
           for(int axis = 0; axis < dimension; ++axis)
@@ -78,8 +78,8 @@ BOOST_AUTO_TEST_CASE(near_points_are_in_the_cells_around)
 
 BOOST_AUTO_TEST_CASE(cells_are_the_same_if_the_dimension_is_known_at_run_time_only)
 {
-  const internal::Hashed_cells<2> cells(2, 0.1, 0.3);
-  const internal::Hashed_cells<0> others(2, 0.1, 0.3);
+  const internal::Hashed_cells<2> cells(2, 0.1, 0.3, 4);
+  const internal::Hashed_cells<0> others(2, 0.1, 0.3, 4);
   for(const Point& p : plain_points(uniform_points(2, 200, -2, 4, 2))) {
     BOOST_CHECK_EQUAL(cells.cell_of(p), others.cell_of(p));
     BOOST_CHECK(cells_around(cells, p) == cells_around(others, p));
@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(cells_are_the_same_if_the_dimension_is_known_at_run_time_on
 
 BOOST_AUTO_TEST_CASE(the_first_cell_around_is_told_with_whether_there_are_others)
 {
-  const internal::Hashed_cells<3> cells(3, 0.1, 0.7);
+  const internal::Hashed_cells<3> cells(3, 0.1, 0.7, 5);
   std::size_t alone = 0;
   for(const Point& p : plain_points(uniform_points(3, 500, -2, 4, 3))) {
     const std::vector<std::uint64_t> around = cells_around(cells, p);
@@ -101,14 +101,14 @@ BOOST_AUTO_TEST_CASE(the_first_cell_around_is_told_with_whether_there_are_others
   BOOST_CHECK_LT(alone, 400u);
 }
 
-BOOST_AUTO_TEST_CASE(cells_fit_distances_that_have_an_inverse)
+BOOST_AUTO_TEST_CASE(cells_fit_all_distances_beyond_the_errors)
 {
   const auto fits = [](double reach, double error) {
     return internal::Hashed_cells<2>::fits(reach, error);
   };
-  BOOST_CHECK(fits(1, 0) && fits(1, 0.5) && fits(0x1p-900, 0) && fits(0x1p900, 0));
-  BOOST_CHECK(!fits(1, 0.6) && !fits(0, 0) && !fits(0x1p-901, 0) && !fits(0x1p901, 0));
-  BOOST_CHECK(!fits(std::numeric_limits<double>::infinity(), 0));
+  BOOST_CHECK(fits(1, 0) && fits(1, 0.5) && fits(0x1p-1074, 0) && fits(0x1p1023, 0));
+  BOOST_CHECK(fits(std::numeric_limits<double>::infinity(), 0));
+  BOOST_CHECK(!fits(1, 0.6) && !fits(0, 0));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

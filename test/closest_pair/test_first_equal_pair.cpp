@@ -41,7 +41,8 @@ BOOST_AUTO_TEST_CASE(the_pair_is_the_lexicographically_smallest)
                         static_cast<double>(random.below(side))});
     const std::optional<Pair> expected = by_brute_force(points);
     found += expected.has_value();
-    BOOST_CHECK(internal::first_equal_pair(plain_points(points), 3) == expected);
+    const Plain_points<double> elements = plain_points(points);
+    BOOST_CHECK(internal::first_equal_pair(elements, 3, random.below(1000)) == expected);
   }
   BOOST_CHECK_GT(found, 500u);
   BOOST_CHECK_LT(found, 2500u);

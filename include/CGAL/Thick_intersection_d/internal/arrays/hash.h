@@ -7,31 +7,90 @@
 
 // Hashes of sequences of integers, such as the numbers of a cell along the axes.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <random>
+#include <type_traits>
+#include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Returns the hash of the sequence so far with one more integer. The factor is 2^64 over the golden
-// ratio. The upper bits of a product are the best, so they are folded into the lower bits first.
-inline std::uint64_t add_to_hash(std::uint64_t hash, std::uint64_t number)
+// Returns a seed that the process draws once. No input can be made to suit it.
+inline std::uint64_t seed_of_process()
 {
-  return (hash ^ (hash >> 32) ^ number) * 0x9e3779b97f4a7c15;
+  static const std::uint64_t seed = [] {
+    std::random_device device;
+    return std::uint64_t(device()) << 32 ^ device();
+  }();
+  return seed;
 }
 
-// Returns the hash of the whole sequence. All bits of the result may be used.
-inline std::uint64_t finish_hash(std::uint64_t hash) { return hash ^ (hash >> 32); }
-
-// Returns the number of slots of a hash table for `size` entries. It is a power of two, and the
-// table is at most half full.
-inline std::size_t hash_table_size(std::size_t size)
+// A random function of sequences of integers. Which sequences collide depends on the keys, and the
+// keys on the seed. So an input that does not know the seed has few collisions, whatever it is.
+//
+// The sum is NH, with a key of 64 bits for each place of the sequence. Two sequences of one length
+// have the same sum for at most one in 2^32 choices of the keys. [Black, Halevi, Krawczyk, Krovetz,
+// Rogaway: UMAC, 1999] Here a number and its key are added before they are cut into halves. The
+// proof allows for that: the carry depends on the lower halves alone.
+//
+// The product with a random odd factor has the same upper k bits for two different sums for at most
+// two in 2^k factors. [Dietzfelbinger, Hagerup, Katajainen, Penttonen: A reliable randomized
+// algorithm for the closest-pair problem, 1997] So a slot that is given by the upper bits of a hash
+// holds O(1) other entries of a table, in expectation, whatever the sequences. The upper half of a
+// sum is folded into its lower half first: the sums of a lattice of cells are another lattice.
+//
+// `Length` is the length of the sequences, or 0 if it is known at run time only.
+template <int Length = 0>
+class Sequence_hash
 {
-  std::size_t slot_count = 16;
-  while(slot_count < 2 * size)
-    slot_count *= 2;
-  return slot_count;
+public:
+  Sequence_hash() = default;
+  Sequence_hash(int length, std::uint64_t seed)
+  {
+    if constexpr(Length == 0)
+      keys_.resize(static_cast<std::size_t>(length));
+    factor_ = next_key(seed) | 1;
+    for(std::uint64_t& key : keys_)
+      key = next_key(seed);
+  }
+
+  // Returns the sum so far and the number at a place of the sequence. The first sum is 0.
+  std::uint64_t add(std::uint64_t sum, int place, std::uint64_t number) const
+  {
+    const std::uint64_t x = number + keys_[static_cast<std::size_t>(place)];
+    return sum + (x & 0xffffffff) * (x >> 32);
+  }
+
+  // Returns the hash of the whole sequence. The upper bits are the best.
+  std::uint64_t finish(std::uint64_t sum) const { return (sum ^ (sum >> 32)) * factor_; }
+
+private:
+  // SplitMix64: moves the seed on, and mixes it. [Steele, Lea, Flood: Fast splittable pseudorandom
+  // number generators, 2014]
+  static std::uint64_t next_key(std::uint64_t& seed)
+  {
+    std::uint64_t x = seed += 0x9e3779b97f4a7c15;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
+    return x ^ (x >> 31);
+  }
+
+  std::uint64_t factor_ = 1;
+  std::conditional_t<Length == 0, std::vector<std::uint64_t>, std::array<std::uint64_t, Length>>
+    keys_{};
+};
+
+// Returns the logarithm of the number of slots of a hash table for `size` entries. The table is at
+// most half full.
+inline int hash_table_bits(std::size_t size)
+{
+  int bits = 4;
+  while(std::size_t(1) << bits < 2 * size)
+    ++bits;
+  return bits;
 }
 
 } // namespace internal

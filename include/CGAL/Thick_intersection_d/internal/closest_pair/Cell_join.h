@@ -15,13 +15,18 @@
 // points enter a common cell. Cells are 2 to 16 d long, so points enter few cells, most points only
 // one.
 //
-// A digit of the hash of the cell distributes the entries over lists, as in radix sort. A list fits
-// in the cache, and a hash table finds the cells in it. The join moves no coordinate, and looks
-// again only at points in a common cell.
+// The upper bits of the hash of the cell distribute the entries over lists, as in radix sort. A
+// list fits in the cache, and a hash table finds the cells in it. The join moves no coordinate, and
+// looks again only at points in a common cell.
+//
+// In fixed dimension a point enters O(1) cells (Hashed_cells.h). An entry is compared with those in
+// the same place of the hash table. Of these, expected O(1) are of other cells, for any points and
+// a random seed. The comparisons are counted, so a join takes O(n) time, to the end or not.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/Chunked_lists.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Hashed_cells.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/Step_budget.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/tuning.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
@@ -34,6 +39,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -42,17 +48,18 @@ namespace internal {
 
 // Returns the length of the cells of a join, for `size` points of the scene. If the points are
 // uniform, few pairs are in a common cell. Cells are long enough for points to enter few of them.
-// They are not so long that one cell would hold a cluster.
-inline double join_cell_side(const Scene& scene, std::size_t size, double distance)
+// They are not so long that one cell would hold a cluster: at most `max_side` distances.
+inline double join_cell_side(const Scene& scene, std::size_t size, double distance,
+                             double max_side = max_cell_side)
 {
   double volume = 1 / (cells_per_point * static_cast<double>(size)); // in cubes of the distance
   for(const Interval& interval : scene.box)
     volume *= (std::max)(interval.length() / distance, max_cell_side);
   const double side = std::pow(volume, 1. / scene.dimension());
-  return distance * (std::min)((std::max)(side, min_cell_side), max_cell_side);
+  return distance * (std::min)((std::max)(side, min_cell_side), max_side);
 }
 
-// A point in a cell. Bits of its hash identify the cell.
+// A point in a cell. Bits of its hash identify the cell: those below the bits of its list.
 struct Cell_entry
 {
   std::uint32_t cell;
@@ -66,35 +73,41 @@ template <class ConcurrencyTag, int Dimension, class Elements>
 class Cell_join
 {
 public:
-  // Joins pairs within `distance`, for which Hashed_cells::fits() is to hold.
-  Cell_join(const Elements& points, double distance, double cell_side)
-    : points_(points), cells_(Dimension, distance / 2, cell_side)
+  // Joins pairs within `distance`, for which Hashed_cells::fits() is to hold. The order of visits
+  // depends on the seed.
+  Cell_join(const Elements& points, double distance, double cell_side, std::uint64_t seed)
+    : points_(points),
+      cells_(Dimension, std::nextafter(distance / 2, std::numeric_limits<double>::infinity()),
+             cell_side, seed)
   {}
 
   // Enters the points at `positions`, and visits pairs of these points. Each task makes a visitor
   // of its own by make_visitor(). visitor(i, j) returns whether to go on, and visitor.finish() is
-  // called last. Each point is two steps of progress: to enter it, and to visit its pairs.
+  // called last. Each point is two steps of progress: to enter it, and to visit its pairs. Returns
+  // false if the join was given up after `max_steps` comparisons of entries.
   template <class Positions, class Make_visitor, class Progress>
-  void operator()(const Positions& positions, const Make_visitor& make_visitor,
-                  Progress& progress) const
+  bool operator()(const Positions& positions, std::size_t max_steps,
+                  const Make_visitor& make_visitor, Progress& progress) const
   {
-    int list_bits = 0;
-    while(positions.size() >> list_bits > entries_per_list && list_bits < max_list_bits)
-      ++list_bits;
-    const std::size_t list_count = std::size_t(1) << list_bits;
-    const std::vector<Cell_entry_lists> blocks = enter_all(positions, list_bits, progress);
+    std::size_t list_count = 1; // a power of two
+    while(positions.size() / list_count > entries_per_list && list_count < max_list_count)
+      list_count *= 2;
+    const std::vector<Cell_entry_lists> blocks = enter_all(positions, list_count, progress);
 
+    Step_budget budget(max_steps);
     std::atomic<bool> go_on = !progress.is_cancelled();
     for_each_block<ConcurrencyTag>(list_count, [&](std::size_t first, std::size_t last) {
       auto visitor = make_visitor();
       Bucket_table table;
+      Step_counter counter(budget);
       for(std::size_t list = first; list != last && go_on.load(std::memory_order_relaxed); ++list)
-        if(!join(blocks, list, table, visitor)
+        if(!join(blocks, list, table, counter, visitor)
            || !progress.advance(positions.size() * (list + 1) / list_count
                                 - positions.size() * list / list_count))
           go_on.store(false, std::memory_order_relaxed);
       visitor.finish();
     });
+    return !budget.is_exceeded();
   }
 
 private:
@@ -102,15 +115,15 @@ private:
 
   // Enters all points. In parallel, enters several blocks of points at the same time.
   template <class Positions, class Progress>
-  std::vector<Cell_entry_lists> enter_all(const Positions& positions, int list_bits,
+  std::vector<Cell_entry_lists> enter_all(const Positions& positions, std::size_t list_count,
                                           Progress& progress) const
   {
     const std::size_t count = is_parallel_v<ConcurrencyTag> ? max_entry_block_count : 1;
     std::vector<Cell_entry_lists> blocks(count);
     for_each_numbered_block<ConcurrencyTag>(
       count, positions.size(), [&](std::size_t block, std::size_t first, std::size_t last) {
-        blocks[block] = Cell_entry_lists(std::size_t(1) << list_bits);
-        enter(positions, first, last, list_bits, blocks[block], progress);
+        blocks[block] = Cell_entry_lists(list_count);
+        enter(positions, first, last, list_count, blocks[block], progress);
       });
     return blocks;
   }
@@ -118,12 +131,12 @@ private:
   // Appends the entries of the positions [first, last). Most points have one cell. So the first
   // cells of a batch of points come first, without branches, and then the other cells.
   template <class Positions, class Progress>
-  void enter(const Positions& positions, std::size_t first, std::size_t last, int list_bits,
-             Cell_entry_lists& lists, Progress& progress) const
+  void enter(const Positions& positions, std::size_t first, std::size_t last,
+             std::size_t list_count, Cell_entry_lists& lists, Progress& progress) const
   {
     const auto append = [&](std::uint64_t hash, Place position) {
-      const std::uint32_t cell = static_cast<std::uint32_t>(hash);
-      lists.append(cell & ((std::uint32_t(1) << list_bits) - 1), {cell >> list_bits, position});
+      const std::uint64_t bits = (hash >> 32) * list_count; // the list, and 32 bits below it
+      lists.append(bits >> 32, {static_cast<std::uint32_t>(bits), position});
     };
     std::array<std::uint64_t, batch_size> hashes;
     std::array<std::uint32_t, batch_size> several; // points that are in several cells
@@ -168,15 +181,16 @@ private:
     std::vector<Link> links;
   };
 
-  // Visits the pairs of a list that are in a common cell. Returns false iff the visitor stops.
+  // Visits the pairs of a list that are in a common cell. Returns false iff the visitor stops, or
+  // no steps are left.
   template <class Visitor>
   static bool join(const std::vector<Cell_entry_lists>& blocks, std::size_t list,
-                   Bucket_table& table, Visitor& visitor)
+                   Bucket_table& table, Step_counter& counter, Visitor& visitor)
   {
     std::size_t size = 0;
     for(const Cell_entry_lists& block : blocks)
       size += block.size(list);
-    const std::size_t slot_count = hash_table_size(size);
+    const std::uint64_t slot_count = std::uint64_t(1) << hash_table_bits(size);
     table.heads.assign(slot_count, 0);
     table.links.resize(size);
     std::uint32_t* const heads = table.heads.data();
@@ -184,10 +198,11 @@ private:
     std::uint32_t count = 0;
 
     const auto visit_and_add = [&](const Cell_entry& entry) {
-      std::uint32_t& head = heads[entry.cell & (slot_count - 1)];
+      std::uint32_t& head = heads[entry.cell * slot_count >> 32];
       for(std::uint32_t other = head; other != 0; other = links[other - 1].next)
-        if(links[other - 1].entry.cell == entry.cell
-           && !visitor(links[other - 1].entry.position, entry.position))
+        if(!counter.step()
+           || (links[other - 1].entry.cell == entry.cell
+               && !visitor(links[other - 1].entry.position, entry.position)))
           return false;
       links[count] = {entry, head};
       head = ++count;

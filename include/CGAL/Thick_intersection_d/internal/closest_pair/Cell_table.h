@@ -159,19 +159,21 @@ private:
   std::vector<std::size_t> fingers_;
 };
 
-// The dictionary of [L]: open hashing with linear probing, at most half full.
+// The dictionary of [L]: hashing with lists of the buckets in the same slot. The hash is random, so
+// finding a bucket takes expected O(1) time for any cells.
 class Bucket_dictionary
 {
 public:
   Bucket_dictionary(const Cell_table& table, const Forward_offsets& offsets, int axis_count)
-    : table_(table), offsets_(offsets), axis_count_(axis_count)
+    : table_(table), offsets_(offsets), axis_count_(axis_count),
+      hash_(axis_count, seed_of_process()),
+      slot_bits_(hash_table_bits(table.bucket_count())), heads_(std::size_t(1) << slot_bits_),
+      next_(table.bucket_count())
   {
-    slots_.assign(hash_table_size(table.bucket_count()), free_slot);
     for(std::size_t bucket = 0; bucket < table.bucket_count(); ++bucket) {
-      std::size_t slot = first_slot([&](int axis) { return table_.number(bucket, axis); });
-      while(slots_[slot] != free_slot)
-        slot = (slot + 1) & (slots_.size() - 1);
-      slots_[slot] = static_cast<std::uint32_t>(bucket);
+      std::uint32_t& head = heads_[slot([&](int axis) { return table_.number(bucket, axis); })];
+      next_[bucket] = head;
+      head = static_cast<std::uint32_t>(bucket) + 1;
     }
   }
 
@@ -179,29 +181,30 @@ public:
   std::size_t operator()(std::size_t bucket, std::size_t i) const
   {
     const std::vector<int>& offset = offsets_[i];
-    std::size_t slot = first_slot(
-      [&](int axis) { return table_.number(bucket, axis) + offset[axis]; });
-    while(slots_[slot] != free_slot && table_.compare(slots_[slot], bucket, offset) != 0)
-      slot = (slot + 1) & (slots_.size() - 1);
-    return slots_[slot] == free_slot ? table_.bucket_count() : slots_[slot];
+    std::uint32_t other
+      = heads_[slot([&](int axis) { return table_.number(bucket, axis) + offset[axis]; })];
+    while(other != 0 && table_.compare(other - 1, bucket, offset) != 0)
+      other = next_[other - 1];
+    return other == 0 ? table_.bucket_count() : other - 1;
   }
 
 private:
   template <class Number_along>
-  std::size_t first_slot(const Number_along& number_along) const
+  std::size_t slot(const Number_along& number_along) const
   {
-    std::uint64_t hash = 0;
+    std::uint64_t sum = 0;
     for(int axis = 0; axis < axis_count_; ++axis)
-      hash = add_to_hash(hash, number_along(axis));
-    return finish_hash(hash) & (slots_.size() - 1);
+      sum = hash_.add(sum, axis, number_along(axis));
+    return hash_.finish(sum) >> (64 - slot_bits_);
   }
-
-  static constexpr std::uint32_t free_slot = ~std::uint32_t(0);
 
   const Cell_table& table_;
   const Forward_offsets& offsets_;
   int axis_count_;
-  std::vector<std::uint32_t> slots_;
+  Sequence_hash<> hash_;
+  int slot_bits_;
+  std::vector<std::uint32_t> heads_; // by slot: 1 + the last bucket in the slot, or 0
+  std::vector<std::uint32_t> next_;  // by bucket: 1 + the bucket before it in the slot, or 0
 };
 
 } // namespace internal

@@ -27,6 +27,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <mutex>
 #include <optional>
 
@@ -42,7 +43,7 @@ struct Close_pair_visitor
   {
     if(is_within(points[i], points[j]))
       pair = Position_pair(std::minmax(i, j));
-    return !pair && ++count != max_count;
+    return !pair;
   }
 
   void finish()
@@ -50,17 +51,13 @@ struct Close_pair_visitor
     const std::lock_guard<std::mutex> lock(mutex);
     if(pair)
       result = pair;
-    is_complete = is_complete && count != max_count;
   }
 
   const Elements& points;
   const Is_within_distance<typename Elements::value_type>& is_within;
   std::optional<Position_pair>& result;
   std::mutex& mutex;
-  bool& is_complete; // whether no visitor has given up
-  std::size_t max_count;
   std::optional<Position_pair> pair = std::nullopt;
-  std::size_t count = 0;
 };
 
 template <class ConcurrencyTag, class Elements, class Progress>
@@ -126,17 +123,18 @@ private:
       return find_in_buckets(all_, 0);
     progress_.restart(2 * all_.size());
     const Cell_join<ConcurrencyTag, Dimension, Elements> join_cells(
-      points_, reach, join_cell_side(scene_, all_.size(), reach));
-    const std::size_t max_visits = max_visits_per_point * all_.size();
+      points_, reach, join_cell_side(scene_, all_.size(), reach), join_seed);
     Found result;
     std::mutex mutex;
-    bool is_complete = true;
-    join_cells(all_, [&] {
-      return Close_pair_visitor<Elements>{points_, is_within_, result, mutex, is_complete,
-                                          max_visits};
-    }, progress_);
+    const bool is_complete
+      = join_cells(all_, max_steps_per_point * all_.size(), [&] {
+          return Close_pair_visitor<Elements>{points_, is_within_, result, mutex};
+        }, progress_);
     return result || is_complete ? result : find_in_buckets(all_, 0);
   }
+
+  // In sequence, the pair depends on the input alone. So the seed is fixed.
+  static constexpr std::uint64_t join_seed = 0;
 
   const Elements& points_;
   const All_positions all_;

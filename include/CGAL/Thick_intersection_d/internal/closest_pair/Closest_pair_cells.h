@@ -9,12 +9,14 @@
 // as the distance of the closest pair so far. It compares each point with the points in the cells
 // around. When the distance shrinks, it makes the cells anew. The k-th point is in the closest pair
 // of the first k points with probability 2/k, and new cells take O(k) time. So the expected time is
-// linear, for any points. [Golin, Raman, Schwarz, Smid: Simple randomized algorithms for closest
-// pair problems, 1995]
+// linear for any points that know neither the order nor the keys of the hash. [Golin, Raman,
+// Schwarz, Smid: Simple randomized algorithms for closest pair problems, 1995] The steps are
+// counted, so the search takes O(n) time, to the end or not.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Hashed_cells.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Pair_minimum.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/tuning.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 
@@ -42,7 +44,8 @@ public:
   Closest_pair_cells(const Elements& points, std::vector<Place> positions, const Scene& scene,
                      std::uint64_t seed)
     : points_(points), positions_(std::move(positions)), dimension_(scene.dimension()),
-      error_(scene.error), heads_(hash_table_size(positions_.size())), next_(positions_.size())
+      error_(scene.error), seed_(seed), slot_bits_(hash_table_bits(positions_.size())),
+      heads_(std::size_t(1) << slot_bits_), next_(positions_.size())
   {
     std::mt19937_64 random(seed);
     for(std::size_t i = positions_.size(); i > 1; --i)
@@ -50,7 +53,8 @@ public:
   }
 
   // Offers the closest pairs to `minimum`. Returns false if it cannot go on, because points are
-  // equal, or because doubles are too coarse for the distance. Each point is one step of progress.
+  // equal, because doubles are too coarse for the distance, or after too many steps. Each point is
+  // one step of progress.
   template <class Progress>
   bool search(Minimum& minimum, Progress& progress)
   {
@@ -63,10 +67,14 @@ public:
     for(std::size_t k = 0; k < positions_.size(); ++k) {
       const auto& p = points_[positions_[k]];
       cells_.for_each_cell_around(p, [&](std::uint64_t hash) {
-        for(Place other = heads_[slot(hash)]; other != 0; other = next_[other - 1])
+        for(Place other = heads_[slot(hash)]; other != 0; other = next_[other - 1]) {
           minimum.offer(positions_[k], positions_[other - 1]);
+          ++step_count_;
+        }
       });
       if(minimum.reach() < reach_ && !refine(minimum, k))
+        return false;
+      if(step_count_ > max_cell_steps_per_point * positions_.size())
         return false;
       insert(k);
       if(!progress.advance(1))
@@ -84,7 +92,8 @@ private:
     reach_ = minimum.reach();
     const double padded_reach
       = std::nextafter(reach_ + error_, std::numeric_limits<double>::infinity());
-    cells_ = Hashed_cells<Dimension>(dimension_, padded_reach, 2 * reach_);
+    cells_ = Hashed_cells<Dimension>(dimension_, padded_reach, 2 * reach_, seed_);
+    step_count_ += heads_.size();
     std::fill(heads_.begin(), heads_.end(), 0);
     for(std::size_t k = 0; k < count; ++k)
       insert(k);
@@ -98,14 +107,17 @@ private:
     head = static_cast<Place>(k) + 1;
   }
 
-  std::size_t slot(std::uint64_t hash) const { return hash & (heads_.size() - 1); }
+  std::size_t slot(std::uint64_t hash) const { return hash >> (64 - slot_bits_); }
 
   const Elements& points_;
   std::vector<Place> positions_; // in the order of insertion
   int dimension_;
   double error_;
+  std::uint64_t seed_; // of the hash
   double reach_ = 0;
+  std::size_t step_count_ = 0; // offers, and slots that were cleared
   Hashed_cells<Dimension> cells_;
+  int slot_bits_;
   std::vector<Place> heads_; // by slot: 1 + the last point in cells of this slot, or 0
   std::vector<Place> next_;  // by point: 1 + the point before it in the slot, or 0
 };

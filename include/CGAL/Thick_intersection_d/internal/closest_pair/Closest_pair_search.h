@@ -45,22 +45,18 @@ struct Minimum_visitor
   bool operator()(std::size_t i, std::size_t j)
   {
     minimum.offer(i, j);
-    return ++count != max_count;
+    return true;
   }
 
   void finish()
   {
     const std::lock_guard<std::mutex> lock(mutex);
     result.offer_pair_of(minimum);
-    is_complete = is_complete && count != max_count;
   }
 
   Minimum& result;
   std::mutex& mutex;
-  bool& is_complete; // whether no visitor has given up
-  std::size_t max_count;
   Minimum minimum;
-  std::size_t count = 0;
 };
 
 template <class ConcurrencyTag, class Elements, class Progress>
@@ -91,7 +87,8 @@ public:
       return minimum.pair();
     if constexpr(is_held_by_double_v<Coordinate_t<Point>>)
       if(minimum.is_zero())
-        return *first_equal_pair(points_, scene_.dimension());
+        if(const auto pair = first_equal_pair(points_, scene_.dimension(), random_()))
+          return *pair;
     divide_and_conquer<ConcurrencyTag>(points_.size(), scene_.dimension(), minimum, progress_);
     return minimum.pair();
   }
@@ -108,27 +105,42 @@ private:
     if(positions.size() <= small_size)
       return search_cells<Dimension>(positions, later, minimum);
     return search<Dimension>(draw_sample(positions), later + positions.size(), minimum)
-           && minimum.has_tight_reach()
-           && Hashed_cells<Dimension>::fits(minimum.reach(), scene_.error)
-           && (join<Dimension>(positions, later, minimum)
+           && (join_all<Dimension>(positions, later, minimum)
                || search_cells<Dimension>(positions, later, minimum));
   }
 
-  // Returns false if the cells are so crowded that the join was given up.
+  // Joins points in wide cells. If these are crowded, joins them in narrow cells, and so all larger
+  // samples of the points. Returns false if narrow cells are crowded too, or of no use.
   template <int Dimension, class Some_positions>
-  bool join(const Some_positions& positions, std::size_t later, Minimum& minimum) const
+  bool join_all(const Some_positions& positions, std::size_t later, Minimum& minimum)
+  {
+    const auto joins_within = [&](double max_side, std::size_t max_steps_per_point) {
+      return minimum.has_tight_reach()
+             && Hashed_cells<Dimension>::fits(minimum.reach(), scene_.error)
+             && join<Dimension>(positions, later, max_side, max_steps_per_point, minimum);
+    };
+    if(!is_crowded_ && joins_within(max_cell_side, max_wide_steps_per_point))
+      return true;
+    is_crowded_ = true;
+    return joins_within(min_cell_side, max_steps_per_point);
+  }
+
+  // Returns false if the join was given up. Cells are up to `max_side` distances long.
+  template <int Dimension, class Some_positions>
+  bool join(const Some_positions& positions, std::size_t later, double max_side,
+            std::size_t max_steps_per_point, Minimum& minimum)
   {
     progress_.restart(2 * (positions.size() + later));
     const double distance = minimum.reach();
-    const Cell_join<ConcurrencyTag, Dimension, Elements> join_cells(
-      points_, distance, join_cell_side(scene_, positions.size(), distance));
-    const std::size_t max_visits = max_visits_per_point * positions.size();
+    const double side = join_cell_side(scene_, positions.size(), distance, max_side);
+    const Cell_join<ConcurrencyTag, Dimension, Elements> join_cells(points_, distance, side,
+                                                                    random_());
     std::mutex mutex;
-    bool is_complete = true;
-    join_cells(positions, [&, start = minimum] {
-      return Minimum_visitor<Minimum>{minimum, mutex, is_complete, max_visits, start};
-    }, progress_);
-    return is_complete;
+    return join_cells(positions, max_steps_per_point * positions.size(),
+                      [&, start = minimum] {
+                        return Minimum_visitor<Minimum>{minimum, mutex, start};
+                      },
+                      progress_);
   }
 
   template <int Dimension, class Some_positions>
@@ -156,6 +168,7 @@ private:
   const Scene& scene_;
   std::mt19937_64 random_;
   Progress& progress_;
+  bool is_crowded_ = false; // whether a join in wide cells was given up
 };
 
 } // namespace internal

@@ -12,13 +12,24 @@
 // from the origin are larger than others. The search needs only that f is monotone, as rounding is:
 // if x <= y + w in real numbers for a double x, then x <= fl(y + w), and f(x) <= f(fl(y + w)). So
 // points within w of y have indices between f(fl(y - w)) and f(fl(y + w)).
+//
+// From 2^53 sides on, doubles are a side or more apart, and each double has an index of its own:
+// the next double has the next index. So whatever the scales of a scene, along each axis a cell is
+// at most a few sides long, or holds at most three doubles. In a fixed dimension it holds O(1)
+// points that are a side or more apart. A coordinate is within w of O(1) cells, for w of at most a
+// side.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/radix_sort.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+
+#include <boost/config.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace CGAL {
@@ -30,17 +41,24 @@ template <int Dimension>
 class Hashed_cells
 {
 public:
-  // Whether cells of about the size of `reach` are useful. The inverse of a side is a double, and a
-  // coordinate between doubles that are `error` apart is in few cells.
+  // Whether cells of the size of `reach` or more are useful, with half of `reach` or more as their
+  // width. Then the bounds of a coordinate, up to `error` apart, are in few cells.
   static bool fits(double reach, double error)
   {
-    return reach >= 0x1p-900 && reach <= 0x1p900 && error <= reach / 2;
+    return reach > 0 && error <= reach / 2;
   }
 
   Hashed_cells() = default;
-  Hashed_cells(int dimension, double width, double side)
-    : dimension_(dimension), width_(width), scale_(1 / side)
-  {}
+  Hashed_cells(int dimension, double width, double side, std::uint64_t seed)
+    : dimension_(dimension), width_(width), hash_(dimension, seed)
+  {
+    constexpr double max_side = 0x1p1022; // more than eight of these make one cell
+    if(side < 0x1p-1000) // its inverse may be no double
+      prescale_ = 0x1p100;
+    scale_ = side <= max_side ? 1 / (side * prescale_) : 0;
+    far_ = (std::min)(side * 0x1p53, (std::numeric_limits<double>::max)());
+    near_ = prescale_ == 1 ? far_ - 4 * width : 0;
+  }
 
   // Returns the hash of the cell that holds the lower bounds of the coordinates of p.
   template <class Point>
@@ -48,8 +66,8 @@ public:
   {
     std::uint64_t hash = 0;
     for(int axis = 0; axis < dimension(); ++axis)
-      hash = add_to_hash(hash, index(coordinate_bounds(p, axis).first));
-    return finish_hash(hash);
+      hash = hash_.add(hash, axis, index(coordinate_bounds(p, axis).first));
+    return hash_.finish(hash);
   }
 
   // Calls f(hash) for each cell that may hold points within the width of p along each axis.
@@ -66,14 +84,18 @@ public:
   template <class Point>
   std::pair<std::uint64_t, bool> first_cell_around(const Point& p) const
   {
-    const auto ranges = ranges_around(p);
-    std::uint64_t hash = 0;
-    std::int64_t difference = 0;
-    for(int axis = 0; axis < Dimension; ++axis) {
-      hash = add_to_hash(hash, ranges[axis].first);
-      difference |= ranges[axis].first ^ ranges[axis].last;
-    }
-    return {finish_hash(hash), difference != 0};
+    std::array<std::pair<double, double>, Dimension> x;
+    for(int axis = 0; axis < Dimension; ++axis)
+      x[axis] = coordinate_bounds(p, axis);
+    double size = std::fabs(x[0].first);
+    for(int axis = 1; axis < Dimension; ++axis)
+      size = (std::max)(size, std::fabs(x[axis].first));
+    if(!(size < near_))
+      return first_cell_far_out(p);
+    std::array<Index_range, Dimension> ranges;
+    for(int axis = 0; axis < Dimension; ++axis)
+      ranges[axis] = {near_index(x[axis].first - width_), near_index(x[axis].second + width_)};
+    return first_of(ranges);
   }
 
 private:
@@ -83,13 +105,44 @@ private:
     std::int64_t last;
   };
 
+  std::pair<std::uint64_t, bool> first_of(const std::array<Index_range, Dimension>& ranges) const
+  {
+    std::uint64_t hash = 0;
+    std::int64_t difference = 0;
+    for(int axis = 0; axis < Dimension; ++axis) {
+      hash = hash_.add(hash, axis, ranges[axis].first);
+      difference |= ranges[axis].first ^ ranges[axis].last;
+    }
+    return {hash_.finish(hash), difference != 0};
+  }
+
+  // Not inline, so that loops stay short.
+  template <class Point>
+  BOOST_NOINLINE std::pair<std::uint64_t, bool> first_cell_far_out(const Point& p) const
+  {
+    return first_of(ranges_around(p));
+  }
+
   int dimension() const { return Dimension == 0 ? dimension_ : Dimension; }
 
-  // Monotone: the product, the limits, and the conversion, which cuts towards zero, are monotone.
+  std::int64_t near_index(double x) const { return static_cast<std::int64_t>(x * scale_); }
+
+  // Monotone: products and the conversion, which cuts towards zero, are monotone, and the index of
+  // a far double continues from that of far_.
   std::int64_t index(double x) const
   {
-    constexpr double limit = 0x1p62;
-    return static_cast<std::int64_t>((std::max)(-limit, (std::min)(x * scale_, limit)));
+    return std::fabs(x) < near_ ? near_index(x) : index_at_any_scale(x);
+  }
+
+  // Not inline, so that loops stay short.
+  BOOST_NOINLINE std::int64_t index_at_any_scale(double x) const
+  {
+    const double size = std::fabs(x);
+    std::int64_t i
+      = static_cast<std::int64_t>((std::min)(size, far_) * prescale_ * scale_);
+    if(size > far_)
+      i += static_cast<std::int64_t>(radix_key(size) - radix_key(far_));
+    return x < 0 ? -i : i;
   }
 
   template <class Point>
@@ -112,28 +165,32 @@ private:
   void visit(const Point& p, int axis, std::uint64_t hash, const Function& f) const
   {
     if(axis == dimension_) {
-      f(finish_hash(hash));
+      f(hash_.finish(hash));
       return;
     }
     const Index_range range = index_range(p, axis);
     for(std::int64_t i = range.first; i <= range.last; ++i)
-      visit(p, axis + 1, add_to_hash(hash, i), f);
+      visit(p, axis + 1, hash_.add(hash, axis, i), f);
   }
 
   template <int Axis, class Function>
-  static void visit(const std::array<Index_range, Dimension>& ranges, std::uint64_t hash,
-                    const Function& f)
+  void visit(const std::array<Index_range, Dimension>& ranges, std::uint64_t hash,
+             const Function& f) const
   {
     if constexpr(Axis == Dimension)
-      f(finish_hash(hash));
+      f(hash_.finish(hash));
     else
       for(std::int64_t i = ranges[Axis].first; i <= ranges[Axis].last; ++i)
-        visit<Axis + 1>(ranges, add_to_hash(hash, i), f);
+        visit<Axis + 1>(ranges, hash_.add(hash, Axis, i), f);
   }
 
   int dimension_ = Dimension;
   double width_ = 0;
+  double prescale_ = 1; // a power of two: prescale_ * scale_ is 1 / side
   double scale_ = 0;
+  double near_ = 0; // up to three widths beyond it, near_index() is the index
+  double far_ = 0;  // beyond it, each double has an index of its own
+  Sequence_hash<Dimension> hash_;
 };
 
 } // namespace internal

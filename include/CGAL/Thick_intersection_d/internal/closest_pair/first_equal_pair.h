@@ -9,6 +9,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/radix_sort.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/tuning.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 
@@ -21,42 +22,86 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Returns the lexicographically smallest pair of equal points, in expected linear time. The
-// coordinates are to be doubles, or of a type that doubles hold.
+// Finds the lexicographically smallest pair of equal points, by hashing. The coordinates are to be
+// doubles, or of a type that doubles hold.
 template <class Elements>
-std::optional<Position_pair> first_equal_pair(const Elements& points, int dimension)
+class First_equal_pair
 {
-  const auto key = [&](std::size_t i, int axis) {
-    return radix_key(static_cast<double>(coordinate(points[i], axis)));
-  };
-  const auto are_equal = [&](std::size_t i, std::size_t j) {
-    for(int axis = 0; axis < dimension; ++axis)
+public:
+  First_equal_pair(const Elements& points, int dimension, std::uint64_t seed)
+    : points_(points), dimension_(dimension), hash_(dimension, seed),
+      slot_bits_(hash_table_bits(points.size())), heads_(std::size_t(1) << slot_bits_),
+      next_(points.size())
+  {}
+
+  // Returns the pair, if there is one, in linear time. Also returns nothing if many points collide
+  // in the hash table, which is not to be expected of a random seed.
+  std::optional<Position_pair> find()
+  {
+    // Invariant: the slots hold the first point of each set of equal points before i.
+    std::optional<Position_pair> first;
+    for(std::size_t i = 0; i < points_.size(); ++i) {
+      const std::size_t other = find_or_insert(i);
+      if(other < (first ? first->first : i))
+        first = Position_pair(other, i);
+      if(first && first->first == 0)
+        return first;
+      if(step_count_ > max_equality_steps_per_point * points_.size())
+        return std::nullopt;
+    }
+    return first;
+  }
+
+private:
+  // Returns the first point that is equal to point i: another one, or i.
+  std::size_t find_or_insert(std::size_t i)
+  {
+    Place& head = heads_[slot(i)];
+    for(Place other = head; other != 0; other = next_[other - 1]) {
+      if(are_equal(other - 1, i))
+        return other - 1;
+      ++step_count_;
+    }
+    next_[i] = head;
+    head = static_cast<Place>(i) + 1;
+    return i;
+  }
+
+  std::size_t slot(std::size_t i) const
+  {
+    std::uint64_t sum = 0;
+    for(int axis = 0; axis < dimension_; ++axis)
+      sum = hash_.add(sum, axis, key(i, axis));
+    return hash_.finish(sum) >> (64 - slot_bits_);
+  }
+
+  bool are_equal(std::size_t i, std::size_t j) const
+  {
+    for(int axis = 0; axis < dimension_; ++axis)
       if(key(i, axis) != key(j, axis))
         return false;
     return true;
-  };
-
-  const std::size_t slot_count = hash_table_size(points.size());
-  std::vector<Place> slots(slot_count); // 1 + a position, or 0
-
-  // Invariant: the slots hold the first point of each set of equal points before i.
-  std::optional<Position_pair> first;
-  for(std::size_t i = 0; i < points.size(); ++i) {
-    std::uint64_t hash = 0;
-    for(int axis = 0; axis < dimension; ++axis)
-      hash = add_to_hash(hash, key(i, axis));
-    std::size_t slot = finish_hash(hash) & (slot_count - 1);
-    while(slots[slot] != 0 && !are_equal(slots[slot] - 1, i))
-      slot = (slot + 1) & (slot_count - 1);
-    if(slots[slot] == 0)
-      slots[slot] = static_cast<Place>(i) + 1;
-    else if(!first || slots[slot] - 1 < first->first) {
-      first = Position_pair(slots[slot] - 1, i);
-      if(first->first == 0)
-        return first;
-    }
   }
-  return first;
+
+  std::uint64_t key(std::size_t i, int axis) const
+  {
+    return radix_key(static_cast<double>(coordinate(points_[i], axis)));
+  }
+
+  const Elements& points_;
+  int dimension_;
+  Sequence_hash<> hash_;
+  int slot_bits_;
+  std::vector<Place> heads_; // by slot: 1 + the last point in the slot, or 0
+  std::vector<Place> next_;  // by point: 1 + the point before it in the slot, or 0
+  std::size_t step_count_ = 0;
+};
+
+template <class Elements>
+std::optional<Position_pair> first_equal_pair(const Elements& points, int dimension,
+                                              std::uint64_t seed)
+{
+  return First_equal_pair<Elements>(points, dimension, seed).find();
 }
 
 } // namespace internal

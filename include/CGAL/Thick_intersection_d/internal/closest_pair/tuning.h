@@ -27,7 +27,12 @@ inline constexpr std::size_t max_sample_step = 15;
 // Each task of a join visits at most 100 pairs per point of all points, and gives up then. Cells
 // of twice the distance with points that far apart in them, a lattice in space, give about 50 pairs
 // per point: 5.07 with 20. Clusters give more, and are left to other methods.
-inline constexpr std::size_t max_visits_per_point = 100;
+inline constexpr std::size_t max_steps_per_point = 100;
+inline constexpr std::size_t max_wide_steps_per_point = 100;
+
+// The randomized cells take a few hundred steps per point of a lattice in space. More are due to a
+// seed that the points are made for.
+inline constexpr std::size_t max_cell_steps_per_point = 1000;
 
 // The cells of a join are 2 to 16 distances long. If the points are uniform then one cell in 64 has
 // a point in it, so that most points are alone in their cell. At least 1: 1.41 for the lattice, and
@@ -37,11 +42,14 @@ inline constexpr double min_cell_side = 2;
 inline constexpr double max_cell_side = 16;
 inline constexpr double cells_per_point = 64;
 
+// Points in one place of a hash table of equal points: expected are 0.25 steps per point or less.
+inline constexpr std::size_t max_equality_steps_per_point = 20;
+
 // The entries of a join are distributed over lists of so many, which fit in a cache with their hash
-// table. Uniform points in the plane: 1.15 with 1024, 1.09 with 16,384. There are at most 2^11
-// lists, because each has a page of its own; 10^7 points: 0.87 with 2^9, 1.01 with 2^13.
+// table. Uniform points in the plane: 1.15 with 1024, 1.09 with 16,384. There are at most 2048
+// lists, because each has a page of its own; 10^7 points: 0.87 with 512, 1.01 with 8192.
 inline constexpr std::size_t entries_per_list = 4096;
-inline constexpr int max_list_bits = 11;
+inline constexpr std::size_t max_list_count = 2048;
 
 // In parallel, this many blocks of points are entered into lists of their own: more than threads,
 // so that these finish at about the same time.

@@ -12,6 +12,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Close_pair_search.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Closest_pair_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
@@ -20,6 +21,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 
+#include <cstdint>
 #include <optional>
 #include <stdexcept>
 
@@ -42,8 +44,8 @@ Position_pair find_closest_pair(const Elements& points, const NamedParameters& n
   const Scene scene = scan_checked_points<ConcurrencyTag>(points);
   if(points.size() < 2)
     throw std::invalid_argument("There is no closest pair of fewer than two points.");
-  const unsigned int seed
-    = parameters::choose_parameter(parameters::get_parameter(np, internal_np::random_seed), 0u);
+  const std::uint64_t seed = parameters::choose_parameter(
+    parameters::get_parameter(np, internal_np::random_seed), seed_of_process());
   auto progress = make_progress(np, points.size());
   Closest_pair_search<ConcurrencyTag, Elements, decltype(progress)> search(points, scene, seed,
                                                                            progress);
