@@ -5,6 +5,7 @@
 
 #include "support/check_closest_pair.h"
 #include "support/counting_minimum.h"
+#include "support/plain_points.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -73,6 +74,30 @@ BOOST_AUTO_TEST_CASE(division_makes_n_log_n_comparisons_in_space)
   check_work<3>("wall", wall, 30);
   for(int axis = 0; axis < 3; ++axis)
     check_work<3>("line", axis_points(3, 20000, axis, 0, 1), 20);
+}
+
+double comparisons_in_dimension_5(const Points& scene)
+{
+  const Plain_points<double> elements = plain_points(scene);
+  Work_of_division work;
+  Counting_minimum<Plain_points<double>> minimum(elements, scene_of(elements), work);
+  internal::Unwatched_progress progress;
+  internal::divide_and_conquer<CGAL::Sequential_tag>(elements.size(), 5, minimum, progress);
+  return static_cast<double>(work.comparisons);
+}
+
+// All points are in each strip, and the same along the axis of the scan.
+BOOST_AUTO_TEST_CASE(flat_points_in_dimension_5_take_the_work_of_uniform_points)
+{
+  for(const std::size_t n : {2000, 8000}) {
+    const Points uniform = uniform_points(5, n, 0, 1, 15);
+    Points flat = uniform;
+    for(Coordinates& c : flat)
+      c.front() = c.back() = 0;
+    const double factor = comparisons_in_dimension_5(flat) / comparisons_in_dimension_5(uniform);
+    BOOST_TEST_MESSAGE("flat points in dimension 5, " << n << " points: " << factor);
+    BOOST_CHECK_LE(factor, 8);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

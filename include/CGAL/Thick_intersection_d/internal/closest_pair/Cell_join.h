@@ -48,15 +48,14 @@ namespace internal {
 
 // Returns the length of the cells of a join, for `size` points of the scene. If the points are
 // uniform, few pairs are in a common cell. Cells are long enough for points to enter few of them.
-// They are not so long that one cell would hold a cluster: at most `max_side` distances.
-inline double join_cell_side(const Scene& scene, std::size_t size, double distance,
-                             double max_side = max_cell_side)
+// They are not so long that one cell would hold a cluster.
+inline double join_cell_side(const Scene& scene, std::size_t size, double distance)
 {
   double volume = 1 / (cells_per_point * static_cast<double>(size)); // in cubes of the distance
   for(const Interval& interval : scene.box)
     volume *= (std::max)(interval.length() / distance, max_cell_side);
   const double side = std::pow(volume, 1. / scene.dimension());
-  return distance * (std::min)((std::max)(side, min_cell_side), max_side);
+  return distance * (std::min)((std::max)(side, min_cell_side), max_cell_side);
 }
 
 // A point in a cell. Bits of its hash identify the cell: those below the bits of its list.

@@ -32,8 +32,7 @@
 // this is 2 N 3^(D-2) - 1, which is 47 in space. Cell_table finds cells in linear time, so T(n) =
 // 2 T(n/2) + O(n) in any fixed dimension.
 //
-// Both bounds need distinct points, so that d > 0. Equal points are neighbors in the lexicographic
-// order, so they are found before the first division.
+// Both bounds need d > 0. Equal points are found first: they are neighbors in lexicographic order.
 
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Axis_orders.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Cell_table.h>
@@ -189,12 +188,12 @@ private:
     const std::size_t end
       = std::copy_if(ranks.begin() + first, ranks.begin() + last, strip_.begin() + first,
                      is_in_strip) - strip_.begin();
-
-    // A short strip does not need cells for the bound on comparisons.
-    if(dimension_ <= 2 || end - first <= max_candidate_count(dimension_)) {
-      scan(first, end, minimum);
+    // A short strip needs no cells for the bound on comparisons, unless its points are crowded.
+    const bool is_plane = dimension_ <= 2;
+    const std::size_t max_steps = max_strip_steps_per_point * (end - first);
+    if((is_plane || end - first <= max_candidate_count(dimension_))
+       && scan(first, end, is_plane ? unlimited : max_steps, minimum))
       return;
-    }
     for(std::size_t i = 0; i + 1 < orders_.size(); ++i)
       number_strips(orders_[i], first, last, is_in_strip, minimum);
     scan_cells(first, end, minimum);
@@ -221,15 +220,13 @@ private:
     const Cell_table table(end - first, axis_count, [&](std::size_t member, int i) {
       return orders_[i].numbers[strip_[first + member]];
     });
-    Ranks strip(end - first); // in the order of cells
-    for(std::size_t place = 0; place < strip.size(); ++place)
-      strip[place] = strip_[first + table.member(place)];
-    std::copy(strip.begin(), strip.end(), strip_.begin() + first);
-
+    const Ranks members(strip_.begin() + first, strip_.begin() + end);
+    for(std::size_t place = 0; place < members.size(); ++place) // in the order of cells
+      strip_[first + place] = members[table.member(place)];
     const Forward_offsets offsets(axis_count);
     Sorted_bucket_finder find(table, offsets);
     for(std::size_t bucket = 0; bucket < table.bucket_count(); ++bucket) {
-      scan(first + table.begin(bucket), first + table.end(bucket), minimum);
+      scan(first + table.begin(bucket), first + table.end(bucket), unlimited, minimum);
       for(std::size_t i = 0; i < offsets.size(); ++i) {
         const std::size_t other = find(bucket, i);
         if(other != table.bucket_count())
@@ -239,8 +236,9 @@ private:
     }
   }
 
-  // Scans some points of the strip, which are in order along the last axis [L].
-  void scan(std::size_t begin, std::size_t end, Minimum& minimum) const
+  // Scans some points of the strip, in order along the last axis [L]. Returns false if it has given
+  // up, because there are more than `max_steps` candidates.
+  bool scan(std::size_t begin, std::size_t end, std::size_t max_steps, Minimum& minimum) const
   {
     for(std::size_t a = begin; a < end; ++a) {
       const std::size_t q = positions_[strip_[a]];
@@ -248,9 +246,12 @@ private:
         const std::size_t p = positions_[strip_[b]];
         if(minimum.is_beyond(p, q, dimension_ - 1))
           break;
+        if(max_steps-- == 0)
+          return false;
         minimum.offer(q, p);
       }
     }
+    return true;
   }
 
   // Scans the points of two cells of the strip against each other.
@@ -274,6 +275,8 @@ private:
       }
     }
   }
+
+  static constexpr std::size_t unlimited = static_cast<std::size_t>(-1);
 
   std::vector<std::size_t> positions_; // by rank
   int dimension_;

@@ -114,33 +114,34 @@ private:
   template <int Dimension, class Some_positions>
   bool join_all(const Some_positions& positions, std::size_t later, Minimum& minimum)
   {
-    const auto joins_within = [&](double max_side, std::size_t max_steps_per_point) {
-      return minimum.has_tight_reach()
-             && Hashed_cells<Dimension>::fits(minimum.reach(), scene_.error)
-             && join<Dimension>(positions, later, max_side, max_steps_per_point, minimum);
-    };
-    if(!is_crowded_ && joins_within(max_cell_side, max_wide_steps_per_point))
-      return true;
-    is_crowded_ = true;
-    return joins_within(min_cell_side, max_steps_per_point);
+    while(minimum.has_tight_reach()
+          && Hashed_cells<Dimension>::fits(minimum.reach(), scene_.error)) {
+      const double distance = minimum.reach();
+      const double narrow = min_cell_side * distance;
+      const double side
+        = is_crowded_ ? narrow : join_cell_side(scene_, positions.size(), distance);
+      const std::size_t steps_per_point
+        = side > narrow ? max_wide_steps_per_point : max_steps_per_point;
+      progress_.restart(2 * (positions.size() + later));
+      const Cell_join<ConcurrencyTag, Dimension, Elements> join(points_, distance, side, random_());
+      if(offer_joined(join, positions, steps_per_point * positions.size(), minimum))
+        return true;
+      if(side <= narrow)
+        return false;
+      is_crowded_ = true;
+    }
+    return false;
   }
 
-  // Returns false if the join was given up. Cells are up to `max_side` distances long.
-  template <int Dimension, class Some_positions>
-  bool join(const Some_positions& positions, std::size_t later, double max_side,
-            std::size_t max_steps_per_point, Minimum& minimum)
+  // Returns false if the join was given up.
+  template <class Join, class Some_positions>
+  bool offer_joined(const Join& join, const Some_positions& positions, std::size_t max_steps,
+                    Minimum& minimum) const
   {
-    progress_.restart(2 * (positions.size() + later));
-    const double distance = minimum.reach();
-    const double side = join_cell_side(scene_, positions.size(), distance, max_side);
-    const Cell_join<ConcurrencyTag, Dimension, Elements> join_cells(points_, distance, side,
-                                                                    random_());
     std::mutex mutex;
-    return join_cells(positions, max_steps_per_point * positions.size(),
-                      [&, start = minimum] {
-                        return Minimum_visitor<Minimum>{minimum, mutex, start};
-                      },
-                      progress_);
+    return join(positions, max_steps, [&, start = minimum] {
+      return Minimum_visitor<Minimum>{minimum, mutex, start};
+    }, progress_);
   }
 
   template <int Dimension, class Some_positions>

@@ -22,6 +22,8 @@
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -51,25 +53,10 @@ public:
   // Takes the pair if it is closer, or as close and lexicographically smaller.
   void offer(std::size_t i, std::size_t j)
   {
-    Gap square = squared_distance_bounds(points_[i], points_[j], dimension_);
-    if(square.inf > outside_)
-      return;
-    if(scale_ != 1) {
-      square = scaled_square_bounds(i, j);
-      if(square.inf > filter_.outside)
-        return;
-    }
-    const Position_pair candidate = std::minmax(i, j);
-    if(!has_pair_)
-      replace(candidate, square, std::nullopt);
-    else if(is_exact_) {
-      if(square.inf < filter_.outside || candidate < pair_)
-        replace(candidate, square, std::nullopt);
-    }
-    else if(square.sup <= filter_.inside)
-      replace(candidate, square, std::nullopt);
-    else if(candidate != pair_)
-      offer_exactly(candidate, square);
+    if(scale_exponent_ != 0)
+      offer_at_scale(i, j);
+    else
+      offer(i, j, squared_distance_bounds(points_[i], points_[j], dimension_));
   }
 
   void offer_pair_of(const Pair_minimum& other)
@@ -128,12 +115,36 @@ private:
     return *exact_square_;
   }
 
+  // Offers a pair whose computed squared distance is between the doubles of `square`.
+  void offer(std::size_t i, std::size_t j, const Gap& square)
+  {
+    if(square.inf > filter_.outside)
+      return;
+    const Position_pair candidate = std::minmax(i, j);
+    if(!has_pair_)
+      replace(candidate, square, std::nullopt);
+    else if(is_exact_) {
+      if(square.inf < filter_.outside || candidate < pair_)
+        replace(candidate, square, std::nullopt);
+    }
+    else if(square.sup <= filter_.inside)
+      replace(candidate, square, std::nullopt);
+    else if(candidate != pair_)
+      offer_exactly(candidate, square);
+  }
+
   void offer_exactly(const Position_pair& candidate, const Gap& square)
   {
     Exact exact = exact_squared_distance(points_[candidate.first], points_[candidate.second],
                                          dimension_);
     if(exact < exact_square() || (candidate < pair_ && exact == exact_square()))
       replace(candidate, square, std::move(exact));
+  }
+
+  // Not inline: few scenes need it.
+  BOOST_NOINLINE void offer_at_scale(std::size_t i, std::size_t j)
+  {
+    offer(i, j, scaled_square_bounds(i, j));
   }
 
   // As squared_distance_bounds(), of differences times the scale.
@@ -157,8 +168,11 @@ private:
       return {g.inf * scale_, g.sup * scale_};
     const std::pair<double, double> x = coordinate_bounds(points_[i], axis);
     const std::pair<double, double> y = coordinate_bounds(points_[j], axis);
-    const Gap half = gap(std::pair(x.first / 2, x.second / 2), std::pair(y.first / 2, y.second / 2));
-    return {2 * scale_ * half.inf, 2 * scale_ * half.sup};
+    const auto half = [](const std::pair<double, double>& b) {
+      return std::pair<double, double>(b.first / 2, b.second / 2);
+    };
+    const Gap g_of_halves = gap(half(x), half(y));
+    return {2 * scale_ * g_of_halves.inf, 2 * scale_ * g_of_halves.sup};
   }
 
   // Chooses the scale for the pair, and returns the bounds of its squared distance at this scale.
@@ -185,7 +199,7 @@ private:
     has_pair_ = true;
     pair_ = pair;
     exact_square_ = std::move(exact);
-    if(scale_ != 1 || !is_plain(square.sup))
+    if(scale_exponent_ != 0 || !is_plain(square.sup))
       square = choose_scale();
     min_square_ = square.inf >= min_safe_square
                     ? (std::min)(square.inf, max_safe_square / 2) * (1 - error) : 0;
@@ -198,9 +212,6 @@ private:
     filter_ = make_distance_filter(min_square_, max_square_, dimension_);
     if(is_exact_)
       filter_.outside = square.inf;
-    outside_ = scale_ == 1
-                 ? filter_.outside
-                 : make_distance_filter(0, max_square_ / scale_ / scale_, dimension_).outside;
   }
 
   const Elements& points_;
@@ -216,7 +227,6 @@ private:
   double max_square_ = std::numeric_limits<double>::infinity();
   bool is_exact_ = false;  // whether doubles compute squares up to that of the pair without error
   Distance_filter filter_; // the distance of the pair at this scale is its bound
-  double outside_ = std::numeric_limits<double>::infinity(); // of the filter at scale 1
 };
 
 } // namespace internal

@@ -1,0 +1,169 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The work of the search for the closest pair is linear at all scales, whoever makes the input:
+// looks at points are counted, and compared with those of as many uniform points.
+
+#define BOOST_TEST_MODULE closest_pair_work
+#include "support/check_closest_pair.h"
+#include "support/counted_points.h"
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <cmath>
+#include <cstring>
+#include <functional>
+
+using namespace test_support;
+
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+template <int Dimension>
+using Maker = Cartesian_points<Kernel, Dimension>;
+
+// Looks per point, of the search without the scan.
+template <int Dimension>
+double looks_per_point(const Points& scene)
+{
+  using Point = typename Maker<Dimension>::Point;
+  using Counted = Counted_points<Point>;
+  const auto points = make_points<Maker<Dimension>>(scene);
+  std::size_t looks = 0;
+  const Counted counted = {points, looks};
+  const internal::Scene scene_of_points = scene_of(Elements_of<Point>(points));
+  internal::Unwatched_progress progress;
+  internal::Closest_pair_search<CGAL::Sequential_tag, Counted, internal::Unwatched_progress>(
+    counted, scene_of_points, 1, progress).find();
+  return static_cast<double>(looks) / static_cast<double>(points.size());
+}
+
+using Make_scene = std::function<Points(int dimension, std::size_t size)>;
+
+void check_work(const std::string& name, const Make_scene& make, double max_factor = 8)
+{
+  for(const std::size_t n : {10000, 40000}) {
+    const double plane = looks_per_point<2>(make(2, n))
+                         / looks_per_point<2>(uniform_points(2, n, 0, 1, 1));
+    const double space = looks_per_point<3>(make(3, n))
+                         / looks_per_point<3>(uniform_points(3, n, 0, 1, 1));
+    BOOST_TEST_MESSAGE(name << ", " << n << " points: " << plane << ' ' << space);
+    BOOST_CHECK_MESSAGE(plane <= max_factor, name << ", 2D: " << plane);
+    BOOST_CHECK_MESSAGE(space <= max_factor, name << ", 3D: " << space);
+  }
+}
+
+// Every k-th point in a box of its own at the origin, the others in [1, 2]^d.
+Make_scene boxes_of_sides(const std::vector<double>& sides)
+{
+  return [sides](int dimension, std::size_t size) {
+    Points points = uniform_points(dimension, size, 0, 1, 2);
+    for(std::size_t i = 0; i < size; ++i)
+      for(double& x : points[i])
+        x = i % (sides.size() + 1) == 0 ? 1 + x : x * sides[i % (sides.size() + 1) - 1];
+    return points;
+  };
+}
+
+// Moves each coordinate, given as a number in [0, 1).
+Make_scene uniform_moved(const std::function<double(double)>& move)
+{
+  return [move](int dimension, std::size_t size) {
+    Points points = uniform_points(dimension, size, 0, 1, 3);
+    for(Coordinates& c : points)
+      for(double& x : c)
+        x = move(x);
+    return points;
+  };
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(points_of_a_geometric_sequence_take_linear_work)
+{
+  check_work("diagonal", [](int dimension, std::size_t size) {
+    Points points;
+    for(std::size_t i = 0; i < size; ++i)
+      points.emplace_back(dimension, std::pow(1 + 600. / static_cast<double>(size),
+                                              static_cast<double>(i)));
+    return points;
+  });
+}
+
+BOOST_AUTO_TEST_CASE(boxes_of_any_sizes_take_linear_work)
+{
+  for(const double side : {1e-16, 1e-19, 1e-26, 1e-120, 1e-300})
+    check_work("a box of side " + std::to_string(std::log10(side)), boxes_of_sides({side}));
+  check_work("boxes of three scales", boxes_of_sides({1e-20, 1e-60}));
+  check_work("a huge box", boxes_of_sides({1e300}));
+}
+
+BOOST_AUTO_TEST_CASE(coordinates_of_all_scales_take_linear_work)
+{
+  check_work("log-uniform", uniform_moved([](double x) { return std::pow(10, -300 * x); }));
+  check_work("log-uniform of both signs", uniform_moved([](double x) {
+    return x < 0.5 ? -std::pow(10, 600 - 1200 * x - 300) : std::pow(10, 1200 * x - 900);
+  }));
+  for(const double scale : {1e-300, 1e-170, 1e200})
+    check_work("uniform", uniform_moved([scale](double x) { return x * scale; }));
+  check_work("beyond the differences of doubles", uniform_moved([](double x) {
+    return (2 * x - 1) * 1.7e308;
+  }));
+}
+
+// A lattice of the smallest doubles, where cells are rounded, and a lattice with a point far out,
+// which makes cells wide, take the work of a lattice.
+BOOST_AUTO_TEST_CASE(lattices_at_any_scale_take_the_work_of_a_lattice)
+{
+  const auto lattice = [](int dimension, std::size_t size) {
+    const double side = std::floor(std::pow(static_cast<double>(size), 1. / dimension) + 1e-9);
+    return shuffled(lattice_points(dimension, static_cast<std::size_t>(side), 1), 4);
+  };
+  const auto check_same = [&](const std::string& name, const auto& change) {
+    for(const std::size_t n : {10000, 40000}) {
+      Points plane = lattice(2, n), space = lattice(3, n);
+      const double plane_looks = looks_per_point<2>(plane), space_looks = looks_per_point<3>(space);
+      change(plane);
+      change(space);
+      BOOST_TEST_MESSAGE(name << ", " << n << ": " << plane_looks << ' ' << space_looks);
+      BOOST_CHECK_LE(looks_per_point<2>(plane), 4 * plane_looks);
+      BOOST_CHECK_LE(looks_per_point<3>(space), 4 * space_looks);
+    }
+  };
+  check_same("far out", [](Points& points) {
+    for(double& x : points[0])
+      x = 1e9;
+  });
+  check_same("tiny", [](Points& points) {
+    for(Coordinates& c : points)
+      for(double& x : c)
+        x *= 1e-321;
+  });
+}
+
+// Half of the points are equal. The others had one hash when hashes had no keys: all coordinates
+// but the last are free, and the last one makes up for them.
+BOOST_AUTO_TEST_CASE(points_that_are_made_for_a_hash_take_linear_work)
+{
+  const auto with_one_hash = [](int dimension, std::size_t size) {
+    Points points = uniform_points(dimension, size, 1, 1, 5);
+    Random random(6);
+    for(std::size_t i = 0; i < size / 2; ++i)
+      do {
+        std::uint64_t hash = 0;
+        for(int axis = 0; axis + 1 < dimension; ++axis) {
+          points[i][axis] = 1 + random.uniform();
+          hash ^= (hash >> 32) ^ internal::radix_key(points[i][axis]);
+          hash *= 0x9e3779b97f4a7c15;
+        }
+        const std::uint64_t key = hash ^ (hash >> 32);
+        const std::uint64_t sign = std::uint64_t(1) << 63;
+        const std::uint64_t bits = (key & sign) != 0 ? key ^ sign : ~key;
+        std::memcpy(&points[i].back(), &bits, sizeof(bits));
+      } while(!(std::fabs(points[i].back()) < 1e300));
+    for(std::size_t i = size / 2; i < size; ++i)
+      points[i] = points[size / 2];
+    return points;
+  };
+  check_work("made for a hash", with_one_hash);
+}
