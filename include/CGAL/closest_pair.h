@@ -30,12 +30,12 @@ The search gives the result of real arithmetic on the given coordinates, for eve
 lexicographically smallest pair of positions, with any number of threads and any seed. Equal points
 at different positions are a pair, at distance zero.
 
-In the plane and in space the search takes expected \f$ O(n) \f$ time. The closest pair of a random
-sample bounds how far to look \cgalCite{r-pa-76}, and few points have another point so near. If
-doubles cannot bound the least distance, for example because squared distances overflow, and in
-other dimensions, the search is the divide and conquer of \cgalCite{l-cp}. It makes
-\f$ O(n \log n) \f$ comparisons in the worst case, in fixed dimension. The search uses
-\f$ O(n) \f$ space. The algebraic degree is 2.
+In the plane and in space the search takes expected \f$ O(n) \f$ time, for points of any scales. The
+closest pair of a random sample bounds how far to look \cgalCite{r-pa-76}, and few points have
+another point so near. If doubles cannot bound the least distance, because they are too coarse for
+the coordinates, and in other dimensions, the search is the divide and conquer of
+\cgalCite{l-cp}. In fixed dimension the search takes \f$ O(n \log n) \f$ time in the worst case, and
+uses \f$ O(n) \f$ space. The algebraic degree is 2.
 
 \tparam ConcurrencyTag is `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`.
 `Parallel_tag` requires \tbb.
@@ -62,8 +62,8 @@ below
   \cgalParamNBegin{random_seed}
     \cgalParamDescription{the seed of the random numbers, which the time depends on}
     \cgalParamType{unsigned int}
-    \cgalParamDefault{0}
-    \cgalParamExtra{The result does not depend on the seed.}
+    \cgalParamDefault{a seed that each process draws once, so that no input is made for it}
+    \cgalParamExtra{The result does not depend on the seed, unless the search is cancelled.}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
     \cgalParamDescription{a functor `bool(double)` that is called with the progress between 0 and 1,

@@ -236,8 +236,7 @@ private:
     }
   }
 
-  // Scans some points of the strip, in order along the last axis [L]. Returns false if it has given
-  // up, because there are more than `max_steps` candidates.
+  // Scans points of the strip, in order along the last axis [L], up to `max_steps` candidates.
   bool scan(std::size_t begin, std::size_t end, std::size_t max_steps, Minimum& minimum) const
   {
     for(std::size_t a = begin; a < end; ++a) {
