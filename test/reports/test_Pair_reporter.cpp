@@ -39,4 +39,12 @@ BOOST_AUTO_TEST_CASE(a_callback_stops_by_returning_false)
   BOOST_CHECK(report.is_stopped());
 }
 
+BOOST_AUTO_TEST_CASE(a_callback_that_throws_stops_the_other_threads)
+{
+  auto fail = [](std::size_t, std::size_t) { throw 7; };
+  internal::Pair_reporter<decltype(fail)> report(fail);
+  BOOST_CHECK_THROW(report(1, 2), int);
+  BOOST_CHECK(report.is_stopped());
+}
+
 BOOST_AUTO_TEST_SUITE_END()

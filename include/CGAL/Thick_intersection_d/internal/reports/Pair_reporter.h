@@ -23,8 +23,23 @@ public:
 
   // Calls callback(i, j). Returns false iff the search is to stop. A callback that returns void
   // never stops the search. A callback that returns bool stops the search by false, and this thread
-  // does not call it again.
+  // does not call it again. What a callback throws stops the other threads.
   bool operator()(std::size_t i, std::size_t j)
+  {
+    try {
+      return call(i, j);
+    }
+    catch(...) {
+      stop();
+      throw;
+    }
+  }
+
+  void stop() { stopped_.store(true, std::memory_order_relaxed); }
+  bool is_stopped() const { return stopped_.load(std::memory_order_relaxed); }
+
+private:
+  bool call(std::size_t i, std::size_t j)
   {
     if constexpr(std::is_void_v<std::invoke_result_t<Callback&, std::size_t, std::size_t>>) {
       callback_(i, j);
@@ -38,10 +53,6 @@ public:
     }
   }
 
-  void stop() { stopped_.store(true, std::memory_order_relaxed); }
-  bool is_stopped() const { return stopped_.load(std::memory_order_relaxed); }
-
-private:
   Callback& callback_;
   std::atomic<bool> stopped_ = false;
 };
