@@ -20,6 +20,7 @@ struct Interval
   double high = -std::numeric_limits<double>::infinity();
 
   double length() const { return high - low; }
+  double half_length() const { return high / 2 - low / 2; } // of finite ends, does not overflow
 
   // Extends the interval until it holds x.
   void add(double x)

@@ -26,14 +26,19 @@ class Equal_cut
 public:
   Equal_cut() = default; // one piece
 
-  // Cuts an interval into `count` pieces, or into one piece if it cannot compute them. Coordinates
-  // outside the interval belong to the first or the last piece.
+  // Cuts an interval into `count` pieces, or into one piece if it cannot compute them: the ends are
+  // to be finite, and to differ. Coordinates outside the interval belong to the first or the last
+  // piece.
   Equal_cut(const Interval& interval, double count)
   {
-    const double scale = std::floor(count) / interval.length();
+    const double unit = unit_of(interval);
+    const double low = interval.low * unit;
+    const double scale = std::floor(count) / (interval.high * unit - low);
     if(!(count >= 2) || !(scale > 0) || !std::isfinite(scale))
       return; // not cut, as in case 1 of [V03]
     interval_ = interval;
+    unit_ = unit;
+    low_ = low;
     scale_ = scale;
     last_ = static_cast<Place>(count) - 1;
   }
@@ -45,12 +50,22 @@ public:
   Place operator()(double x) const
   {
     const double inside = (std::min)((std::max)(x, interval_.low), interval_.high);
-    const double piece = (inside - interval_.low) * scale_;
+    const double piece = (inside * unit_ - low_) * scale_;
     return (std::min)(static_cast<Place>(static_cast<std::int64_t>(piece)), last_);
   }
 
 private:
+  // Returns a power of two to multiply the coordinates by, so that neither their differences nor
+  // the inverses of these overflow.
+  static double unit_of(const Interval& interval)
+  {
+    const double length = interval.length();
+    return length < 0x1p-900 ? 0x1p600 : length < 0x1p1020 ? 1 : 0x1p-4;
+  }
+
   Interval interval_ = {0, 0};
+  double unit_ = 1;
+  double low_ = 0; // the lower end, in units
   double scale_ = 0;
   Place last_ = 0;
 };
