@@ -140,12 +140,17 @@ private:
     });
   }
 
+  // Each block looks at all points of the slabs, for their borders. So it has more candidates than
+  // points.
   Place sweep_block_count(const Strips<Point>& slab, const Slabs_nearby& nearby) const
   {
     double candidates = 0;
-    for(const Strips<Point>* other : nearby)
+    double size = 0;
+    for(const Strips<Point>* other : nearby) {
       candidates += std::sqrt(slab.candidates() * other->candidates());
-    const double count = candidates / tuning_.candidates_per_block;
+      size += slab.size() + other->size();
+    }
+    const double count = candidates / (std::max)(tuning_.candidates_per_block, size);
     return static_cast<Place>((std::min)(count, max_block_count)) + 1;
   }
 

@@ -91,7 +91,7 @@ private:
   // tried max_cut_depth times, or are impossible. Then the slab is cut where the points are.
   void cut(const Slab& slab, const Interval& interval)
   {
-    const Equal_cut cut(interval, piece_count(interval.length(), slab.size(), reach_,
+    const Equal_cut cut(interval, piece_count(interval, slab.size(), reach_,
                                               tuning_.points_per_strip));
     if(slab.cuts == max_cut_depth || cut.count() == 1)
       cut_sorted(slab);

@@ -39,7 +39,7 @@ public:
   {
     const Place size = static_cast<Place>(last - first);
     const Interval trimmed = trim(source, first, size);
-    const double count = piece_count(trimmed.length(), size, reach, tuning.points_per_slab);
+    const double count = piece_count(trimmed, size, reach, tuning.points_per_slab);
     cut_ = Equal_cut(trimmed, (std::min)(count, max_slab_count));
     distribute<ConcurrencyTag>(source, first, size);
   }

@@ -48,7 +48,8 @@ public:
   Place size() const { return size_; }
   const Interval& interval(int axis) const { return box_[axis]; }
 
-  // The estimated number of candidates: pairs in one strip that are within a reach along axis 0.
+  // The number of candidates, or an upper bound: pairs in one strip that are within a reach along
+  // axis 0.
   double candidates() const { return candidates_; }
   void set_candidates(double candidates) { candidates_ = candidates; }
 
@@ -60,6 +61,20 @@ public:
     run.positions = positions_.data() + strip.begin;
     run.size = strip.size();
     return run;
+  }
+
+  // Returns the number of candidates.
+  double count_candidates(double reach) const
+  {
+    const double* const x = columns_[0].data();
+    double count = 0;
+    for(const Strip_of_points& strip : strips_)
+      for(Place first = strip.begin, i = first; i != strip.end; ++i) {
+        while(x[i] - x[first] > reach)
+          ++first;
+        count += i - first;
+      }
+    return count;
   }
 
   // Removes all strips, and makes room for `size` points in `count` strips.

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -67,12 +68,13 @@ public:
   // Makes strips of the points that were counted.
   void make(Strips<Point>& strips)
   {
-    if(!is_in_plane && is_crowded() && are_strips_high() &&
-       size() > tuning_.points_per_sorted_strip)
+    if(!is_in_plane && are_strips_high() && size() > tuning_.points_per_sorted_strip
+       && (is_crowded() || longest_strip() > tuning_.max_high_strip_size))
       make_sorted_strips(strips);
     else
       make_counted_strips(strips);
-    strips.set_candidates(candidates_);
+    const bool are_many = candidates_ > tuning_.candidates_per_block;
+    strips.set_candidates(are_many ? strips.count_candidates(reach_) : candidates_);
   }
 
 private:
@@ -82,6 +84,15 @@ private:
   bool are_strips_high() const
   {
     return box_[1].length() > max_height * reach_ * across_.count();
+  }
+
+  // Returns the number of points in the largest strip.
+  Place longest_strip() const
+  {
+    Place longest = 0;
+    for(const Place* c = counts_.data(); c != counts_.data() + bucket_count(); c += along_.count())
+      longest = (std::max)(longest, std::accumulate(c, c + along_.count(), Place(0)));
+    return longest;
   }
 
   Place bucket(const Point& p) const
@@ -99,7 +110,7 @@ private:
   void count_buckets()
   {
     across_ = is_in_plane ? Equal_cut()
-                          : Equal_cut(box_[1], piece_count(box_[1].length(), size(), reach_,
+                          : Equal_cut(box_[1], piece_count(box_[1], size(), reach_,
                                                            tuning_.points_per_strip));
     along_ = Equal_cut(box_[0], size() / across_.count());
     Place* const counts = counts_.require(bucket_count());
@@ -108,8 +119,9 @@ private:
       ++counts[bucket(*p)];
   }
 
-  // The candidates of a point are the points in its own bucket, and in as many buckets behind it as
-  // a reach covers. The estimate takes these buckets to be equally full.
+  // The candidates of a point are the points in its own bucket, and in as many buckets of its strip
+  // behind it as a reach covers. The estimate takes these buckets to be equally full. It is an upper
+  // bound, because the product of two sizes is at most the mean of their squares.
   void estimate_candidates()
   {
     const Place* const counts = counts_.data();
@@ -119,10 +131,11 @@ private:
       longest_ = (std::max)(longest_, counts[b]);
       squares += static_cast<double>(counts[b]) * counts[b];
     }
-    const double width = box_[0].length() / along_.count();
-    const double in_reach = squares * (std::ceil(reach_ / width) + 1);
+    const double half_width = box_[0].half_length() / along_.count();
+    const double behind = std::ceil(reach_ / 2 / half_width) + 1; // no number if both are zero
+    const double in_reach = squares * (behind < along_.count() ? behind : along_.count());
     const double all = static_cast<double>(size()) * size();
-    candidates_ = in_reach < all ? in_reach : all; // also if the width is zero
+    candidates_ = in_reach < all ? in_reach : all;
   }
 
   // Sorts the points into buckets, and then the points of each bucket.

@@ -12,6 +12,7 @@
 // of 10^6 points (5 or 3 of 10^7) on an AMD EPYC with AVX-512. "Sparse" are uniform points with k =
 // n/2, "dense" with k = 10 n; clusters and Levy flights have fewer pairs.
 
+#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 
 #include <algorithm>
@@ -71,6 +72,10 @@ struct Slab_tuning
   // Where points crowd in the strips as well. Levy flights in space: 1.27 with 4, 0.91 with 40.
   Place points_per_sorted_strip = 12;
 
+  // A strip with more points is low: at most as high as max_height says. Few scenes have high ones
+  // with so many points, because crowded strips are cut where the points are.
+  Place max_high_strip_size = 64;
+
   // A larger slab is cut again, to fit in a cache with its columns. 10^7 sparse points: 1.26 in the
   // plane with 4096, 1.45 in space without a limit.
   Place max_slab_size = 16384;
@@ -80,11 +85,11 @@ struct Slab_tuning
   double candidates_per_block = 1 << 24;
 };
 
-// Returns how many pieces `size` points in a range of the given length are cut into: each of at
-// least the usual height, and of `points_per_piece` points or more on average.
-inline double piece_count(double length, Place size, double reach, Place points_per_piece)
+// Returns how many pieces `size` points in a range are cut into: each of at least the usual height,
+// and of `points_per_piece` points or more on average.
+inline double piece_count(const Interval& range, Place size, double reach, Place points_per_piece)
 {
-  return (std::min)(length / (usual_height * reach),
+  return (std::min)(range.half_length() / (usual_height / 2 * reach),
                     static_cast<double>(size / points_per_piece + 1));
 }
 
