@@ -172,7 +172,7 @@ std::size_t count_candidates(const Points& points, double reach)
   using Point = internal::Slab_point<Dimension>;
   const Test test(points, reach);
   const internal::Slab_tuning tuning;
-  const internal::Slabs<Point> slabs(CGAL::Sequential_tag(), test, 0, points.size(), reach);
+  const internal::Slabs<Point> slabs(CGAL::Sequential_tag(), test, points.size(), reach);
   const auto ignore = [](std::size_t, std::size_t) {};
   internal::Pair_reporter<decltype(ignore)> report(ignore);
   using Pair_sweep = internal::Pair_sweep<Test, decltype(report)>;

@@ -106,25 +106,6 @@ void check_window(const internal::Slabs<Point<Dimension>>& slabs, double reach)
   BOOST_CHECK_EQUAL(window.slab(), slabs.count());
 }
 
-// Drops what is below a height that grows, and never more.
-template <int Dimension>
-void check_drop(const internal::Slabs<Point<Dimension>>& slabs, double reach)
-{
-  const std::vector<Listed_slab> list = list_of<Dimension>(slabs, reach);
-  internal::Slab_window<Point<Dimension>> window(slabs, reach, 0, tuning_for_few_points());
-  for(std::size_t height = 0; height < list.size(); height += 3) {
-    const double low = list[height].interval.low;
-    window.drop_below(low);
-    std::size_t s = 0;
-    while(low - list[s].interval.high > reach)
-      ++s;
-    BOOST_REQUIRE(window.front() != nullptr);
-    BOOST_CHECK(positions_of<Dimension>(*window.front()) == list[s].positions);
-  }
-  window.drop_below(1e300);
-  BOOST_CHECK(window.front() == nullptr);
-}
-
 template <int Dimension>
 void check_scenes()
 {
@@ -133,10 +114,9 @@ void check_scenes()
       BOOST_TEST_CONTEXT(name << ", reach " << reach)
       {
         const internal::Slabs<Point<Dimension>> slabs(
-          CGAL::Sequential_tag(), Point_source<Dimension>(points), 0, points.size(), reach,
-          tuning_for_few_points());
+          CGAL::Sequential_tag(), Point_source<Dimension>(points), points.size(), reach,
+          internal::Point_sets(), tuning_for_few_points());
         check_window<Dimension>(slabs, reach);
-        check_drop<Dimension>(slabs, reach);
       }
     }
 }
@@ -147,8 +127,9 @@ BOOST_AUTO_TEST_CASE(slabs_within_reach_are_those_of_the_list_3) { check_scenes<
 BOOST_AUTO_TEST_CASE(a_window_may_start_at_any_slab)
 {
   const Points points = uniform_points(2, 1500, 0, 1, 1);
-  const internal::Slabs<Point<2>> slabs(CGAL::Sequential_tag(), Point_source<2>(points), 0,
-                                        points.size(), 1e-3, tuning_for_few_points());
+  const internal::Slabs<Point<2>> slabs(CGAL::Sequential_tag(), Point_source<2>(points),
+                                        points.size(), 1e-3, internal::Point_sets(),
+                                        tuning_for_few_points());
   BOOST_REQUIRE_GT(slabs.count(), 50u);
   for(internal::Place first = 0; first <= slabs.count(); first += 7) {
     internal::Slab_window<Point<2>> window(slabs, 1e-3, first, tuning_for_few_points());

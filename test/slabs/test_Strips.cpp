@@ -53,7 +53,7 @@ make_strips(const std::vector<std::vector<Point<Dimension>>>& points)
   internal::Strips<Point<Dimension>> strips;
   strips.reset(static_cast<internal::Place>(size), static_cast<internal::Place>(points.size()));
   for(const auto& strip : points)
-    strips.append(strip.begin(), strip.end());
+    strips.append(strip.data(), strip.data() + strip.size(), internal::Point_sets());
   return strips;
 }
 
@@ -140,7 +140,7 @@ BOOST_AUTO_TEST_CASE(strips_are_forgotten_when_room_is_made)
   BOOST_CHECK(strips.strips().empty());
   BOOST_CHECK_EQUAL(strips.size(), 0u);
   for(const auto& strip : other)
-    strips.append(strip.begin(), strip.end());
+    strips.append(strip.data(), strip.data() + strip.size(), internal::Point_sets());
   check_strips<2>(strips, other);
   BOOST_CHECK_EQUAL(strips.interval(1).low, 0.25);
   BOOST_CHECK_EQUAL(strips.interval(1).high, 0.25);

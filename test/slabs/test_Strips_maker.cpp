@@ -52,7 +52,7 @@ int check_scenes(std::size_t n)
   using Point = internal::Slab_point<Dimension>;
   int crowded = 0;
   for(const double reach : {1e-9, 1e-3, 0.1, 10.}) {
-    internal::Strips_maker<Point> maker(reach, tuning_for_few_points());
+    internal::Strips_maker<Point> maker(reach, internal::Point_sets(), tuning_for_few_points());
     internal::Strips<Point> strips; // both are used again
     for(const auto& [name, points] : scenes_to_cut(Dimension, n)) {
       BOOST_TEST_CONTEXT(name << ", reach " << reach)

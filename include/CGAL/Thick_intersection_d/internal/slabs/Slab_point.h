@@ -38,6 +38,15 @@ struct Slab_point
   Place position;
 };
 
+// Whether the points are one set, or two: then the first set has the positions below its size.
+struct Point_sets
+{
+  Place first_size = max_place; // of all points, if they are one set
+
+  bool are_two() const { return first_size != max_place; }
+  Place count() const { return are_two() ? 2 : 1; }
+};
+
 // The intervals of the coordinates of some points, one per axis.
 template <int Dimension>
 using Box_of_intervals = std::array<Interval, Dimension>;

@@ -11,11 +11,11 @@
 
 #include <CGAL/Arithmetic_tier.h>
 
-#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Pair_sweep.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_sweep.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_window.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slabs.h>
@@ -25,7 +25,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -50,67 +49,45 @@ public:
   template <class Sets, class Report, class Progress>
   bool search(const Sets& sets, Report& report, Progress& progress) const
   {
-    if constexpr(Sets::are_two) {
-      if(test_.are_all_pairs())
-        return report_all(sets.first_size, sets.first_size, report, progress);
-      const Slabs<Point> slabs = make_slabs(0, sets.first_size);
-      const Slabs<Point> others = make_slabs(sets.first_size, test_.size());
-      sweep_all_slabs(slabs, &others, report, progress);
-      advance(progress, others.size(), report);
-    }
-    else {
-      if(test_.are_all_pairs())
-        return report_all(test_.size(), 0, report, progress);
-      sweep_all_slabs(make_slabs(0, test_.size()), nullptr, report, progress);
-    }
+    Point_sets point_sets;
+    if constexpr(Sets::are_two)
+      point_sets.first_size = static_cast<Place>(sets.first_size);
+    if(test_.are_all_pairs())
+      return report_all(point_sets, report, progress);
+    sweep_all_slabs(
+      Slabs<Point>(ConcurrencyTag(), test_, test_.size(), reach_, point_sets, tuning_), report,
+      progress);
     return !report.is_stopped();
   }
 
 private:
   static constexpr int axis = Point::slab_axis;
 
-  Slabs<Point> make_slabs(std::size_t first, std::size_t last) const
-  {
-    return Slabs<Point>(ConcurrencyTag(), test_, first, last, reach_, tuning_);
-  }
-
   // Sweeps all slabs, in blocks that threads may sweep at the same time.
   template <class Report, class Progress>
-  void sweep_all_slabs(const Slabs<Point>& slabs, const Slabs<Point>* others, Report& report,
-                       Progress& progress) const
+  void sweep_all_slabs(const Slabs<Point>& slabs, Report& report, Progress& progress) const
   {
     const std::size_t count = block_count<ConcurrencyTag>();
     for_each_block<ConcurrencyTag>(count, [&](std::size_t block, std::size_t end) {
       for(; block != end; ++block) {
         const auto [first, last] = slabs.block(block, count);
         if(first != last)
-          sweep_slabs(slabs, first, last, others, report, progress);
+          sweep_slabs(slabs, first, last, report, progress);
       }
     });
   }
 
-  // Sweeps the slabs [first, last) with the slabs of the other set within reach. If there is no
-  // other set, sweeps each slab with itself and with the slabs within reach behind it.
+  // Sweeps each of the slabs [first, last) with itself and with the slabs within reach behind it.
   template <class Report, class Progress>
-  void sweep_slabs(const Slabs<Point>& slabs, Place first, Place last, const Slabs<Point>* others,
-                   Report& report, Progress& progress) const
+  void sweep_slabs(const Slabs<Point>& slabs, Place first, Place last, Report& report,
+                   Progress& progress) const
   {
     Window window(slabs, reach_, first, tuning_);
-    if(window.slab() >= last)
-      return;
-    std::optional<Window> other_window;
-    if(others) {
-      const double low = window.front()->interval(axis).low - reach_;
-      other_window.emplace(*others, reach_, others->slab_of(low), tuning_);
-    }
-    Window& near = others ? *other_window : window;
     Pair_sweep<Test, Report> pair_sweep(test_, report);
     Slab_sweep<Point, Pair_sweep<Test, Report>> sweep(reach_, pair_sweep);
     Slabs_nearby nearby;
     for(; window.slab() < last && !report.is_stopped(); window.pop()) {
-      const Interval interval = window.front()->interval(axis);
-      near.drop_below(interval.low);
-      near.find_within_reach(interval.high, nearby);
+      window.find_within_reach(window.front()->interval(axis).high, nearby);
       sweep_slab(*window.front(), nearby, sweep, report, progress);
     }
     test_.publish(pair_sweep.counts());
@@ -154,10 +131,13 @@ private:
     return static_cast<Place>((std::min)(count, max_block_count)) + 1;
   }
 
-  // Reports each element before `end` with all elements that are behind it, from `first` on.
+  // Reports each element with all elements behind it; each element of the first of two sets with
+  // all elements of the second.
   template <class Report, class Progress>
-  bool report_all(std::size_t end, std::size_t first, Report& report, Progress& progress) const
+  bool report_all(const Point_sets& sets, Report& report, Progress& progress) const
   {
+    const std::size_t first = sets.are_two() ? sets.first_size : 0;
+    const std::size_t end = sets.are_two() ? sets.first_size : test_.size();
     for_each_block<ConcurrencyTag>(end, [&](std::size_t i, std::size_t last) {
       Decision_counts counts;
       for(; i != last && !report.is_stopped(); ++i) {

@@ -33,7 +33,8 @@ class Slab_stream
 public:
   // Starts with the slab `first`.
   Slab_stream(const Slabs<Point>& slabs, double reach, Place first, const Slab_tuning& tuning)
-    : slabs_(slabs), reach_(reach), tuning_(tuning), next_slab_(first), maker_(reach, tuning)
+    : slabs_(slabs), reach_(reach), tuning_(tuning), next_slab_(first),
+      maker_(reach, slabs.sets(), tuning)
   {}
 
   // Returns the number of the slab that the last strips belong to.

@@ -50,9 +50,15 @@ public:
   {
     const auto& strips = slab.strips();
     for(auto p = strips.begin(); p != strips.end() && !sweep_.is_stopped(); ++p) {
-      sweep_.within(slab.run(*p));
+      if(may_meet(*p, *p))
+        sweep_.within(slab.run(*p));
       for(auto q = p + 1; q != strips.end() && q->box[1].low - p->box[1].high <= reach_; ++q)
-        sweep_borders(slab, *p, slab, *q);
+        if(may_meet(*p, *q)) {
+          if(q->box[1].low <= p->box[1].high) // the points of the other set in the same strip
+            sweep_.between(slab.run(*p), slab.run(*q));
+          else
+            sweep_strips(slab, *p, slab, *q);
+        }
     }
   }
 
@@ -68,10 +74,8 @@ public:
       while(first != last && p.box[1].low - first->box[1].high > reach_)
         ++first;
       for(auto q = first; q != last && q->box[1].low - p.box[1].high <= reach_; ++q)
-        if constexpr(dimension == 2)
-          sweep_.between(slab_border_a_.run(p), slab_border_b_.run(*q));
-        else
-          sweep_borders(slab_border_a_, p, slab_border_b_, *q);
+        if(may_meet(p, *q))
+          sweep_strips(slab_border_a_, p, slab_border_b_, *q);
     }
   }
 
@@ -100,6 +104,22 @@ private:
     Place* const places = places_.require(longest);
     for(const Strip_of_points& strip : strips)
       border.append_border(slab, strip, axis, interval, places);
+  }
+
+  // Of two sets, strips of different sets meet. `sides` is zero if there is one set.
+  static bool may_meet(const Strip_of_points& p, const Strip_of_points& q)
+  {
+    return (p.sides & q.sides) == 0;
+  }
+
+  // Sweeps strips p and q. In the plane they are slabs, or the borders of slabs.
+  void sweep_strips(const Strips<Point>& a, const Strip_of_points& p, const Strips<Point>& b,
+                    const Strip_of_points& q)
+  {
+    if constexpr(dimension == 2)
+      sweep_.between(a.run(p), b.run(q));
+    else
+      sweep_borders(a, p, b, q);
   }
 
   // Sweeps the borders of strips p and q: the points that are within reach of the other strip.

@@ -47,13 +47,6 @@ public:
     ready_.pop_front();
   }
 
-  // Drops the slabs that are beyond reach below `low`.
-  void drop_below(double low)
-  {
-    while(front() && low - front()->interval(axis).high > reach_)
-      pop();
-  }
-
   // Sets `slabs` to the slabs in the window that are not beyond reach above `high`. Slabs follow
   // each other. So the next slab is not made ready if the last one ends beyond reach.
   void find_within_reach(double high, Slabs_nearby& slabs)

@@ -5,14 +5,15 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_SLABS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_SLABS_H
 
-// The points of one set in the order of their slabs: the divide step of [V03], made multiway. [V03]
-// is cited in Recursive_route.h.
+// The points of one or two sets in the order of their slabs: the divide step of [V03], made
+// multiway. [V03] is cited in Recursive_route.h.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Equal_cut.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/tuning.h>
 
 #include <algorithm>
@@ -30,19 +31,21 @@ template <class Point>
 class Slabs
 {
 public:
-  // Takes the points at the positions [first, last) of `source`. The source has the functions
-  // interval(axis), coordinate(position, axis) and put(position, place).
+  // Takes the `size` points of `source`. The source has the functions interval(axis),
+  // coordinate(position, axis) and put(position, place).
   template <class ConcurrencyTag, class Source>
-  Slabs(ConcurrencyTag, const Source& source, std::size_t first, std::size_t last, double reach,
-        const Slab_tuning& tuning = Slab_tuning())
-    : points_(make_uninitialized<Point>(last - first))
+  Slabs(ConcurrencyTag, const Source& source, std::size_t size, double reach,
+        const Point_sets& sets = Point_sets(), const Slab_tuning& tuning = Slab_tuning())
+    : sets_(sets), points_(make_uninitialized<Point>(size))
   {
-    const Place size = static_cast<Place>(last - first);
-    const Interval trimmed = trim(source, first, size);
-    const double count = piece_count(trimmed, size, reach, tuning.points_per_slab);
-    cut_ = Equal_cut(trimmed, (std::min)(count, max_slab_count));
-    distribute<ConcurrencyTag>(source, first, size);
+    const Place places = static_cast<Place>(size);
+    const Interval trimmed = trim(source, places);
+    const double count = piece_count(trimmed, places, reach, tuning.points_per_slab);
+    const Equal_cut cut(trimmed, (std::min)(count, max_slab_count));
+    distribute<ConcurrencyTag>(source, cut, places);
   }
+
+  const Point_sets& sets() const { return sets_; }
 
   Place count() const { return static_cast<Place>(begins_.size()) - 1; }
   const Point* begin(Place slab) const { return points_.get() + begins_[slab]; }
@@ -59,24 +62,21 @@ public:
     return {first_behind(index * size() / count), first_behind((index + 1) * size() / count)};
   }
 
-  // Returns the slab of coordinate x. No point in a slab before it has a coordinate of x or more.
-  Place slab_of(double x) const { return cut_(x); }
-
 private:
   static constexpr int axis = Point::slab_axis;
 
   // Sorts the points by slabs, by counting. Each block of points has its own counts, which become
   // the places that the block writes to.
   template <class ConcurrencyTag, class Source>
-  void distribute(const Source& source, std::size_t first, Place size)
+  void distribute(const Source& source, const Equal_cut& cut, Place size)
   {
-    const Place count = cut_.count();
+    const Place count = cut.count();
     const std::size_t blocks = block_count<ConcurrencyTag>();
     std::vector<Place> next(blocks * count, 0);
     for_each_numbered_block<ConcurrencyTag>(
       blocks, size, [&](std::size_t block, std::size_t i, std::size_t end) {
         for(; i != end; ++i)
-          ++next[block * count + cut_(source.coordinate(first + i, axis))];
+          ++next[block * count + cut(source.coordinate(i, axis))];
       });
     Place sum = 0;
     for(Place slab = 0; slab < count; ++slab) {
@@ -88,8 +88,8 @@ private:
     for_each_numbered_block<ConcurrencyTag>(
       blocks, size, [&](std::size_t block, std::size_t i, std::size_t end) {
         for(; i != end; ++i) {
-          const Place slab = cut_(source.coordinate(first + i, axis));
-          source.put(first + i, points_[next[block * count + slab]++]);
+          const Place slab = cut(source.coordinate(i, axis));
+          source.put(i, points_[next[block * count + slab]++]);
         }
       });
   }
@@ -97,14 +97,14 @@ private:
   // Returns the interval of the coordinates. Leaves out ends that hold hardly any points, if the
   // interval is much shorter without them.
   template <class Source>
-  static Interval trim(const Source& source, std::size_t first, Place size)
+  static Interval trim(const Source& source, Place size)
   {
     const Interval all = source.interval(axis);
     if(size < 4 * sample_size)
       return all;
     std::array<double, sample_size> x;
     for(Place s = 0; s < sample_size; ++s)
-      x[s] = source.coordinate(first + static_cast<std::size_t>(s) * size / sample_size, axis);
+      x[s] = source.coordinate(static_cast<std::size_t>(s) * size / sample_size, axis);
     std::sort(x.begin(), x.end());
     const Interval sample = {x[sample_tail], x[sample_size - 1 - sample_tail]};
     if(!(all.length() > max_stretch * sample.length()) || sample.length() == 0)
@@ -113,7 +113,7 @@ private:
     return {(std::max)(sample.low - margin, all.low), (std::min)(sample.high + margin, all.high)};
   }
 
-  Equal_cut cut_;
+  const Point_sets sets_;
   std::unique_ptr<Point[]> points_;
   std::vector<Place> begins_;
 };

@@ -25,13 +25,15 @@ namespace Thick_intersection_d {
 namespace internal {
 
 // The places [begin, end) of columns, and a box that holds the points there. For a border, it is
-// the box of the strip that the border belongs to.
+// the box of the strip that the border belongs to. For the points of one of two sets, it is the box
+// of the points of both.
 template <int Dimension>
 struct Strip
 {
   Place begin;
   Place end;
   Box_of_intervals<Dimension> box;
+  Place sides; // a bit for the set that the points are of, if there are two sets
 
   Place size() const { return end - begin; }
 };
@@ -90,21 +92,16 @@ public:
     box_ = {};
   }
 
-  // Appends a strip of the points [first, last), which are sorted along axis 0.
-  template <class Iterator>
-  void append(Iterator first, Iterator last)
+  // Appends a strip of the points [first, last), which are sorted along axis 0. If there are two
+  // sets, appends a strip for each.
+  void append(const Point* first, const Point* last, const Point_sets& sets)
   {
-    Strip_of_points strip{end_, end_, {}};
-    for(; first != last; ++first) {
-      const Point& p = *first;
-      for(int c = 0; c < Point::column_count; ++c)
-        columns_[c].data()[strip.end] = p.column(c);
-      for(int axis = 0; axis < dimension; ++axis)
-        strip.box[axis].add(
-          Interval{p.column(Point::low_column(axis)), p.column(Point::high_column(axis))});
-      positions_.data()[strip.end++] = p.position;
+    if(!sets.are_two())
+      append_if(first, last, 0, [](Place) { return true; });
+    else {
+      append_if(first, last, 1, [&](Place position) { return position < sets.first_size; });
+      append_if(first, last, 2, [&](Place position) { return position >= sets.first_size; });
     }
-    close(strip);
   }
 
   // Appends the border of a strip of `other`: the points that meet `interval` along `axis`. `kept`
@@ -128,10 +125,28 @@ public:
     }
     for(Place k = 0; k < count; ++k)
       positions_.data()[end_ + k] = other.positions_.data()[kept[k]];
-    close({end_, end_ + count, strip.box});
+    close({end_, end_ + count, strip.box, strip.sides});
   }
 
 private:
+  // Appends a strip of the points whose position is to be kept.
+  template <class Keep>
+  void append_if(const Point* first, const Point* last, Place sides, const Keep& keep)
+  {
+    Strip_of_points strip{end_, end_, {}, sides};
+    for(; first != last; ++first) {
+      const Point& p = *first;
+      for(int c = 0; c < Point::column_count; ++c)
+        columns_[c].data()[strip.end] = p.column(c);
+      for(int axis = 0; axis < dimension; ++axis)
+        strip.box[axis].add(
+          Interval{p.column(Point::low_column(axis)), p.column(Point::high_column(axis))});
+      positions_.data()[strip.end] = p.position;
+      strip.end += keep(p.position); // no branch: the next point takes the place of one not kept
+    }
+    close(strip);
+  }
+
   // Writes the points that end a run (Run.h) behind a strip. Keeps the strip unless it is empty.
   void close(const Strip_of_points& strip)
   {

@@ -47,7 +47,9 @@ class Strips_maker
   static constexpr bool is_in_plane = Point::dimension == 2;
 
 public:
-  Strips_maker(double reach, const Slab_tuning& tuning) : reach_(reach), tuning_(tuning) {}
+  Strips_maker(double reach, const Point_sets& sets, const Slab_tuning& tuning)
+    : reach_(reach), sets_(sets), tuning_(tuning)
+  {}
 
   // Takes the points [first, last), at least one. Counts them by strips, and by buckets along axis
   // 0.
@@ -120,8 +122,8 @@ private:
   }
 
   // The candidates of a point are the points in its own bucket, and in as many buckets of its strip
-  // behind it as a reach covers. The estimate takes these buckets to be equally full. It is an upper
-  // bound, because the product of two sizes is at most the mean of their squares.
+  // behind it as a reach covers. The estimate takes these buckets to be equally full. It is an
+  // upper bound, because the product of two sizes is at most the mean of their squares.
   void estimate_candidates()
   {
     const Place* const counts = counts_.data();
@@ -151,11 +153,11 @@ private:
         if(!sorter_.are_few(ends[b] - begin))
           sorter_.template sort<0>(sorted + begin, sorted + ends[b]);
 
-    strips.reset(size(), across_.count());
+    strips.reset(size(), across_.count() * sets_.count());
     for(Place s = 0, begin = 0; s < across_.count(); ++s) {
       const Place end = ends[(s + 1) * along_.count() - 1];
       insertion_sort<0>(sorted + begin, sorted + end);
-      strips.append(sorted + begin, sorted + end);
+      strips.append(sorted + begin, sorted + end, sets_);
       begin = end;
     }
   }
@@ -172,14 +174,15 @@ private:
     };
     Place count = 0;
     for_each_strip([&](Point*, Point*) { ++count; });
-    strips.reset(size(), count);
+    strips.reset(size(), count * sets_.count());
     for_each_strip([&](Point* begin, Point* end) {
       sorter_.template sort<0>(begin, end);
-      strips.append(begin, end);
+      strips.append(begin, end, sets_);
     });
   }
 
   const double reach_;
+  const Point_sets sets_;
   const Slab_tuning tuning_;
   const Point* first_ = nullptr;
   const Point* last_ = nullptr;
