@@ -164,15 +164,42 @@ BOOST_AUTO_TEST_CASE(skewed_scenes_3)
 
 namespace {
 
-// How many pairs of places a sweep looks at.
+// The limit of the points looked at for borders, per n + k.
+const double max_border_points = 16;
+
+// What a sweep looks at: pairs of places, and points of strips, to find the borders. Each of the
+// blocks that a slab is swept in looks at all of its points.
+struct Work
+{
+  double candidates = 0;
+  double border_points = 0;
+};
+
 template <int Dimension>
-std::size_t count_candidates(const Points& points, double reach)
+using Strips_of = internal::Strips<internal::Slab_point<Dimension>>;
+
+// The points of two slabs, and those of their strips within reach, once for each two of them.
+template <int Dimension>
+double border_points(const Strips_of<Dimension>& a, const Strips_of<Dimension>& b, double reach)
+{
+  double count = &a == &b ? 0 : a.size() + b.size();
+  if(Dimension == 3)
+    for(const auto& p : a.strips())
+      for(const auto& q : b.strips())
+        if(&p != &q && (&a != &b || &p < &q) && q.box[1].low - p.box[1].high <= reach
+           && p.box[1].low - q.box[1].high <= reach)
+          count += p.size() + q.size();
+  return count;
+}
+
+template <int Dimension>
+Work work_of(const Points& points, double reach, const internal::Point_sets& sets)
 {
   using Test = Undecided_points<Dimension>;
   using Point = internal::Slab_point<Dimension>;
   const Test test(points, reach);
   const internal::Slab_tuning tuning;
-  const internal::Slabs<Point> slabs(CGAL::Sequential_tag(), test, points.size(), reach);
+  const internal::Slabs<Point> slabs(CGAL::Sequential_tag(), test, points.size(), reach, sets);
   const auto ignore = [](std::size_t, std::size_t) {};
   internal::Pair_reporter<decltype(ignore)> report(ignore);
   using Pair_sweep = internal::Pair_sweep<Test, decltype(report)>;
@@ -180,23 +207,37 @@ std::size_t count_candidates(const Points& points, double reach)
   internal::Slab_sweep<Point, Pair_sweep> sweep(reach, pair_sweep);
   internal::Slab_window<Point> window(slabs, reach, 0, tuning);
   typename internal::Slab_window<Point>::Slabs_nearby nearby;
+  Work work;
   for(; window.front(); window.pop()) {
-    window.find_within_reach(window.front()->interval(Dimension - 1).high, nearby);
-    sweep.between(*window.front(), nearby);
+    const Strips_of<Dimension>& slab = *window.front();
+    window.find_within_reach(slab.interval(Dimension - 1).high, nearby);
+    sweep.between(slab, nearby);
+    const double blocks = 1 + slab.candidates() / tuning.candidates_per_block;
+    for(const Strips_of<Dimension>* other : nearby)
+      work.border_points += blocks * border_points<Dimension>(slab, *other, reach);
   }
-  return test.count;
+  work.candidates = static_cast<double>(test.count);
+  return work;
 }
 
 template <int Dimension>
-void check_candidates(const std::string& name, const Points& points, double r, double limit)
+void check_candidates(const std::string& name, const Points& points, double r, double limit,
+                      const internal::Point_sets& sets = {})
 {
   using Maker = Cartesian_points<Kernel, Dimension>;
-  const std::size_t k
-    = near_pairs(make_points<Maker>(points), CGAL::within_distance(r)).size();
-  const double work = static_cast<double>(count_candidates<Dimension>(points, r))
-                      / static_cast<double>(points.size() + k);
-  BOOST_TEST_MESSAGE(Dimension << "D " << name << ", r = " << r << ": candidates/(n + k) " << work);
-  BOOST_CHECK_MESSAGE(work <= limit, Dimension << "D " << name << ", r = " << r << ": " << work);
+  std::size_t k = 0; // in the union of the sets
+  CGAL::fixed_radius_near_neighbors(make_points<Maker>(points), CGAL::within_distance(r),
+                                    [&](std::size_t, std::size_t) { ++k; });
+  const double size = static_cast<double>(points.size() + k);
+  const Work work = work_of<Dimension>(points, r, sets);
+  BOOST_TEST_MESSAGE(Dimension << "D " << name << ", r = " << r << ", per n + k: candidates "
+                               << work.candidates / size << ", border points "
+                               << work.border_points / size);
+  BOOST_CHECK_MESSAGE(work.candidates <= limit * size,
+                      Dimension << "D " << name << ", r = " << r << ": " << work.candidates / size);
+  BOOST_CHECK_MESSAGE(work.border_points <= max_border_points * size,
+                      Dimension << "D " << name << ", r = " << r << ", border points: "
+                                << work.border_points / size);
 }
 
 // Lines along and across the slabs, sparse or not; clusters; points that fill no slab.
@@ -225,6 +266,75 @@ void check_candidates_of_scenes(double limit)
 
 } // namespace
 
+// Thin scenes in space, each with an outlier along one axis and without: wires along an axis, which
+// end a reach or many from each other across it; bars and plates; a cross of wires; and two plates.
+void check_thin_scenes()
+{
+  const std::size_t n = 30000;
+  const Points uniform = uniform_points(3, n, 0, 1, 2);
+  const double r = 1. / static_cast<double>(n);
+  for(const double height : {1e-4, 4.5, 9., 40.})
+    for(int axis = 0; axis < 3; ++axis)
+      for(int out = -1; out < 3; ++out) {
+        Points bar = uniform, plate = uniform;
+        const double reach = std::sqrt(r * height); // of the plate
+        for(std::size_t i = 0; i < n; ++i)
+          for(int other = 0; other < 3; ++other)
+            (other == axis ? plate : bar)[i][other] *= height * (other == axis ? reach : r);
+        if(out >= 0)
+          bar[77][out] = plate[77][out] = 1e12;
+        const std::string name = std::to_string(height) + " reaches, axis " + std::to_string(axis)
+                                 + ", outlier " + std::to_string(out);
+        check_candidates<3>("bar, " + name, bar, r, 10);
+        check_candidates<3>("plate, " + name, plate, reach, 10);
+      }
+  Points cross = uniform;
+  for(std::size_t i = 0; i < n; ++i)
+    cross[i] = i % 2 ? Coordinates{uniform[i][0], 0.3, 0.1} : Coordinates{0.3, uniform[i][0], 0.7};
+  check_candidates<3>("cross", cross, r, 10);
+
+  // One of the strips of the lower plate meets all strips of the upper plate.
+  Points plates = uniform;
+  for(std::size_t i = 0; i < n; ++i) {
+    plates[i][2] = (i % 2 + uniform[i][2]) * 3e-8;
+    if(i % 2 || i % 100 == 0)
+      plates[i][1] = 0.5 + uniform[i][1] / 2000;
+  }
+  check_candidates<3>("two plates", plates, 1e-8, 10);
+}
+
+// Points of one set on a line, points of the other one in a plane, in bands along an axis; and
+// scenes whose sample shows next to nothing of them.
+template <int Dimension>
+void check_two_sets(double limit)
+{
+  const std::size_t n = 30000;
+  const Points uniform = uniform_points(Dimension, n, 0, 1, 3);
+  for(int axis = 0; axis < Dimension; ++axis)
+    for(const double width : {0.01, 0.9}) {
+      Points points = uniform;
+      for(std::size_t i = 0; i < n; ++i) {
+        double& x = points[i][axis];
+        x = (std::floor(62 * x) + width * uniform[i][(axis + 1) % Dimension]) / 62;
+        if(i < n / 2)
+          for(int other = 0; other < Dimension; ++other)
+            points[i][other] = other == axis ? x : 0.5;
+      }
+      for(const double r : {1e-12, 1e-6, 1e-4})
+        for(const std::size_t first_size : {n / 2, n / 10})
+          check_candidates<Dimension>("line and plane, axis " + std::to_string(axis), points, r,
+                                      limit, {static_cast<internal::Place>(first_size)});
+    }
+  Points misleading = uniform;
+  for(std::size_t s = 0; s < internal::sample_size; ++s)
+    for(double& x : misleading[s * n / internal::sample_size])
+      x = 0.5 + 1e-9 * x;
+  check_candidates<Dimension>("misleading sample", misleading, 1e-3, limit);
+}
+
+BOOST_AUTO_TEST_CASE(thin_scenes_cost_no_more_than_others) { check_thin_scenes(); }
+BOOST_AUTO_TEST_CASE(two_sets_cost_no_more_than_their_union_2) { check_two_sets<2>(4); }
+BOOST_AUTO_TEST_CASE(two_sets_cost_no_more_than_their_union_3) { check_two_sets<3>(8); }
 BOOST_AUTO_TEST_CASE(candidates_are_few_2) { check_candidates_of_scenes<2>(4); }
 BOOST_AUTO_TEST_CASE(candidates_are_few_3) { check_candidates_of_scenes<3>(8); }
 
