@@ -81,8 +81,8 @@ struct Slab_tuning
   Place max_slab_size = 16384;
 
   // A slab with more candidates is swept in blocks, which threads share. A slab that is not crowded
-  // has 8 candidates for each of 16384 points at most, a hundredth of this number.
-  double candidates_per_block = 1 << 24;
+  // has 8 candidates for each of 16384 points at most, a sixtieth of this number.
+  double candidates_per_block = 1 << 23;
 };
 
 // Returns how many pieces `size` points in a range are cut into: each of at least the usual height,
