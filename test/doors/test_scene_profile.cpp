@@ -416,6 +416,41 @@ BOOST_AUTO_TEST_CASE(decisions_are_counted_by_tier)
     BOOST_CHECK_EQUAL(profile.decided(each), 0u);
 }
 
+// Squares overflow or underflow, and the extent of a scene may overflow as well. Ties are at the
+// bound on a lattice. Uniform points hardly have any.
+template <class Maker>
+void check_magnitude(int dimension, double side)
+{
+  const double center = side > 1e300 ? 0 : side / 2;
+  Points scene = uniform_points(dimension, 1500, -0.5, 1, 9);
+  for(Coordinates& p : scene)
+    for(double& x : p)
+      x = center + x * side;
+  const double r = side * (dimension == 2 ? 0.02 : 0.06);
+  const Truth truth = brute_force(scene, Radius::of_length(r));
+  BOOST_REQUIRE_GT(truth.pairs.size(), 500u);
+  CGAL::Scene_profile profile;
+  const auto bound = CGAL::within_distance(r);
+  BOOST_CHECK(pairs_with(profile, make_points<Maker>(scene), bound) == truth.pairs);
+  BOOST_CHECK_LE(profile.decided(Arithmetic_tier::FILTERED_EXACT), 2u);
+
+  const Points lattice = lattice_points(dimension, dimension == 2 ? 20 : 7, side / 32);
+  const auto lattice_bound = CGAL::within_distance(side / 32 * 5);
+  check_tiers<Maker>(lattice, side / 32 * 5,
+                     CGAL::profile_scene(make_points<Maker>(lattice), lattice_bound).tier());
+}
+
+BOOST_AUTO_TEST_CASE(scenes_of_all_magnitudes_are_decided_by_doubles)
+{
+  for(const double side : {1e-320, 1e-306, 1e-200, 1e-150, 1e150, 1e160, 1e200, 1e300, 1.7e308}) {
+    BOOST_TEST_CONTEXT("side " << side)
+    {
+      check_magnitude<Plane>(2, side);
+      check_magnitude<Space>(3, side);
+    }
+  }
+}
+
 // Like doubles if they are, by exact numbers if a single one is not.
 BOOST_AUTO_TEST_CASE(exact_coordinates_that_are_doubles_have_a_grid)
 {

@@ -9,6 +9,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -37,6 +38,15 @@ struct Scene
   {
     const Interval& interval = box[static_cast<std::size_t>(axis)];
     return interval.low < interval.high;
+  }
+
+  // The largest absolute value of a bound of a coordinate.
+  double largest_coordinate() const
+  {
+    double largest = 0;
+    for(const Interval& interval : box)
+      largest = (std::max)({largest, -interval.low, interval.high});
+    return largest;
   }
 
   int extended_axis_count() const

@@ -18,6 +18,7 @@
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Near_tie_predicate.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Scaled_filter.h>
 
 #include <cmath>
 #include <limits>
@@ -55,7 +56,10 @@ public:
       near_tie_(bound, scene, tier), are_doubles_exact_(scene.error == 0),
       filter_of_doubles_(widen(filter_, bound, scene.error)),
       reach_of_doubles_(padded(bound.reach(), scene.error)), shared_counts_(counts)
-  {}
+  {
+    if(are_doubles_exact_ && tier != Arithmetic_tier::DOUBLE)
+      scale_doubles(Scaled_filter(bound, scene.dimension(), scene.largest_coordinate()));
+  }
 
   int dimension() const { return dimension_; }
 
@@ -87,8 +91,9 @@ public:
     return bound_.holds_for(Exact(difference * difference));
   }
 
-  // The first question, for searches that hold the points of the scene as doubles. Each double is
-  // at most its coordinate, and is off by at most the error of the scene.
+  // The first question, for searches that hold the points of the scene as doubles, times a power of
+  // two. Each double is at most its coordinate, and is off by at most the error of the scene.
+  double scale_of_doubles() const { return scale_of_doubles_; }
   double reach_of_doubles() const { return reach_of_doubles_; }
   const Distance_filter& filter_of_doubles() const { return filter_of_doubles_; }
 
@@ -119,6 +124,15 @@ public:
   }
 
 private:
+  void scale_doubles(const Scaled_filter& scaled)
+  {
+    if(!scaled.is_usable())
+      return;
+    scale_of_doubles_ = scaled.scale();
+    filter_of_doubles_ = scaled.filter();
+    reach_of_doubles_ = scaled.reach();
+  }
+
   bool decide(const Point& p, const Point& q, Decision_counts& counts) const
   {
     if(const std::optional<bool> is_within = decide_by_filter(p, q, counts))
@@ -162,6 +176,7 @@ private:
   Distance_filter filter_;
   Near_tie_predicate near_tie_;
   bool are_doubles_exact_ = is_held_by_double_v<Number>;
+  double scale_of_doubles_ = 1;
   Distance_filter filter_of_doubles_;
   double reach_of_doubles_;
   Shared_decision_counts* shared_counts_ = nullptr;

@@ -16,6 +16,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Integer_distance.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Scaled_filter.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Twofold_filter.h>
 
 #include <cstdint>
@@ -32,7 +33,8 @@ public:
 
   // For points of any coordinates, if doubles hold their type.
   template <class Exact>
-  Near_tie_predicate(const Squared_bound<Exact>& bound, int dimension) : twofold_(bound, dimension)
+  Near_tie_predicate(const Squared_bound<Exact>& bound, int dimension)
+    : twofold_(bound, dimension), scaled_(bound, dimension)
   {}
 
   // For the points of a scene, and no other points. Decides nothing if the scene has no grid.
@@ -45,8 +47,10 @@ public:
       in_64_bits_.emplace(bound, *scene.grid_exponent);
     else if(tier == Arithmetic_tier::INT128)
       in_128_bits_.emplace(bound, *scene.grid_exponent);
-    else if(tier == Arithmetic_tier::FILTERED_EXACT)
+    else if(tier == Arithmetic_tier::FILTERED_EXACT) {
       twofold_ = Twofold_filter(bound, scene.dimension());
+      scaled_ = Scaled_filter(bound, scene.dimension());
+    }
   }
 
   // Returns whether points with coordinates x(i) and y(i) are within the bound. Returns nothing if
@@ -69,13 +73,17 @@ public:
         return sign < 0;
       }
     }
-    return std::nullopt;
+    const std::optional<bool> is_within = scaled_.decide(x, y, dimension);
+    if(is_within)
+      counts.add(Arithmetic_tier::DOUBLE);
+    return is_within;
   }
 
 private:
   std::optional<Integer_distance<std::uint64_t>> in_64_bits_;
   std::optional<Integer_distance<Uint128>> in_128_bits_;
   Twofold_filter twofold_;
+  Scaled_filter scaled_;
 };
 
 } // namespace internal

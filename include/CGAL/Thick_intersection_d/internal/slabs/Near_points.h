@@ -66,6 +66,7 @@ public:
               const Is_within_distance<Element>& is_within)
     : points_(points), scene_(scene), axes_(searched_axes<Dimension>(scene)),
       doubles_(some_doubles(doubles, axes_)), is_within_(is_within),
+      scale_(is_within.scale_of_doubles()),
       near_{is_within.reach_of_doubles(), is_within.filter_of_doubles()}
   {}
 
@@ -73,11 +74,20 @@ public:
   double reach() const { return near_.reach; }
 
   // An axis here is an index among the axes that are searched.
-  Interval interval(int axis) const { return scene_.box[axes_[axis]]; }
-  double coordinate(std::size_t position, int axis) const { return doubles_.at(position, axis); }
+  Interval interval(int axis) const
+  {
+    const Interval& interval = scene_.box[axes_[axis]];
+    return {interval.low * scale_, interval.high * scale_};
+  }
+  double coordinate(std::size_t position, int axis) const
+  {
+    return doubles_.at(position, axis) * scale_;
+  }
   void put(std::size_t position, Point& place) const
   {
     place.x = doubles_.template at<Dimension>(position);
+    for(double& x : place.x)
+      x *= scale_;
     place.position = static_cast<Place>(position);
   }
 
@@ -87,7 +97,7 @@ public:
     double s = 0;
     for(int axis = 0; axis < Dimension; ++axis)
       s += interval(axis).length() * interval(axis).length();
-    return s <= is_within_.filter().inside;
+    return s <= near_.filter.inside;
   }
 
   template <class Flush>
@@ -110,8 +120,9 @@ public:
       counts.add(Arithmetic_tier::DOUBLE);
       return true;
     }
-    const auto x = [&](int axis) { return a.x[axis][pair.i]; };
-    const auto y = [&](int axis) { return b.x[axis][pair.j]; };
+    // Numbers of a grid that decides ties have not underflowed.
+    const auto x = [&](int axis) { return a.x[axis][pair.i] / scale_; };
+    const auto y = [&](int axis) { return b.x[axis][pair.j] / scale_; };
     if(const std::optional<bool> is = is_within_.decide_near_tie(x, y, Dimension, counts))
       return *is;
     return is_within_.decide_undecided(points_[a.positions[pair.i]], points_[b.positions[pair.j]],
@@ -145,6 +156,7 @@ private:
   const std::array<int, Dimension> axes_;
   Some_doubles doubles_;
   const Is_within_distance<Element>& is_within_;
+  const double scale_;
   const Near_question near_;
 };
 

@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Distances whose squares overflow or underflow, against integers of any length: near ties, in
+// every rounding mode.
+
+#include "support/exact_points.h"
+#include "support/point_generators.h"
+#include "support/rounding_mode.h"
+
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Scaled_filter.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+BOOST_AUTO_TEST_SUITE(Scaled_filter)
+
+using namespace test_support;
+namespace internal = CGAL::Thick_intersection_d::internal;
+
+using Bound = internal::Squared_bound<internal::Exact_number_t<double>>;
+
+// Points on the grid of 2^exponent with coordinates of 40 bits, and a bound whose quotient by their
+// distance is 1 + 2^-closeness or 1 - 2^-closeness, up to a step. Returns the share of the answers
+// that are certain.
+double check_near_ties(int exponent, int closeness)
+{
+  const int count = 200;
+  int certain = 0;
+  Random random(static_cast<unsigned int>(closeness));
+  for(int k = 0; k < count; ++k) {
+    std::array<double, 3> p, q;
+    Integer squared_distance = 0;
+    for(std::size_t i = 0; i < 3; ++i) {
+      p[i] = static_cast<double>(random.below(std::uint64_t(1) << 40));
+      q[i] = -static_cast<double>(random.below(std::uint64_t(1) << 40));
+      const Integer gap = Integer(p[i]) - Integer(q[i]);
+      squared_distance += gap * gap;
+    }
+    const double sign = random.below(2) == 0 ? 1 : -1;
+    const double steps = std::floor(std::sqrt(static_cast<double>(squared_distance))
+                                    * (1 + sign * std::ldexp(1., -closeness)));
+    const bool expected = squared_distance <= Integer(steps) * Integer(steps);
+    const internal::Scaled_filter filter(
+      Bound(CGAL::within_distance(std::ldexp(steps, exponent))), 3);
+    for(const int mode : rounding_modes) {
+      const Rounding_mode rounding(mode);
+      const auto found = filter.decide([&](int i) { return std::ldexp(p[i], exponent); },
+                                       [&](int i) { return std::ldexp(q[i], exponent); }, 3);
+      if(found && *found != expected)
+        BOOST_ERROR("grid 2^" << exponent << ", closeness " << closeness << ": a distance that is "
+                              << (expected ? "within the bound" : "beyond the bound"));
+      certain += found.has_value();
+    }
+  }
+  return certain / (4. * count);
+}
+
+BOOST_AUTO_TEST_CASE(near_ties_are_right_or_undecided)
+{
+  for(const int exponent : {-1074, -1040, -900, -530, 480, 600, 900, 970, 982})
+    for(const int closeness : {1, 20, 38, 44, 46, 48, 49, 50, 52})
+      check_near_ties(exponent, closeness);
+}
+
+BOOST_AUTO_TEST_CASE(distances_that_are_no_near_tie_are_certain)
+{
+  for(const int exponent : {-1074, -900, -530, 480, 600, 900, 982})
+    BOOST_CHECK_EQUAL(check_near_ties(exponent, 30), 1);
+}
+
+BOOST_AUTO_TEST_CASE(bounds_in_the_range_of_the_other_filter_are_left_to_it)
+{
+  for(const int exponent : {-300, 0, 300})
+    BOOST_CHECK_EQUAL(check_near_ties(exponent, 30), 0);
+}
+
+// The extent of a scene may overflow.
+BOOST_AUTO_TEST_CASE(differences_may_be_beyond_the_range_of_doubles)
+{
+  const internal::Scaled_filter filter(Bound(CGAL::within_distance(0x1p1022)), 2);
+  const auto far = [](int) { return 0x1.8p1023; };
+  const auto back = [](int) { return -0x1.8p1023; };
+  BOOST_CHECK(filter.decide(far, back, 2) == std::optional<bool>(false));
+  BOOST_CHECK(filter.decide(far, far, 2) == std::optional<bool>(true));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
