@@ -1,0 +1,16 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Most of a million small random scenes: on doubles, in sequence, by the best lanes.
+
+#define BOOST_TEST_MODULE fuzz
+#include "support/check_fuzz.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+using namespace test_support;
+
+using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+BOOST_AUTO_TEST_CASE(doubles_2) { fuzz<Fuzz_cartesian<Epick, 2, false>>(400000); }
+BOOST_AUTO_TEST_CASE(doubles_3) { fuzz<Fuzz_cartesian<Epick, 3, false>>(400000); }

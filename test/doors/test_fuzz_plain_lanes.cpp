@@ -1,0 +1,28 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Small random scenes by the plain lanes: the folder support/plain_lanes comes first in the search
+// for headers, and leaves no others. Floats take them too.
+
+#define BOOST_TEST_MODULE fuzz_plain_lanes
+#include "support/check_fuzz.h"
+
+#include <CGAL/Simple_cartesian.h>
+
+using namespace test_support;
+namespace internal = CGAL::Thick_intersection_d::internal;
+
+using Doubles = CGAL::Simple_cartesian<double>;
+using Floats = CGAL::Simple_cartesian<float>;
+
+static_assert(std::is_base_of_v<internal::Near_points_plain, internal::Near_points_lanes>);
+static_assert(std::is_base_of_v<internal::Meeting_boxes_plain, internal::Meeting_boxes_lanes>);
+
+BOOST_AUTO_TEST_CASE(doubles_2)
+{
+  fuzz<Fuzz_cartesian<Doubles, 2, false>, NEAR_PAIRS | OBJECTS>(100000);
+}
+BOOST_AUTO_TEST_CASE(floats_3)
+{
+  fuzz<Fuzz_cartesian<Floats, 3, false>, NEAR_PAIRS | CLOSEST_PAIRS>(100000);
+}

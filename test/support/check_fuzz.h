@@ -1,0 +1,441 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Every public search on random scenes, against brute force in integers. Each scene is drawn from a
+// seed, and so is the search.
+//
+//   <program> [<option of Boost.Test>...] [-- <seconds> [<first seed>]]
+//
+// Without arguments, each test draws a fixed number of scenes. With seconds, it goes on until they
+// are over, each test for itself. With 0 seconds and the seed of a failure, it begins with that.
+
+#ifndef THICK_INTERSECTION_TEST_SUPPORT_CHECK_FUZZ_H
+#define THICK_INTERSECTION_TEST_SUPPORT_CHECK_FUZZ_H
+
+#include "fuzz_scenes.h"
+#include "pairs.h"
+
+#include <CGAL/Box_intersection_d/Box_d.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Thick_ball_traits_d.h>
+#include <CGAL/Thick_object_traits_d.h>
+#include <CGAL/Thick_point_traits_d.h>
+#include <CGAL/closest_pair.h>
+#include <CGAL/fixed_radius_near_neighbors.h>
+#include <CGAL/thick_box_intersection_d.h>
+#include <CGAL/thick_intersection_d.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <chrono>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace test_support {
+
+inline CGAL::Exact_rational exact_rational(const Wide_integer& x)
+{
+  constexpr int digits = 32;
+  const Wide_integer low = x & ((Wide_integer(1) << digits) - 1);
+  const CGAL::Exact_rational number(static_cast<double>(low));
+  return x == low ? number
+                  : CGAL::Exact_rational(exact_rational(Wide_integer(x >> digits))
+                                           * CGAL::Exact_rational(std::ldexp(1., digits))
+                                         + number);
+}
+
+// Points of a kernel with Cartesian coordinates. The unit is a third of the power of two if numbers
+// are exact, so that no double holds a coordinate.
+template <class K, int Dimension, bool is_exact_>
+struct Fuzz_cartesian
+{
+  using Kernel = K;
+  using FT = typename Kernel::FT;
+  using Point = std::conditional_t<Dimension == 2, typename Kernel::Point_2,
+                                   typename Kernel::Point_3>;
+  static constexpr int dimension = Dimension;
+  static constexpr bool is_exact = is_exact_;
+  static constexpr Number_range range
+    = std::is_same_v<FT, float> ? range_of_floats : range_of_doubles;
+
+  static FT number(std::int64_t place, int exponent)
+  {
+    const FT number(std::ldexp(static_cast<double>(place), exponent));
+    if constexpr(is_exact)
+      return FT(number / FT(3));
+    else
+      return number;
+  }
+
+  static Point point(const Lattice_place& p, int exponent)
+  {
+    if constexpr(Dimension == 2)
+      return Point(number(p[0], exponent), number(p[1], exponent));
+    else
+      return Point(number(p[0], exponent), number(p[1], exponent), number(p[2], exponent));
+  }
+};
+
+// Homogeneous points over the integers, with 3 or 3 times a power of two as the last coordinate.
+template <class K, int Dimension>
+struct Fuzz_homogeneous
+{
+  using Kernel = K;
+  using RT = typename Kernel::RT;
+  using FT = typename Kernel::FT;
+  using Point = std::conditional_t<Dimension == 2, typename Kernel::Point_2,
+                                   typename Kernel::Point_3>;
+  static constexpr int dimension = Dimension;
+  static constexpr bool is_exact = true;
+  static constexpr Number_range range = range_of_doubles;
+
+  static RT power(int exponent)
+  {
+    RT power(1);
+    for(; exponent > 0; --exponent)
+      power *= RT(2);
+    return power;
+  }
+
+  static RT numerator(std::int64_t place, int exponent)
+  {
+    return RT(RT(static_cast<double>(place)) * power(exponent));
+  }
+
+  static FT number(std::int64_t place, int exponent)
+  {
+    return FT(numerator(place, exponent), RT(RT(3) * power(-exponent)));
+  }
+
+  static Point point(const Lattice_place& p, int exponent)
+  {
+    const RT w(RT(3) * power(-exponent));
+    if constexpr(Dimension == 2)
+      return Point(numerator(p[0], exponent), numerator(p[1], exponent), w);
+    else
+      return Point(numerator(p[0], exponent), numerator(p[1], exponent),
+                   numerator(p[2], exponent), w);
+  }
+};
+
+// The searches to check: each of them takes long to compile.
+enum Fuzz_parts : unsigned {
+  NEAR_PAIRS = 1,
+  RECURSION = 2,
+  CLOSEST_PAIRS = 4,
+  BALLS = 8,
+  OBJECTS = 16,
+  ALL_PARTS = 31
+};
+
+// Takes pairs from several threads.
+class Fuzz_collector
+{
+public:
+  explicit Fuzz_collector(Pairs& pairs) : pairs_(pairs) {}
+
+  void operator()(std::size_t i, std::size_t j)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    pairs_.emplace_back(i, j);
+  }
+
+private:
+  Pairs& pairs_;
+  std::mutex mutex_;
+};
+
+// One scene and one search.
+template <class Maker, unsigned parts, class ConcurrencyTag>
+class Fuzz_case
+{
+  using Point = typename Maker::Point;
+  using Ball = std::pair<Point, typename Maker::FT>;
+  static constexpr int dimension = Maker::dimension;
+
+public:
+  explicit Fuzz_case(std::uint64_t seed)
+    : seed_(seed), draw_(seed, Maker::range), scene_(draw_.scene(dimension)),
+      bound_(draw_.bound(scene_))
+  {
+    for(const Lattice_place& place : scene_.places)
+      points_.push_back(Maker::point(place, scene_.exponent));
+    if(draw_.is_chance(3))
+      first_set_size_ = draw_.random().below(scene_.size() + 1);
+  }
+
+  void check()
+  {
+    const std::int64_t choice = draw_.below(8);
+    if constexpr((parts & NEAR_PAIRS) != 0)
+      if(choice < 3)
+        return choice == 0 ? check_lists() : check_near_pairs();
+    if constexpr((parts & CLOSEST_PAIRS) != 0)
+      if(choice < 5)
+        return choice == 4 ? check_close_pair() : check_closest_pair();
+    if constexpr((parts & RECURSION) != 0)
+      if(choice == 5)
+        return check_recursion();
+    if constexpr((parts & BALLS) != 0)
+      if(choice == 6)
+        return check_balls();
+    if constexpr((parts & OBJECTS) != 0)
+      check_objects();
+    else
+      check_near_pairs();
+  }
+
+private:
+  void check_near_pairs()
+  {
+    Pairs found;
+    Fuzz_collector collect(found);
+    with_bound([&](const auto& bound) {
+      if(first_set_size_)
+        CGAL::fixed_radius_near_neighbors<ConcurrencyTag>(first(points_), second(points_), bound,
+                                                          collect);
+      else
+        CGAL::fixed_radius_near_neighbors<ConcurrencyTag>(points_, bound, collect);
+    });
+    compare_pairs("near pairs", near_places(scene_, bound_, first_set_size_), found);
+  }
+
+  void check_lists()
+  {
+    Pairs found;
+    with_bound([&](const auto& bound) {
+      const CGAL::Neighbor_lists lists
+        = CGAL::fixed_radius_neighbor_lists<ConcurrencyTag>(points_, bound);
+      for(std::size_t i = 0; i < lists.size(); ++i)
+        for(const std::size_t j : lists[i])
+          found.emplace_back(i, j);
+    });
+    Pairs expected;
+    for(const Pair& pair : near_places(scene_, bound_)) {
+      expected.push_back(pair);
+      expected.emplace_back(pair.second, pair.first);
+    }
+    BOOST_CHECK(std::is_sorted(found.begin(), found.end()));
+    compare_pairs("lists", expected, found);
+  }
+
+  void check_recursion()
+  {
+    with_bound([&](const auto& bound) {
+      const CGAL::Thick_point_traits_d<Point> traits(bound, dimension);
+      compare_pairs("recursion", near_places(scene_, bound_, first_set_size_),
+                    object_pairs(points_, CGAL::parameters::geom_traits(traits)));
+    });
+  }
+
+  void check_closest_pair()
+  {
+    if(scene_.size() < 2)
+      return;
+    const unsigned int seed = static_cast<unsigned int>(seed_);
+    const Pair found
+      = CGAL::closest_pair<ConcurrencyTag>(points_, CGAL::parameters::random_seed(seed));
+    compare_pairs("closest pair", {closest_places(scene_)}, {found});
+  }
+
+  void check_close_pair()
+  {
+    const Pairs all = near_places(scene_, bound_);
+    with_bound([&](const auto& bound) {
+      const auto found = CGAL::find_close_pair<ConcurrencyTag>(points_, bound);
+      const bool is_right = found ? std::binary_search(all.begin(), all.end(), *found)
+                                  : all.empty();
+      BOOST_REQUIRE_MESSAGE(is_right, "close pair, seed " << seed_);
+    });
+  }
+
+  void check_balls()
+  {
+    const std::size_t radius_one_in = draw_.is_chance(3) ? 1000 : 1; // often all radii are equal
+    std::vector<std::int64_t> radii;
+    std::vector<Ball> balls;
+    for(const Point& point : points_) {
+      radii.push_back(radii.empty() || draw_.is_chance(radius_one_in) ? draw_.length(5)
+                                                                     : radii.front());
+      balls.emplace_back(point, Maker::number(radii.back(), scene_.exponent));
+    }
+    const auto do_intersect = [&](std::size_t i, std::size_t j) {
+      const Fuzz_bound bound = {Wide_integer(radii[i]) + radii[j], false, false};
+      return bound.holds_for(squared_distance(scene_.places[i], scene_.places[j]));
+    };
+    const CGAL::Thick_ball_traits_d<Point> traits(balls);
+    compare_pairs("balls", pairs_where(scene_.size(), first_set_size_, do_intersect),
+                  object_pairs(balls, CGAL::parameters::geom_traits(traits)));
+  }
+
+  void check_objects()
+  {
+    if constexpr(dimension == 2)
+      if(draw_.is_chance(2))
+        return check_segments();
+    if constexpr(std::is_same_v<typename Maker::FT, double>)
+      if(draw_.is_chance(2))
+        return check_boxes();
+    check_iso_boxes();
+  }
+
+  void check_segments()
+  {
+    std::vector<std::pair<Lattice_place, Lattice_place>> ends;
+    std::vector<typename Maker::Kernel::Segment_2> segments;
+    for(std::size_t i = 0; i < scene_.size(); ++i) {
+      const std::size_t j = draw_.random().below(scene_.size());
+      ends.emplace_back(scene_.places[i], scene_.places[j]);
+      segments.emplace_back(points_[i], points_[j]);
+    }
+    compare_pairs("segments", pairs_where(scene_.size(), first_set_size_,
+                                          [&](std::size_t i, std::size_t j) {
+                                            return do_segments_meet(ends[i], ends[j]);
+                                          }),
+                  object_pairs(segments, CGAL::parameters::default_values()));
+  }
+
+  void check_iso_boxes()
+  {
+    using Iso_box = std::conditional_t<dimension == 2, typename Maker::Kernel::Iso_rectangle_2,
+                                       typename Maker::Kernel::Iso_cuboid_3>;
+    const std::vector<Lattice_box> ends = lattice_boxes(0);
+    std::vector<Iso_box> boxes;
+    for(const Lattice_box& box : ends)
+      boxes.emplace_back(Maker::point(box.first, scene_.exponent),
+                         Maker::point(box.second, scene_.exponent));
+    compare_pairs("iso-boxes", meeting_boxes(ends, true),
+                  object_pairs(boxes, CGAL::parameters::default_values()));
+  }
+
+  // Half-open boxes are not flat: the rules for these are those of CGAL, not of geometry.
+  void check_boxes()
+  {
+    using Box = CGAL::Box_intersection_d::Box_d<double, dimension,
+                                                CGAL::Box_intersection_d::ID_EXPLICIT>;
+    using Topology = CGAL::Thick_box_intersection_d::Topology;
+    const bool is_closed = draw_.is_chance(2);
+    const std::vector<Lattice_box> ends = lattice_boxes(is_closed ? 0 : 1);
+    std::vector<Box> boxes;
+    for(const Lattice_box& box : ends) {
+      double low[dimension], high[dimension];
+      for(int axis = 0; axis < dimension; ++axis) {
+        low[axis] = Maker::number(box.first[axis], scene_.exponent);
+        high[axis] = Maker::number(box.second[axis], scene_.exponent);
+      }
+      boxes.emplace_back(low, high);
+    }
+    Pairs found;
+    Fuzz_collector collect(found);
+    const auto middle = boxes.begin() + static_cast<std::ptrdiff_t>(first_set_size_.value_or(0));
+    const auto report = [&](const Box& a, const Box& b) {
+      const std::size_t i = static_cast<std::size_t>(&a - boxes.data());
+      const std::size_t j = static_cast<std::size_t>(&b - boxes.data());
+      if(first_set_size_)
+        collect(i, j - *first_set_size_);
+      else
+        collect((std::min)(i, j), (std::max)(i, j));
+    };
+    const Topology topology = is_closed ? Topology::CLOSED : Topology::HALF_OPEN;
+    if(first_set_size_)
+      CGAL::thick_box_intersection_d<ConcurrencyTag>(boxes.begin(), middle, middle, boxes.end(),
+                                                     report, 10, topology);
+    else
+      CGAL::thick_box_self_intersection_d<ConcurrencyTag>(boxes.begin(), boxes.end(), report, 10,
+                                                          topology);
+    compare_pairs("boxes", meeting_boxes(ends, is_closed), found);
+  }
+
+  std::vector<Lattice_box> lattice_boxes(std::int64_t least_length)
+  {
+    std::vector<Lattice_box> boxes;
+    for(const Lattice_place& place : scene_.places) {
+      boxes.emplace_back(place, place);
+      for(int axis = 0; axis < dimension; ++axis)
+        boxes.back().second[axis] += least_length + draw_.length(draw_.is_chance(8) ? 8 : 3);
+    }
+    return boxes;
+  }
+
+  Pairs meeting_boxes(const std::vector<Lattice_box>& boxes, bool are_closed) const
+  {
+    return pairs_where(boxes.size(), first_set_size_, [&](std::size_t i, std::size_t j) {
+      return do_boxes_meet(boxes[i], boxes[j], dimension, are_closed);
+    });
+  }
+
+  template <class Object, class NamedParameters>
+  Pairs object_pairs(const std::vector<Object>& objects, const NamedParameters& np) const
+  {
+    Pairs found;
+    Fuzz_collector collect(found);
+    if(first_set_size_)
+      CGAL::thick_intersection_d<ConcurrencyTag>(first(objects), second(objects), collect, np);
+    else
+      CGAL::thick_self_intersection_d<ConcurrencyTag>(objects, collect, np);
+    return found;
+  }
+
+  // Calls f with the bound as a double if it is one.
+  template <class Function>
+  void with_bound(const Function& f) const
+  {
+    const double unit = std::ldexp(1., scene_.exponent);
+    if(!bound_.is_squared && !Maker::is_exact)
+      return f(CGAL::Distance_bound<double>(static_cast<double>(bound_.value) * unit, false,
+                                            bound_.is_open));
+    const CGAL::Exact_rational exact_unit
+      = CGAL::Exact_rational(unit) / CGAL::Exact_rational(Maker::is_exact ? 3 : 1);
+    const CGAL::Exact_rational factor = bound_.is_squared ? exact_unit * exact_unit : exact_unit;
+    f(CGAL::Distance_bound<CGAL::Exact_rational>(exact_rational(bound_.value) * factor,
+                                                 bound_.is_squared, bound_.is_open));
+  }
+
+  template <class Object>
+  std::vector<Object> first(const std::vector<Object>& objects) const
+  {
+    return {objects.begin(), objects.begin() + static_cast<std::ptrdiff_t>(*first_set_size_)};
+  }
+  template <class Object>
+  std::vector<Object> second(const std::vector<Object>& objects) const
+  {
+    return {objects.begin() + static_cast<std::ptrdiff_t>(*first_set_size_), objects.end()};
+  }
+
+  void compare_pairs(const char* search, Pairs expected, Pairs found) const
+  {
+    std::sort(expected.begin(), expected.end());
+    std::sort(found.begin(), found.end());
+    BOOST_REQUIRE_MESSAGE(found == expected, search << ", seed " << seed_ << ": "
+                                                    << compare(expected, found));
+  }
+
+  const std::uint64_t seed_;
+  Fuzz_drawer draw_;
+  const Fuzz_scene scene_;
+  const Fuzz_bound bound_;
+  std::vector<Point> points_;
+  std::optional<std::size_t> first_set_size_;
+};
+
+// Checks `count` scenes, or as many as the arguments of the program ask for.
+template <class Maker, unsigned parts = ALL_PARTS, class ConcurrencyTag = CGAL::Sequential_tag>
+void fuzz(std::uint64_t count)
+{
+  const auto& program = boost::unit_test::framework::master_test_suite();
+  const double seconds = program.argc > 1 ? std::stod(program.argv[1]) : 0;
+  const std::uint64_t first = program.argc > 2 ? std::stoull(program.argv[2]) : 1;
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+  std::uint64_t checked = 0;
+  for(; seconds > 0 ? std::chrono::steady_clock::now() < end : checked < count; ++checked)
+    Fuzz_case<Maker, parts, ConcurrencyTag>(first + checked).check();
+  BOOST_TEST_MESSAGE(checked << " scenes from seed " << first);
+}
+
+} // namespace test_support
+
+#endif // THICK_INTERSECTION_TEST_SUPPORT_CHECK_FUZZ_H

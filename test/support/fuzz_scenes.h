@@ -1,0 +1,239 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Small random scenes full of ties, and what is near in them. All coordinates are integers times
+// one unit, so a comparison of distances is a comparison of integers of 128 bits.
+
+#ifndef THICK_INTERSECTION_TEST_SUPPORT_FUZZ_SCENES_H
+#define THICK_INTERSECTION_TEST_SUPPORT_FUZZ_SCENES_H
+
+#include "pairs.h"
+#include "point_generators.h"
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace test_support {
+
+using Wide_integer = boost::multiprecision::int128_t;
+using Lattice_place = std::array<std::int64_t, 3>;
+
+// What the numbers of a kernel hold: integers below 2^digits, times 2^exponent.
+struct Number_range
+{
+  int digits;
+  int min_exponent;
+  int max_exponent; // differences of coordinates may still overflow
+};
+inline constexpr Number_range range_of_doubles = {53, -1074, 970};
+inline constexpr Number_range range_of_floats = {24, -149, 103};
+
+struct Fuzz_scene
+{
+  int dimension;
+  int exponent; // the unit is 2^exponent
+  std::vector<Lattice_place> places;
+
+  std::size_t size() const { return places.size(); }
+};
+
+inline Wide_integer squared_distance(const Lattice_place& p, const Lattice_place& q)
+{
+  Wide_integer sum = 0;
+  for(std::size_t axis = 0; axis < p.size(); ++axis) {
+    const Wide_integer difference = Wide_integer(p[axis]) - q[axis];
+    sum += difference * difference;
+  }
+  return sum;
+}
+
+// A distance in units, or a squared one.
+struct Fuzz_bound
+{
+  Wide_integer value;
+  bool is_squared;
+  bool is_open;
+
+  bool holds_for(const Wide_integer& squared_distance) const
+  {
+    const Wide_integer square = is_squared ? value : Wide_integer(value * value);
+    return is_open ? squared_distance < square : squared_distance <= square;
+  }
+};
+
+class Fuzz_drawer
+{
+public:
+  Fuzz_drawer(std::uint64_t seed, const Number_range& range) : random_(seed), range_(range) {}
+
+  Random& random() { return random_; }
+  bool is_chance(std::size_t one_in) { return random_.below(one_in) == 0; }
+  std::int64_t below(std::size_t count) { return static_cast<std::int64_t>(random_.below(count)); }
+
+  // Points on a coarse lattice, of which some are moved by a unit: ties, and what is next to them.
+  // Few of them, or so many that there are several slabs.
+  Fuzz_scene scene(int dimension)
+  {
+    Fuzz_scene scene = {dimension, exponent(), {}};
+    const int shifts[] = {0, 0, 1, 3, range_.digits / 2, range_.digits - 6};
+    shift_ = shifts[random_.below(6)];
+    const std::size_t side = 1 + random_.below(1 + random_.below(14));
+    Lattice_place offset = {};
+    for(int axis = 0; axis < dimension; ++axis)
+      offset[axis] = this->offset();
+    const bool has_outliers = is_chance(8);
+    const std::size_t move_one_in = is_chance(2) ? 5 : 1000;
+    const std::size_t size = random_.below(is_chance(64) ? 160 : 20);
+    for(std::size_t i = 0; i < size; ++i) {
+      if(i > 0 && is_chance(10)) {
+        scene.places.push_back(scene.places[random_.below(i)]);
+        continue;
+      }
+      Lattice_place place = {};
+      for(int axis = 0; axis < dimension; ++axis)
+        place[axis] = (has_outliers && is_chance(8) ? 0 : offset[axis])
+                      + (below(side) << shift_) + (is_chance(move_one_in) ? below(3) - 1 : 0);
+      scene.places.push_back(place);
+    }
+    return scene;
+  }
+
+  // A length of some steps of the lattice, or about that.
+  std::int64_t length(std::size_t count)
+  {
+    return (std::max)(std::int64_t(0),
+                      (below(count) << shift_) + (is_chance(4) ? below(3) - 1 : 0));
+  }
+
+  // Mostly the distance of a pair, or next to it.
+  Fuzz_bound bound(const Fuzz_scene& scene)
+  {
+    const bool is_open = is_chance(3);
+    if(scene.size() < 2 || is_chance(3))
+      return {length(8), false, is_open};
+    const Wide_integer square = squared_distance(scene.places[random_.below(scene.size())],
+                                                 scene.places[random_.below(scene.size())]);
+    const Wide_integer root = sqrt(square);
+    if(root < (Wide_integer(1) << range_.digits) && (root * root == square || is_chance(2)))
+      return {root, false, is_open};
+    return {square == 0 || is_chance(2) ? square : Wide_integer(square + below(3) - 1), true,
+            is_open};
+  }
+
+private:
+  // Squares that overflow or vanish, numbers that do, and others.
+  int exponent()
+  {
+    const int low = range_.min_exponent;
+    const int high = range_.max_exponent;
+    const int spread = static_cast<int>(random_.below(64));
+    const int exponents[] = {0, 0, 0, -3, -spread, spread, low, high,
+                             (std::min)(low + spread, high), (std::max)(high - spread, low),
+                             low / 2 - spread / 2, high / 2 - spread / 2};
+    return exponents[random_.below(12)];
+  }
+
+  std::int64_t offset()
+  {
+    const std::int64_t offsets[] = {0, 0, 0, -5, std::int64_t(1) << (range_.digits / 2),
+                                    -(std::int64_t(1) << (range_.digits / 2)),
+                                    std::int64_t(1) << (range_.digits - 1),
+                                    -(std::int64_t(1) << (range_.digits - 1))};
+    return offsets[random_.below(8)];
+  }
+
+  Random random_;
+  Number_range range_;
+  int shift_ = 0; // of the lattice of the last scene
+};
+
+// Returns the pairs i < j of a set, or the pairs (i, j - first_set_size) of two sets, for which
+// is_pair(i, j) holds.
+template <class Is_pair>
+Pairs pairs_where(std::size_t size, std::optional<std::size_t> first_set_size,
+                  const Is_pair& is_pair)
+{
+  Pairs pairs;
+  for(std::size_t i = 0; i < first_set_size.value_or(size); ++i)
+    for(std::size_t j = first_set_size.value_or(i + 1); j < size; ++j)
+      if(is_pair(i, j))
+        pairs.emplace_back(i, j - first_set_size.value_or(0));
+  return pairs;
+}
+
+inline Pairs near_places(const Fuzz_scene& scene, const Fuzz_bound& bound,
+                         std::optional<std::size_t> first_set_size = std::nullopt)
+{
+  return pairs_where(scene.size(), first_set_size, [&](std::size_t i, std::size_t j) {
+    return bound.holds_for(squared_distance(scene.places[i], scene.places[j]));
+  });
+}
+
+// The lexicographically smallest pair of those at the least distance.
+inline Pair closest_places(const Fuzz_scene& scene)
+{
+  Pair closest(0, 1);
+  Wide_integer least = squared_distance(scene.places[0], scene.places[1]);
+  for(std::size_t i = 0; i < scene.size(); ++i)
+    for(std::size_t j = i + 1; j < scene.size(); ++j) {
+      const Wide_integer square = squared_distance(scene.places[i], scene.places[j]);
+      if(square < least) {
+        least = square;
+        closest = Pair(i, j);
+      }
+    }
+  return closest;
+}
+
+using Lattice_box = std::pair<Lattice_place, Lattice_place>; // the lower and the upper ends
+
+inline bool do_boxes_meet(const Lattice_box& a, const Lattice_box& b, int dimension, bool is_closed)
+{
+  for(int axis = 0; axis < dimension; ++axis) {
+    const std::int64_t low = (std::max)(a.first[axis], b.first[axis]);
+    const std::int64_t high = (std::min)(a.second[axis], b.second[axis]);
+    if(is_closed ? low > high : low >= high)
+      return false;
+  }
+  return true;
+}
+
+// The sign of the area of the triangle pqr in the plane.
+inline int orientation(const Lattice_place& p, const Lattice_place& q, const Lattice_place& r)
+{
+  const Wide_integer left = (Wide_integer(q[0]) - p[0]) * (Wide_integer(r[1]) - p[1]);
+  const Wide_integer right = (Wide_integer(q[1]) - p[1]) * (Wide_integer(r[0]) - p[0]);
+  return left.compare(right);
+}
+
+// Whether two closed segments in the plane have a point in common: each of them has ends on both
+// sides of the line of the other one, or on it; on a common line, their boxes meet.
+inline bool do_segments_meet(const std::pair<Lattice_place, Lattice_place>& a,
+                             const std::pair<Lattice_place, Lattice_place>& b)
+{
+  const auto is_on_one_side = [](const auto& s, const auto& t) {
+    const int first = orientation(s.first, s.second, t.first);
+    const int second = orientation(s.first, s.second, t.second);
+    return (first > 0 && second > 0) || (first < 0 && second < 0);
+  };
+  const auto box = [](const auto& s) {
+    Lattice_box box;
+    for(std::size_t axis = 0; axis < 3; ++axis)
+      std::tie(box.first[axis], box.second[axis]) = std::minmax(s.first[axis], s.second[axis]);
+    return box;
+  };
+  return !is_on_one_side(a, b) && !is_on_one_side(b, a) && do_boxes_meet(box(a), box(b), 2, true);
+}
+
+} // namespace test_support
+
+#endif // THICK_INTERSECTION_TEST_SUPPORT_FUZZ_SCENES_H
