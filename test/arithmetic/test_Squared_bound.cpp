@@ -73,6 +73,17 @@ BOOST_AUTO_TEST_CASE(doubles_enclose_the_bound_in_every_rounding_mode)
       }
 }
 
+// Half of the roots are rounded down.
+BOOST_AUTO_TEST_CASE(the_reach_of_a_squared_bound_is_not_below_its_root)
+{
+  for(int square = 1; square < 100; ++square) {
+    const internal::Squared_bound<CGAL::Exact_rational> bound(
+      CGAL::within_squared_distance(square));
+    BOOST_CHECK(Rational(bound.reach()) * Rational(bound.reach()) >= square);
+    BOOST_CHECK_CLOSE(bound.reach(), std::sqrt(square), 1e-10);
+  }
+}
+
 // floor(r^2 / 4^e) + 1, or r^2 / 4^e itself if that is an integer and the bound is open.
 Integer first_beyond(const Rational& r2, int e, bool is_open)
 {

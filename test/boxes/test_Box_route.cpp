@@ -45,6 +45,13 @@ void check_structured_scenes(int dimension, unsigned int scenes)
   }
 }
 
+BOOST_AUTO_TEST_CASE(first_structured_scenes) // enough for most errors
+{
+  check_structured_scenes<2>(2, 1000);
+  check_structured_scenes<3>(3, 1000);
+  check_structured_scenes<4>(5, 1000);
+}
+
 BOOST_AUTO_TEST_CASE(a_million_structured_scenes)
 {
   check_structured_scenes<2>(1, 100000);

@@ -99,6 +99,35 @@ BOOST_AUTO_TEST_CASE(joins_of_many_lists_visit_all_close_pairs)
   BOOST_CHECK_GT(close, 1000u);
 }
 
+// The border of two cells is in the middle of each pair.
+BOOST_AUTO_TEST_CASE(joins_visit_pairs_at_the_distance_across_borders_of_cells)
+{
+  struct Visitor
+  {
+    std::set<Pair>& visited;
+    bool operator()(std::size_t i, std::size_t j)
+    {
+      visited.insert(std::minmax(i, j));
+      return true;
+    }
+    void finish() {}
+  };
+  Points points;
+  for(const double border : {16., 32., 48.})
+    for(const int axis : {0, 1})
+      for(const double side : {-1., 1.}) {
+        points.push_back({4, 4});
+        points.back()[static_cast<std::size_t>(axis)] = border + side;
+      }
+  const Plain_points<double> elements = plain_points(points);
+  const internal::Cell_join<CGAL::Sequential_tag, 2, Plain_points<double>> join(elements, 2, 16);
+  internal::Unwatched_progress progress;
+  std::set<Pair> visited;
+  join(internal::All_positions(points.size()), [&] { return Visitor{visited}; }, progress);
+  for(std::size_t i = 0; i < points.size(); i += 2)
+    BOOST_CHECK_EQUAL(visited.count({i, i + 1}), 1u);
+}
+
 // Each list has pairs of twins.
 BOOST_AUTO_TEST_CASE(joins_end_when_the_visitor_says_so)
 {

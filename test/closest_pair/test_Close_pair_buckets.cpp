@@ -29,6 +29,19 @@ BOOST_AUTO_TEST_CASE(cells_lose_no_pair_at_the_bound)
   }
 }
 
+// The points lie just below the ends of cells of side r: one product is rounded down, and the other
+// one up, so cells of exactly this side would not be adjacent.
+BOOST_AUTO_TEST_CASE(rounding_at_the_ends_of_cells_loses_no_pair)
+{
+  const double cases[][3] = {{0x1.53e0472022b4ep+0, 0x1.53e0472022b4dp+1, 0x1.fdd06ab0340f4p+1},
+                             {0x1.9e4cd601dd2b4p+0, 0x1.9e4cd601dd2b3p+2, 0x1.02f005c12a3b0p+3},
+                             {0x1.991ba3cfcbb26p+0, 0x1.991ba3cfcbb25p+4, 0x1.b2ad5e0cc86d7p+4}};
+  for(const auto& [r, x, y] : cases) {
+    const std::vector<Point> points = {{0, 0}, {x, 0}, {y, 0}};
+    BOOST_CHECK(close_by_buckets(points, CGAL::within_distance(r), internal::Bucket_access::HASHING)
+                == Pair(1, 2));
+  }
+}
 
 // Points in cells of their own, before them the corners of a cell, which are not closer than 1, and
 // behind them five points in a cell, two of which are, but not two of the first four.

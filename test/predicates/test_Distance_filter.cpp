@@ -148,6 +148,45 @@ BOOST_AUTO_TEST_CASE(widened_filters_are_right_for_doubles_below_the_coordinates
   BOOST_CHECK_GT(decided, 2000u);
 }
 
+// Doubles are off by less than twice the error, and so are their distances; then these are rounded.
+BOOST_AUTO_TEST_CASE(widened_filters_have_room_for_the_error_and_for_rounding)
+{
+  for(int i = 0; i < 100; ++i) {
+    const double r = 1 + i / 100.;
+    const double error = std::ldexp(r, -30 - i / 4);
+    const Bound bound(CGAL::within_distance(r));
+    const internal::Distance_filter wide
+      = internal::widen(internal::make_distance_filter(bound, 3), bound, error);
+    const Rational room = Rational(internal::relative_error(3));
+    const Rational longest = Rational(r) + 2 * Rational(error);
+    const Rational shortest = Rational(r) - 2 * Rational(error);
+    BOOST_CHECK(Rational(wide.outside) >= longest * longest * (1 + room));
+    BOOST_CHECK(Rational(wide.inside) <= shortest * shortest * (1 - room));
+  }
+  for(const int exponent : {-600, -500, 0, 510}) {
+    const Bound bound(CGAL::within_distance(std::ldexp(1., exponent)));
+    const internal::Distance_filter filter = internal::make_distance_filter(bound, 3);
+    const internal::Distance_filter wide
+      = internal::widen(filter, bound, std::ldexp(1., exponent - 40));
+    BOOST_CHECK_GE(wide.outside, filter.outside);
+    BOOST_CHECK_LE(wide.inside, filter.inside);
+  }
+}
+
+// Each square is rounded up to a denormal number, which is twice as large.
+BOOST_AUTO_TEST_CASE(squares_that_are_nearly_lost_are_not_beyond_the_bound)
+{
+  const double gap = std::ldexp(0x1.6a09e667f3bcdp-1, -537); // above the root of 2^-1075
+  const Rational square = 3 * Rational(gap) * Rational(gap);
+  const CGAL::Exact_rational exact_gap(gap);
+  const internal::Squared_bound<CGAL::Exact_rational> bound(
+    CGAL::within_squared_distance(CGAL::Exact_rational(3 * exact_gap * exact_gap)));
+  const double computed = computed_square({0, 0, 0}, {gap, gap, gap});
+  BOOST_REQUIRE(Rational(computed) > Rational(bound.squared().second));
+  BOOST_CHECK(exact_square(rationals({0, 0, 0}), rationals({gap, gap, gap})) == square);
+  BOOST_CHECK_LE(computed, internal::make_distance_filter(bound, 3).outside);
+}
+
 BOOST_AUTO_TEST_CASE(nothing_is_beyond_an_infinite_bound)
 {
   const double infinity = std::numeric_limits<double>::infinity();

@@ -9,8 +9,10 @@
 #include "support/plain_points.h"
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Scene_profile.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Thick_point_traits_d.h>
 
 #include <boost/test/unit_test.hpp>
@@ -253,6 +255,39 @@ BOOST_AUTO_TEST_CASE(the_last_question_is_answered_once)
   check_last_question<Rational>({{third, third}}, true, Arithmetic_tier::DOUBLE);
   check_last_question<Rational>({{Rational(7) / 5, Rational(24) / 5}}, true,
                                 Arithmetic_tier::FILTERED_EXACT);
+}
+
+// The sum of the reach and a much smaller error is rounded down.
+BOOST_AUTO_TEST_CASE(the_reach_of_doubles_has_room_for_the_error)
+{
+  using Exact = CGAL::Exact_rational;
+  using Point = CGAL::Simple_cartesian<Exact>::Point_2;
+  internal::Scene scene;
+  scene.size = 2;
+  scene.box = {{0, 1}, {0, 1}};
+  for(int exponent = -2; exponent > -100; --exponent) {
+    scene.error = std::ldexp(1.25, exponent);
+    const internal::Is_within_distance<Point> is_within(
+      internal::Squared_bound<Exact>(CGAL::within_distance(1)), scene,
+      Arithmetic_tier::FILTERED_EXACT);
+    BOOST_CHECK(Exact(is_within.reach_of_doubles()) >= Exact(1) + Exact(scene.error));
+    BOOST_CHECK_LE(is_within.reach_of_doubles(), 1 + scene.error + 1e-15);
+  }
+}
+
+// The bounds of a lazy number are on both sides of the reach.
+BOOST_AUTO_TEST_CASE(lazy_numbers_along_an_axis_are_compared_exactly)
+{
+  using Lazy = CGAL::Exact_predicates_exact_constructions_kernel;
+  const Lazy::Point_2 origin(0, 0);
+  const internal::Is_within_distance<Lazy::Point_2> is_within(
+    internal::Squared_bound<Lazy::FT>(CGAL::within_distance(1)), 2);
+  for(const double excess : {-1e-6, 0., 1e-6}) {
+    const Lazy::FT x = Lazy::FT(1e10) / 3 * 3 - 1e10 + 1 + excess;
+    const internal::Gap gap = internal::gap_along(origin, Lazy::Point_2(x, 0), 0);
+    BOOST_REQUIRE(gap.inf < 1 - 1e-7 && gap.sup > 1 + 1e-7);
+    BOOST_CHECK_EQUAL(is_within.is_within_along(origin, Lazy::Point_2(x, 0), 0), excess <= 0);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -165,6 +165,26 @@ BOOST_AUTO_TEST_CASE(closeness_that_is_true_too_often)
   }
 }
 
+// Half of the sites are at one end, a quarter of them a reach farther, and so on: the median is
+// close to this end. The best cut is at the last site that is close to it. It leaves the sites
+// before it behind as well, which then enter fewer strips.
+BOOST_AUTO_TEST_CASE(cuts_at_the_last_site_that_is_close_to_an_end_leave_most_sites_behind)
+{
+  const std::size_t size = 1024;
+  for(const long direction : {1, -1}) {
+    std::vector<Site> sites;
+    long step = 0;
+    for(std::size_t count = size / 2; count > 0; count /= 2, ++step)
+      for(std::size_t i = 0; i < count; ++i)
+        sites.emplace_back(std::vector<long>{100 * static_cast<long>(sites.size()),
+                                             10 * direction * step});
+    Calls calls;
+    const Lattice_traits traits(2, 10, 10, calls);
+    BOOST_CHECK(pairs_by_variant(sites, traits, {Pivot::MEDIAN, Base_case::SWEEP, 1}).empty());
+    BOOST_CHECK_LT(calls.is_close, 2 * size); // 2.5 times the size if the cut is at the median
+  }
+}
+
 // A random pivot is a function of the seed and of nothing else.
 BOOST_AUTO_TEST_CASE(order_of_reports_is_a_function_of_the_input)
 {

@@ -114,6 +114,12 @@ Points geometric(int dimension)
 
 } // namespace
 
+BOOST_AUTO_TEST_CASE(first_structured_scenes) // enough for most errors
+{
+  check_structured_scenes<2>(2000);
+  check_structured_scenes<3>(6000);
+}
+
 BOOST_AUTO_TEST_CASE(a_million_structured_scenes)
 {
   check_structured_scenes<2>(600000);

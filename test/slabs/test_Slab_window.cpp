@@ -94,12 +94,14 @@ void check_window(const internal::Slabs<Point<Dimension>>& slabs, double reach)
     BOOST_REQUIRE(window.front() != nullptr);
     BOOST_CHECK(positions_of<Dimension>(*window.front()) == list[s].positions);
     BOOST_CHECK_EQUAL(window.slab(), list[s].slab);
-    const double high = list[s].interval.high;
-    window.find_within_reach(high, nearby);
-    std::vector<std::vector<internal::Place>> found;
-    for(const auto* strips : nearby)
-      found.push_back(positions_of<Dimension>(*strips));
-    BOOST_CHECK(found == within_reach(list, s, high, reach));
+    const internal::Interval interval = list[s].interval;
+    for(const double high : {interval.low - reach, interval.low - reach / 2, interval.high}) {
+      window.find_within_reach(high, nearby); // a slab of another set may be lower
+      std::vector<std::vector<internal::Place>> found;
+      for(const auto* strips : nearby)
+        found.push_back(positions_of<Dimension>(*strips));
+      BOOST_CHECK(found == within_reach(list, s, high, reach));
+    }
     window.pop();
   }
   BOOST_CHECK(window.front() == nullptr);

@@ -218,6 +218,29 @@ BOOST_AUTO_TEST_CASE(what_the_filter_does_not_decide_is_left_once)
   check_undecided<internal::Near_points_avx512>();
 }
 
+// With a filter that decides everything, ties are not decided again.
+template <class Lanes>
+void check_tie()
+{
+  if(!Lanes::is_supported())
+    return;
+  const Run_of_points<2> a(Points{{0, 0}, {3, 4}});
+  const internal::Near_question tie = {5, {25, 25}};
+  const auto flush = [] { return true; };
+  internal::Found_pairs of_one, of_two;
+  Lanes::collect_within(a.run(), tie, of_one, flush);
+  Lanes::collect_between(a.run(), a.run(), tie, of_two, flush);
+  BOOST_CHECK_EQUAL(of_one.count, 1u);
+  BOOST_CHECK_EQUAL(of_two.count, 4u);
+  BOOST_CHECK(!of_one.is_any_undecided && !of_two.is_any_undecided);
+}
+
+BOOST_AUTO_TEST_CASE(ties_are_decided_if_the_filter_decides_them)
+{
+  check_tie<internal::Near_points_plain>();
+  check_tie<internal::Near_points_avx512>();
+}
+
 template <class Lanes>
 void check_stop()
 {
