@@ -1,0 +1,100 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// closest_pair() and find_close_pair(), on points that count how often they are looked at.
+
+#include "bad_scenes/Work.h"
+#include "measuring/timing.h"
+#include "support/counted_points.h"
+
+#include <CGAL/Dimension.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/closest_pair.h>
+
+#include <CGAL/Thick_intersection_d/internal/doors/closest_pair_search.h>
+
+namespace thick_benchmark {
+namespace {
+
+namespace internal = CGAL::Thick_intersection_d::internal;
+using Kernel = CGAL::Simple_cartesian<double>;
+
+// A point of a kernel that has nothing but its dimension.
+class Point_5
+{
+public:
+  struct R
+  {
+    template <class>
+    struct Ambient_dimension
+    {
+      using type = CGAL::Dimension_tag<5>;
+    };
+  };
+
+  explicit Point_5(const Made_box& box) : x_(box.low) {}
+  int dimension() const { return 5; }
+  double cartesian(int axis) const { return x_[static_cast<std::size_t>(axis)]; }
+
+private:
+  std::array<double, max_scene_dimension> x_;
+};
+
+template <class Point>
+std::vector<Point> make_points(const Made_scene& scene)
+{
+  std::vector<Point> points;
+  for(const Made_box& box : scene.boxes)
+    if constexpr(std::is_same_v<Point, Kernel::Point_2>)
+      points.emplace_back(box.low[0], box.low[1]);
+    else if constexpr(std::is_same_v<Point, Kernel::Point_3>)
+      points.emplace_back(box.low[0], box.low[1], box.low[2]);
+    else
+      points.emplace_back(box);
+  return points;
+}
+
+// Runs search(points), on points that count.
+template <class Point, class Search>
+Work run_counted(const Made_scene& scene, const Search& search)
+{
+  const std::vector<Point> points = make_points<Point>(scene);
+  std::size_t looks = 0;
+  const test_support::Counted_points<Point> counted = {points, looks};
+  Work work;
+  work.seconds = processor_seconds_of([&] { search(counted); });
+  work.counted = static_cast<double>(looks);
+  return work;
+}
+
+template <class Point>
+Work run_closest(const Made_scene& scene)
+{
+  return run_counted<Point>(scene, [](const auto& points) {
+    internal::find_closest_pair<CGAL::Sequential_tag>(points, CGAL::parameters::default_values());
+  });
+}
+
+template <class Point>
+Work run_close(const Made_scene& scene)
+{
+  return run_counted<Point>(scene, [&](const auto& points) {
+    internal::find_pair_within<CGAL::Sequential_tag>(points, CGAL::within_distance(scene.reach),
+                                                     CGAL::parameters::default_values());
+  });
+}
+
+} // namespace
+
+std::vector<Subject_search> closest_searches()
+{
+  return {{"closest2", 2, false, run_closest<Kernel::Point_2>, 0},
+          {"closest3", 3, false, run_closest<Kernel::Point_3>, 0},
+          {"closest5", 5, false, run_closest<Point_5>, 0},
+          {"close2", 2, false, run_close<Kernel::Point_2>, 0},
+          {"close3", 3, false, run_close<Kernel::Point_3>, 0},
+          {"close5", 5, false, run_close<Point_5>, 0}};
+}
+
+} // namespace thick_benchmark

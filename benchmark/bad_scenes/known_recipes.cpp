@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "bad_scenes/known_recipes.h"
+
+namespace thick_benchmark {
+namespace {
+
+const char* const lines[] = {
+  // wires along y, with and without outliers
+  "near3 r=1/n place:0:0.3:1e-9@all:1 place:2:0.7:1e-9@all:1",
+  "near3 r=1/n place:0:0.3:1e-9@all:1 place:2:0.7:1e-9@all:1 place:0:1e12:0@one:0",
+  "near3 r=1/n place:0:0.3:1e-9@all:1 place:2:0.7:1e-9@all:1 place:2:1e12:0@one:0",
+  // bars and plates with outliers
+  "near3 r=1/n place:1:0:4.5r@all:1 place:2:0:4.5r@all:1 place:0:1e12:0@one:0",
+  "near3 r=1/n^0.5 place:2:0:4.5r@all:1 place:0:1e12:0@one:0",
+  "near3 r=1/n^0.5 place:1:0:4.5r@all:1",
+  "near2 r=1/n place:1:0:4.5r@all:1 place:0:1e12:0@one:0",
+  // a cross of two wires
+  "near3 r=1/n place:1:0.3:1e-9@every:0.5 place:2:0.1:1e-9@every:0.5 place:0:0.3:1e-9@others:0.5"
+  " place:2:0.7:1e-9@others:0.5",
+  // one set on a line, and bands
+  "near2_sets r=1e-12 bands:1:62:0.1@all:1 place:0:0.5:0@first:0.5",
+  "near3_sets r=1e-12 bands:1:62:0.1@all:1 place:0:0.5:0@first:0.5",
+  // scenes of many scales
+  "closest2 nested:0:600/n:1@all:1 follow:1:0:1@all:1",
+  "closest3 nested:0:600/n:1@all:1 follow:1:0:1@all:1 follow:2:0:1@all:1",
+  "closest5 nested:5:600/n:1@all:1",
+  "closest2 squeeze:2:1:1@all:1 place:2:0:1e-19@every:0.5",
+  "closest3 squeeze:3:1:1@all:1 place:3:0:1e-19@every:0.5",
+  "closest5 squeeze:5:1:1@all:1 place:5:0:1e-19@every:0.5",
+  "closest2 log:2:300:1@all:1",
+  "closest3 log:3:300:1@all:1",
+  "close2 r=1e-30 nested:0:600/n:1@all:1 follow:1:0:1@all:1",
+  "close3 r=1e-30 squeeze:3:1:1@all:1 place:3:0:1e-19@every:0.5",
+  // sizes
+  "boxes2 law:2:0.3/n^0.5:0.7@all:1",
+  "boxes3 law:3:0.3/n^0.5:0.7@all:1",
+  "boxes2 extent:0:1:0@every:0.5 extent:1:0.01/n^0.5:0@every:0.5 extent:1:1:0@others:0.5"
+  " extent:0:0.01/n^0.5:0@others:0.5",
+  "boxes3_sets span:2:0:1@all:1 place:0:2:1@first:0.5",
+  "boxes4 log:4:6:1@all:1 extent:4:0:0.1/n^0.5@all:1"};
+
+} // namespace
+
+std::vector<Recipe> known_recipes(const std::string& search, std::size_t n)
+{
+  std::vector<Recipe> recipes;
+  for(const char* line : lines) {
+    Recipe recipe = read_recipe(line);
+    recipe.n = n;
+    if(recipe.search == search)
+      recipes.push_back(recipe);
+  }
+  return recipes;
+}
+
+} // namespace thick_benchmark
