@@ -80,7 +80,6 @@ Work Factors::uniform(const Recipe& recipe, double pairs_per_element)
   Recipe usual;
   usual.search = recipe.search;
   usual.n = recipe.n;
-  usual.first_share = recipe.first_share;
   usual.reach.factor
     = search.reach_of_pairs == 0
         ? 0.01 * std::pow(n, -2. / search.dimension)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 // How bad a scene is: its work per element and pair, over that of uniform points with as many
-// elements and about as many pairs.
+// elements and about as many pairs. Of two sets of uniform points, each is one half.
 
 #ifndef THICK_INTERSECTION_BENCHMARK_BAD_SCENES_FACTORS_H
 #define THICK_INTERSECTION_BENCHMARK_BAD_SCENES_FACTORS_H
@@ -32,7 +32,7 @@ class Factors
 public:
   // Returns zeros if the scene cannot be measured: coordinates overflow, or there are too many
   // pairs. Times are the least of some rounds.
-  Factor of(const Recipe& recipe, int rounds = 3);
+  Factor of(const Recipe& recipe, int rounds);
 
 private:
   Work uniform(const Recipe& recipe, double pairs_per_element);

@@ -21,7 +21,7 @@ struct Work
 };
 
 // So many pairs per element are counted.
-inline constexpr double max_pairs_per_element = 100;
+inline constexpr double max_pairs_per_element = 45;
 
 struct Subject_search
 {

@@ -15,6 +15,8 @@ namespace {
 // A climb ends after so many mutations without a worse scene.
 const int max_misses = 60;
 
+const int usual_rounds = 3;
+
 // A find is worse than another one if its score is so much higher: times are not exact.
 const double min_gain = 1.05;
 
@@ -40,7 +42,7 @@ Find Climb::run(const std::vector<Recipe>& known)
 {
   const double end = clock_now() + options_.seconds;
   for(std::size_t number = 0; clock_now() < end; ++number) {
-    Find find = climb(look_at(start(known, number), 0), end);
+    Find find = climb(look_at(start(known, number), 0, usual_rounds), end);
     if(find.score() > options_.noteworthy) {
       find = shorten(find);
       show_(find);
@@ -50,18 +52,18 @@ Find Climb::run(const std::vector<Recipe>& known)
   return finds_.front();
 }
 
-// Measures a recipe at n, and at 4 n if its factor at n is not less than the given one.
-Find Climb::look_at(const Recipe& recipe, double least_factor)
+// Measures a recipe at n, and at 4 n if its factor at n is larger than the given one.
+Find Climb::look_at(const Recipe& recipe, double least_factor, int rounds)
 {
   ++count_;
   Find find;
   find.recipe = recipe;
-  find.factor = factors_.of(recipe);
+  find.factor = factors_.of(recipe, rounds);
   if(find.factor.larger() <= least_factor)
     return find;
   Recipe larger = recipe;
   larger.n *= 4;
-  find.larger_factor = factors_.of(larger);
+  find.larger_factor = factors_.of(larger, rounds);
   return find;
 }
 
@@ -72,9 +74,9 @@ Find Climb::climb(Find find, double end)
     const Recipe& other
       = finds_.empty() ? find.recipe : finds_[random_() % finds_.size()].recipe;
     const Recipe mutant = mutate(find.recipe, other, dimension, random_);
-    Find next = look_at(mutant, find.factor.larger() / 2);
+    Find next = look_at(mutant, find.factor.larger() / 2, 1);
     if(next.score() > min_gain * find.score())
-      next = look_at(mutant, 0); // the time may have been a slip
+      next = look_at(mutant, 0, usual_rounds); // the time may have been a slip
     if(next.score() > min_gain * find.score()) {
       find = next;
       misses = 0;
@@ -89,7 +91,7 @@ Find Climb::shorten(Find find)
   for(std::size_t i = find.recipe.changes.size(); i-- > 0;) {
     Recipe shorter = find.recipe;
     shorter.changes.erase(shorter.changes.begin() + static_cast<std::ptrdiff_t>(i));
-    const Find next = look_at(shorter, 0);
+    const Find next = look_at(shorter, 0, usual_rounds);
     if(next.score() > 0.8 * find.score())
       find = next;
   }

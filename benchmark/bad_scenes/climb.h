@@ -49,7 +49,7 @@ public:
   std::size_t count() const { return count_; } // of the recipes looked at
 
 private:
-  Find look_at(const Recipe& recipe, double least_factor);
+  Find look_at(const Recipe& recipe, double least_factor, int rounds);
   Find climb(Find find, double end);
   Find shorten(Find find);
   void keep(const Find& find);
