@@ -91,6 +91,20 @@ BOOST_AUTO_TEST_CASE(share_of_meeting_pairs_is_estimated)
   }
 }
 
+BOOST_AUTO_TEST_CASE(short_boxes_that_begin_at_a_few_places_meet)
+{
+  for(const std::uint64_t places : {10, 40}) {
+    Generator random(places);
+    std::vector<internal::Interval> intervals;
+    for(std::size_t i = 0; i < 4 * internal::box_sample; ++i) {
+      const double low = below(random, places);
+      intervals.push_back({low, low + 1e-9});
+    }
+    const double share = 1 / static_cast<double>(places);
+    BOOST_CHECK_CLOSE(profile_of(boxes_of(intervals)).meeting_share(), share, 30);
+  }
+}
+
 // Copies begin before the piece that they are in.
 BOOST_AUTO_TEST_CASE(copies_do_not_widen_the_range)
 {

@@ -142,6 +142,20 @@ Number_boxes half_beams(std::size_t n)
   return boxes;
 }
 
+// Short boxes that begin at `places` places along each axis.
+template <int Axes>
+Number_boxes short_boxes_of_a_lattice(std::size_t n, std::uint64_t places)
+{
+  Generator random(n);
+  Number_boxes boxes(n);
+  for(Number_box& box : boxes)
+    for(int axis = 0; axis < Axes; ++axis) {
+      const double low = below(random, places);
+      box[axis] = {low, low + 1e-9};
+    }
+  return boxes;
+}
+
 // Boxes between two random places along each axis.
 template <int Axes>
 Number_boxes random_long_boxes(std::size_t n)
@@ -176,6 +190,16 @@ Number_boxes staircases(std::size_t n)
 // A sweep may look at eight candidates for each pair.
 BOOST_AUTO_TEST_CASE(work_is_little_in_the_plane) { check_scenes<2>(40000, 9); }
 BOOST_AUTO_TEST_CASE(work_is_little_in_space) { check_scenes<3>(40000, 9); }
+
+// Along each axis, many boxes meet that are much shorter than a piece.
+BOOST_AUTO_TEST_CASE(work_is_little_on_lattices)
+{
+  for(const std::size_t n : {10000, 40000}) {
+    check_work<2>("lattice", short_boxes_of_a_lattice<2>(n, 64), 1);
+    check_work<3>("lattice", short_boxes_of_a_lattice<3>(n, 30), 0.3);
+    check_work<4>("lattice", short_boxes_of_a_lattice<4>(n, 20), 0.05);
+  }
+}
 
 // The tree takes over from 32 candidates per n log2 n on in the plane, and from fewer per
 // n log2^(d-1) n elsewhere.

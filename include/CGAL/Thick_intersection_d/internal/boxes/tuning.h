@@ -30,6 +30,10 @@ inline constexpr int max_box_cuts = 8;
 inline constexpr std::size_t box_sample = 1024;
 inline constexpr std::size_t first_box_sample = 16384;
 
+// How many of them, at least, are compared with each other. 100 pairs meet among so many boxes that
+// begin at 80 places.
+inline constexpr std::size_t common_place_sample = 128;
+
 // The range of a sample is cut without a tail at either end, if it is so many times shorter. A
 // single outlier would leave all other boxes in one piece.
 inline constexpr double sample_tail_share = 1. / 64;
