@@ -16,6 +16,9 @@ const char* const lines[] = {
   "near3 r=1/n^0.5 place:2:0:4.5r@all:1 place:0:1e12:0@one:0",
   "near3 r=1/n^0.5 place:1:0:4.5r@all:1",
   "near2 r=1/n place:1:0:4.5r@all:1 place:0:1e12:0@one:0",
+  // a bar, and a tenth of the points at all scales along each axis
+  "near3 r=1/n place:1:0:4.5r@all:1 place:2:0:4.5r@all:1 log:0:20:1e12@random:0.1"
+  " log:1:20:1e12@random:0.1 log:2:20:1e12@random:0.1",
   // a cross of two wires
   "near3 r=1/n place:1:0.3:1e-9@every:0.5 place:2:0.1:1e-9@every:0.5 place:0:0.3:1e-9@others:0.5"
   " place:2:0.7:1e-9@others:0.5",
@@ -33,11 +36,24 @@ const char* const lines[] = {
   "closest3 log:3:300:1@all:1",
   "close2 r=1e-30 nested:0:600/n:1@all:1 follow:1:0:1@all:1",
   "close3 r=1e-30 squeeze:3:1:1@all:1 place:3:0:1e-19@every:0.5",
+  // all neighbors at the same distance, and no distance at all
+  "closest2 steps:2:0.14:0.0088@all:1",
+  "closest3 steps:3:0.14:0.0088@all:1",
+  "close2 r=1/n steps:2:0:1@all:1",
+  "close2 r=0",
+  "close3 r=0",
+  // short boxes on a lattice
+  "boxes2 r=1e-9 bands:2:64:0@all:1",
+  "boxes3 r=1e-9 bands:3:60:0@all:1",
+  "boxes4 r=1e-9 bands:4:20:0@all:1",
+  // horizontals and verticals that begin on a diagonal, none of which meet
+  "boxes2 follow:1:0.0001:1@all:1 extent:0:0.2:0@every:0.5 extent:1:0.2:0@others:0.5",
+  "boxes2_sets follow:1:0.0001:1@all:1 extent:0:0.2:0@first:0.5 extent:1:0.2:0@last:0.5",
   // sizes
   "boxes2 law:2:0.3/n^0.5:0.7@all:1",
   "boxes3 law:3:0.3/n^0.5:0.7@all:1",
-  "boxes2 extent:0:1:0@every:0.5 extent:1:0.01/n^0.5:0@every:0.5 extent:1:1:0@others:0.5"
-  " extent:0:0.01/n^0.5:0@others:0.5",
+  "boxes2 extent:0:1/n^0.5:0@every:0.5 extent:1:0.01/n^0.5:0@every:0.5"
+  " extent:1:1/n^0.5:0@others:0.5 extent:0:0.01/n^0.5:0@others:0.5",
   "boxes3_sets span:2:0:1@all:1 place:0:2:1@first:0.5",
   "boxes4 log:4:6:1@all:1 extent:4:0:0.1/n^0.5@all:1"};
 

@@ -15,7 +15,8 @@ using namespace test_support;
 
 namespace {
 
-// Objects whose boxes are counted: candidates of sweeps, and looks of the tree.
+// Objects whose boxes are counted: those that are swept, and their candidates. What the tree looks
+// at is not counted.
 template <int Axes>
 struct Counting_test : internal::Boxed_objects<Axes, Number_objects>
 {
