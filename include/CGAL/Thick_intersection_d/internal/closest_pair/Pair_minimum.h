@@ -21,6 +21,8 @@
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Twofold_distance.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Twofold_filter.h>
 
 #include <boost/config.hpp>
 
@@ -133,12 +135,39 @@ private:
       offer_exactly(candidate, square);
   }
 
-  void offer_exactly(const Position_pair& candidate, const Gap& square)
+  // Not inline: it is for near ties.
+  BOOST_NOINLINE void offer_exactly(const Position_pair& candidate, const Gap& square)
   {
+    if(const auto order = compare_by_doubles(candidate)) {
+      if(*order < 0 || (*order == 0 && candidate < pair_))
+        replace(candidate, square, std::nullopt);
+      return;
+    }
     Exact exact = exact_squared_distance(points_[candidate.first], points_[candidate.second],
                                          dimension_);
     if(exact < exact_square() || (candidate < pair_ && exact == exact_square()))
       replace(candidate, square, std::move(exact));
+  }
+
+  // Compares the distance of a near tie with that of the pair. Returns nothing if only exact
+  // numbers can tell.
+  std::optional<int> compare_by_doubles(const Position_pair& candidate) const
+  {
+    if constexpr(is_held_by_double_v<Coordinate_t<Point>>)
+      if(scale_exponent_ == 0 && min_square_ > min_twofold_square
+         && max_square_ < max_twofold_square && dimension_ <= Twofold_distance::max_dimension)
+        return twofold_distance(candidate).compare(twofold_distance(pair_));
+    return std::nullopt;
+  }
+
+  Twofold_distance twofold_distance(const Position_pair& pair) const
+  {
+    const auto coordinate_of = [&](std::size_t position) {
+      return [&point = points_[position]](int axis) {
+        return static_cast<double>(coordinate(point, axis));
+      };
+    };
+    return Twofold_distance(coordinate_of(pair.first), coordinate_of(pair.second), dimension_);
   }
 
   // Not inline: few scenes need it.

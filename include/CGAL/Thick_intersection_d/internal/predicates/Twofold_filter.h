@@ -33,6 +33,34 @@ inline Twofold twofold_sum(double a, double b)
   return {sum, (a - (sum - b_in_sum)) + (b - b_in_sum)};
 }
 
+// Above the one, no part of a product underflows. Up to the other, no sum overflows.
+inline constexpr double min_twofold_square = 0x1p-800;
+inline constexpr double max_twofold_square = 0x1p1000;
+
+// Returns the sum of the squares of difference(i), for i < dimension.
+template <class Difference>
+Twofold sum_of_squares(const Difference& difference, int dimension)
+{
+  Twofold sum = {0, 0};
+  for(int i = 0; i < dimension; ++i) {
+    const Twofold d = difference(i);
+    const double square = d.value * d.value;
+    const double rest_of_square = std::fma(d.value, d.value, -square) + 2 * d.value * d.rest;
+    const Twofold next = twofold_sum(sum.value, square);
+    sum = {next.value, sum.rest + next.rest + rest_of_square};
+  }
+  return sum;
+}
+
+// Returns a bound on the error of such a sum and of one comparison with it.
+//
+// Each coordinate takes less than 16 operations on rests. In any rounding mode, each operation is
+// off by a few 2^-104 of the sum. The slack has 2^-96 for each coordinate.
+inline double twofold_slack(double sum, int dimension)
+{
+  return std::ldexp(sum, -96) * (dimension + 8);
+}
+
 class Twofold_filter
 {
 public:
@@ -41,11 +69,10 @@ public:
   template <class Exact>
   Twofold_filter(const Squared_bound<Exact>& bound, int dimension)
   {
-    constexpr double min_square = 0x1p-800; // above it, no part of a product underflows
-    constexpr double max_square = 0x1p1000;
-    if(bound.squared().first > min_square && bound.squared().second < max_square) {
-      squared_bound_ = {bound.squared().first, bound.excess(bound.squared().first)};
-      slack_ = std::ldexp(bound.squared().second, -96) * (dimension + 8);
+    const auto& [low, high] = bound.squared();
+    if(low > min_twofold_square && high < max_twofold_square) {
+      squared_bound_ = {low, bound.excess(low)};
+      slack_ = twofold_slack(high, dimension);
     }
   }
 
@@ -54,20 +81,10 @@ public:
 
   // Returns a negative number if |pq| is certainly less than r, a positive number if |pq| is
   // certainly greater than r, and 0 otherwise. `difference(i)` is coordinate i of p - q.
-  //
-  // Each coordinate takes less than 16 operations on rests. In any rounding mode, each operation is
-  // off by a few 2^-104 of the squared distance. The slack has 2^-96 for each coordinate.
   template <class Difference>
   int compare(const Difference& difference, int dimension) const
   {
-    Twofold sum = {0, 0};
-    for(int i = 0; i < dimension; ++i) {
-      const Twofold d = difference(i);
-      const double square = d.value * d.value;
-      const double rest_of_square = std::fma(d.value, d.value, -square) + 2 * d.value * d.rest;
-      const Twofold next = twofold_sum(sum.value, square);
-      sum = {next.value, sum.rest + next.rest + rest_of_square};
-    }
+    const Twofold sum = sum_of_squares(difference, dimension);
     const double excess
       = (sum.value - squared_bound_.value) + (sum.rest - squared_bound_.rest);
     return excess > slack_ ? 1 : excess < -slack_ ? -1 : 0;
