@@ -105,6 +105,18 @@ BOOST_AUTO_TEST_CASE(short_boxes_that_begin_at_a_few_places_meet)
   }
 }
 
+// Most boxes begin at one place, but not those that a part of the sample at equal steps would see.
+BOOST_AUTO_TEST_CASE(common_places_are_seen_between_equal_steps)
+{
+  Generator random(7);
+  std::vector<internal::Interval> intervals;
+  for(std::size_t i = 0; i < 4 * internal::box_sample; ++i) {
+    const double low = i % 16 == 0 ? below(random, 1 << 20) / (1 << 20) : 0.3;
+    intervals.push_back({low, low + 1e-9});
+  }
+  BOOST_CHECK_GT(profile_of(boxes_of(intervals)).meeting_share(), 0.5);
+}
+
 // Copies begin before the piece that they are in.
 BOOST_AUTO_TEST_CASE(copies_do_not_widen_the_range)
 {

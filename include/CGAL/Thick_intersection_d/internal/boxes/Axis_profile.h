@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <random>
 #include <vector>
 
 namespace CGAL {
@@ -133,23 +134,26 @@ private:
   }
 
   // Short boxes that begin at a few places, as those of a lattice do, meet more often than buckets
-  // show. Then takes the share of the pairs that meet in a part of the sample.
+  // show. Then takes the share of the pairs that meet in a part of the sample: a random box of each
+  // step, because equal steps may be those of the scene.
   template <class Box>
   void see_common_places(const std::vector<const Box*>& sample, int axis)
   {
+    std::minstd_rand random;
     const std::size_t step = sample.size() / common_place_sample;
-    starts_.clear();
-    for(std::size_t i = 0; i < sample.size(); i += step)
-      starts_.push_back(sample[i]->low[axis]);
-    std::sort(starts_.begin(), starts_.end());
-    double pairs = 0; // those that begin at the same place are counted twice, as halves
-    for(std::size_t i = 0; i < sample.size(); i += step) {
-      const auto [same, behind]
-        = std::equal_range(starts_.begin(), starts_.end(), sample[i]->low[axis]);
-      const auto end = std::upper_bound(behind, starts_.end(), sample[i]->high[axis]);
-      pairs += static_cast<double>(behind - same - 1) / 2 + static_cast<double>(end - behind);
+    part_.clear();
+    for(std::size_t i = 0; i + step <= sample.size(); i += step) {
+      const Box* const box = sample[i + random() % step];
+      part_.push_back({box->low[axis], box->high[axis]});
     }
-    const double size = static_cast<double>(starts_.size());
+    std::sort(part_.begin(), part_.end(),
+              [](const Interval& a, const Interval& b) { return a.low < b.low; });
+    double pairs = 0;
+    for(auto a = part_.begin(); a != part_.end(); ++a)
+      pairs += static_cast<double>(
+        std::upper_bound(a + 1, part_.end(), a->high,
+                         [](double x, const Interval& b) { return x < b.low; }) - a - 1);
+    const double size = static_cast<double>(part_.size());
     const double share = 2 * pairs / (size * (size - 1));
     if(share > 2 * meeting_share_)
       meeting_share_ = share;
@@ -169,7 +173,7 @@ private:
   double scale_ = 0;
   double meeting_share_ = 1;
   Place bucket_count_ = 0;
-  std::vector<double> starts_; // in order
+  std::vector<Interval> part_; // of the sample, in order of lower ends
   std::vector<double> lows_;  // the number of lower ends before each bucket
   std::vector<double> highs_; // the same for upper ends
 };
