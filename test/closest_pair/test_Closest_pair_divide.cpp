@@ -100,4 +100,17 @@ BOOST_AUTO_TEST_CASE(flat_points_in_dimension_5_take_the_work_of_uniform_points)
   }
 }
 
+// All points are close to each cut, so half of the closest pairs are found in the strip of the
+// first one. In half of those in two cells, the upper point is in the first cell.
+BOOST_AUTO_TEST_CASE(closest_pairs_between_cells_of_a_plate_are_found)
+{
+  for(std::uint64_t seed = 0; seed < 40; ++seed) {
+    Points plate = uniform_points(3, 300, 0, 1, seed);
+    for(Coordinates& c : plate)
+      c[0] *= 1e-6;
+    const Pair expected = closest_of_doubles(plate).pair;
+    BOOST_CHECK(closest_by_division(make_points<Maker<3>>(plate)) == expected);
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

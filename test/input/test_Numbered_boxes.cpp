@@ -10,6 +10,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <limits>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -40,6 +42,15 @@ auto numbered(const Boxes<NT>& first, const Boxes<NT>& second)
 }
 
 } // namespace
+
+BOOST_AUTO_TEST_CASE(ends_that_are_no_numbers_are_refused)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for(const Boxes<double>& bad : {Boxes<double>{{0, 1}, {nan, 1}}, Boxes<double>{{0, nan}}}) {
+    BOOST_CHECK_THROW(numbered(bad, {}), std::invalid_argument);
+    BOOST_CHECK_THROW(numbered({{0, 1}}, bad), std::invalid_argument);
+  }
+}
 
 BOOST_AUTO_TEST_CASE(numbers_are_positions_if_no_box_is_empty)
 {

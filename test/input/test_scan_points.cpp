@@ -48,6 +48,18 @@ BOOST_AUTO_TEST_CASE(the_box_holds_all_points_and_no_more)
   }
 }
 
+BOOST_AUTO_TEST_CASE(the_first_bad_point_of_all_blocks_is_kept)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const Plain_points<double> points = plain_points({{0}, {nan}, {nan}, {1}});
+  internal::Scene_scan all(1), low(1), high(1);
+  low.add(points, 0, 2, [](std::size_t, int, double) {});
+  high.add(points, 2, 4, [](std::size_t, int, double) {});
+  all.add(low);
+  all.add(high);
+  BOOST_CHECK_EQUAL(all.first_bad(), 1u);
+}
+
 BOOST_AUTO_TEST_CASE(only_axes_along_which_points_differ_have_a_say_in_the_grid)
 {
   const internal::Scene scene = scene_of(plain_points({{0.25, 0.1, -0.}, {4, 0.1, 0.}}));

@@ -64,11 +64,12 @@ BOOST_AUTO_TEST_CASE(balls_of_thirds_touch)
   using Point = CGAL::Simple_cartesian<Number>::Point_2;
   using Ball = std::pair<Point, Number>;
   const Number third = Number(1) / 3, tiny = third / 1e20;
-  const Ball a(Point(0, 0), 2 * third), b(Point(third * 4, third * 3), 3 * third);
+  const Number x = third * 4, y = third * 3, r = third * 2;
+  const Ball a(Point(0, 0), r), b(Point(x, y), y);
   const auto do_intersect
     = CGAL::Thick_ball_traits_d<Point>(std::vector<Ball>{a, b}).do_intersect_d_object();
   BOOST_CHECK(do_intersect(a, b));
-  BOOST_CHECK(!do_intersect(a, Ball(b.first, b.second - tiny)));
+  BOOST_CHECK(!do_intersect(a, Ball(b.first, Number(y - tiny))));
 }
 
 BOOST_AUTO_TEST_CASE(inner_balls_intersect_outer_ones)

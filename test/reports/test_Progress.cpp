@@ -43,6 +43,7 @@ BOOST_AUTO_TEST_CASE(who_has_cancelled_is_not_called_again)
   BOOST_CHECK(!progress.advance(1));
   BOOST_CHECK(!progress.advance(1));
   BOOST_CHECK(progress.is_cancelled());
+  progress.finish();
   BOOST_CHECK_EQUAL(calls, 1);
 }
 

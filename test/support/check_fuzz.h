@@ -390,9 +390,10 @@ private:
                                             bound_.is_open));
     const CGAL::Exact_rational exact_unit
       = CGAL::Exact_rational(unit) / CGAL::Exact_rational(Maker::is_exact ? 3 : 1);
-    const CGAL::Exact_rational factor = bound_.is_squared ? exact_unit * exact_unit : exact_unit;
-    f(CGAL::Distance_bound<CGAL::Exact_rational>(exact_rational(bound_.value) * factor,
-                                                 bound_.is_squared, bound_.is_open));
+    CGAL::Exact_rational value = exact_rational(bound_.value) * exact_unit;
+    if(bound_.is_squared)
+      value *= exact_unit;
+    f(CGAL::Distance_bound<CGAL::Exact_rational>(value, bound_.is_squared, bound_.is_open));
   }
 
   template <class Object>
