@@ -120,10 +120,12 @@ BOOST_AUTO_TEST_CASE(joins_visit_pairs_at_the_distance_across_borders_of_cells)
         points.back()[static_cast<std::size_t>(axis)] = border + side;
       }
   const Plain_points<double> elements = plain_points(points);
-  const internal::Cell_join<CGAL::Sequential_tag, 2, Plain_points<double>> join(elements, 2, 16);
+  const internal::Cell_join<CGAL::Sequential_tag, 2, Plain_points<double>> join(elements, 2, 16,
+                                                                                    1);
   internal::Unwatched_progress progress;
   std::set<Pair> visited;
-  join(internal::All_positions(points.size()), [&] { return Visitor{visited}; }, progress);
+  join(internal::All_positions(points.size()), no_limit, [&] { return Visitor{visited}; },
+       progress);
   for(std::size_t i = 0; i < points.size(); i += 2)
     BOOST_CHECK_EQUAL(visited.count({i, i + 1}), 1u);
 }
