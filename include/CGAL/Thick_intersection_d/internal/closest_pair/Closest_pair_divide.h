@@ -42,7 +42,6 @@
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <utility>
@@ -51,14 +50,6 @@
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
-
-// Returns the bound above on the number of points that a point of the strip is compared with.
-inline std::size_t max_candidate_count(int dimension)
-{
-  const double cells = std::pow(3., (std::max)(dimension - 2, 0));
-  return static_cast<std::size_t>(
-    (std::min)(2 * static_cast<double>(max_points_per_cell(dimension)) * cells - 1, 1e9));
-}
 
 // `Minimum` can be copied, and has the functions less(), is_beyond(), offer(), offer_pair_of() and
 // has_pair() of Pair_minimum.
@@ -189,8 +180,12 @@ private:
       = std::copy_if(ranks.begin() + first, ranks.begin() + last, strip_.begin() + first,
                      is_in_strip) - strip_.begin();
     // A short strip needs no cells for the bound on comparisons, unless its points are crowded.
+    // Then cells are faster, if a point has fewer cells to look at than it had candidates.
     const bool is_plane = dimension_ <= 2;
-    const std::size_t max_steps = max_strip_steps_per_point * (end - first);
+    const double steps_per_point = (std::max)(double(max_strip_steps_per_point),
+                                              touching_cell_count(dimension_));
+    const auto max_steps
+      = static_cast<std::size_t>((std::min)(steps_per_point, 1e9) * double(end - first));
     if((is_plane || end - first <= max_candidate_count(dimension_))
        && scan(first, end, is_plane ? unlimited : max_steps, minimum))
       return;

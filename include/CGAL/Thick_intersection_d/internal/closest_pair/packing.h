@@ -34,6 +34,22 @@ inline std::size_t max_points_per_cell(int dimension)
   return static_cast<std::size_t>((std::min)(std::pow(parts, dimension), 1e9));
 }
 
+// Returns the number of cells of the strip that touch a cell, itself included: the
+// strip of the divide and conquer is cut along all axes but the first and the last.
+inline double touching_cell_count(int dimension)
+{
+  return std::pow(3., (std::max)(dimension - 2, 0));
+}
+
+// Returns a bound on the number of points that a point of the strip is compared with.
+// Closest_pair_divide.h proves it.
+inline std::size_t max_candidate_count(int dimension)
+{
+  const double candidates = 2 * static_cast<double>(max_points_per_cell(dimension))
+                            * touching_cell_count(dimension) - 1;
+  return static_cast<std::size_t>((std::min)(candidates, 1e9));
+}
+
 } // namespace internal
 } // namespace Thick_intersection_d
 } // namespace CGAL
