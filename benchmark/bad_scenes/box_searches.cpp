@@ -5,15 +5,14 @@
 
 #include "bad_scenes/Work.h"
 #include "measuring/timing.h"
+#include "support/counted_boxes.h"
 #include "support/number_boxes.h"
 
 #include <CGAL/Thick_intersection_d/internal/boxes/Box_route.h>
-#include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
 
 #include <limits>
 #include <numeric>
@@ -21,40 +20,20 @@
 namespace thick_benchmark {
 namespace {
 
+using test_support::Counted_boxes;
 using test_support::Number_objects;
 namespace internal = CGAL::Thick_intersection_d::internal;
-
-template <int Axes>
-struct Counting_boxes : internal::Boxed_objects<Axes, Number_objects>
-{
-  using Base = internal::Boxed_objects<Axes, Number_objects>;
-  using typename Base::Box;
-  using typename Base::Run;
-  using Base::Base;
-
-  template <class Flush>
-  void collect_between(const Run& a, const Run& b, internal::Found_pairs& found,
-                       const Flush& flush) const
-  {
-    for(internal::Place i = a.first; i < a.last; ++i)
-      counted += a.ends[i] - a.begins[i];
-    counted += a.last - a.first;
-    Base::collect_between(a, b, found, flush);
-  }
-
-  mutable double counted = 0;
-};
 
 template <int Axes, std::size_t Sets>
 Work search_boxes(const Number_objects& objects, std::size_t first_size)
 {
   std::vector<int> axes(static_cast<std::size_t>(objects.dimension()));
   std::iota(axes.begin(), axes.end(), 0);
-  const Counting_boxes<Axes> test(objects, axes);
-  std::vector<typename Counting_boxes<Axes>::Box> boxes(objects.size());
+  const Counted_boxes<Axes> test(objects, axes);
+  std::vector<typename Counted_boxes<Axes>::Box> boxes(objects.size());
   for(std::size_t i = 0; i < boxes.size(); ++i)
     test.put(i, boxes[i]);
-  internal::Piece<typename Counting_boxes<Axes>::Box, Sets> piece;
+  internal::Piece<typename Counted_boxes<Axes>::Box, Sets> piece;
   const auto first = boxes.data(), last = first + boxes.size();
   piece[0] = {first, Sets == 1 ? last : first + first_size};
   if constexpr(Sets == 2)
@@ -65,13 +44,13 @@ Work search_boxes(const Number_objects& objects, std::size_t first_size)
   using Report = internal::Pair_reporter<decltype(callback)>;
   Report report(callback);
   internal::Unwatched_progress progress;
-  internal::Box_route<CGAL::Sequential_tag, Counting_boxes<Axes>, Report,
+  internal::Box_route<CGAL::Sequential_tag, Counted_boxes<Axes>, Report,
                       internal::Unwatched_progress>
     route(test, report, progress);
   work.seconds = processor_seconds_of([&] { route.search(piece); });
   if(work.pairs >= limit)
     work.pairs = std::numeric_limits<double>::infinity();
-  work.counted = test.counted;
+  work.counted = test.candidates + test.swept;
   return work;
 }
 

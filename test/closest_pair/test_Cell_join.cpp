@@ -61,19 +61,21 @@ BOOST_AUTO_TEST_CASE(joins_visit_all_close_pairs)
   BOOST_CHECK_GT(joined, 30u);
 }
 
+// Writes down the visited pairs.
+struct Set_visitor
+{
+  std::set<Pair>& visited;
+  bool operator()(std::size_t i, std::size_t j)
+  {
+    visited.insert(std::minmax(i, j));
+    return true;
+  }
+  void finish() {}
+};
+
 // In space, with entries in several lists; distances of small integers are exact.
 BOOST_AUTO_TEST_CASE(joins_of_many_lists_visit_all_close_pairs)
 {
-  struct Visitor
-  {
-    std::set<Pair>& visited;
-    bool operator()(std::size_t i, std::size_t j)
-    {
-      visited.insert(std::minmax(i, j));
-      return true;
-    }
-    void finish() {}
-  };
   Points points = uniform_points(3, 6000, -40, 80, 1);
   for(Coordinates& c : points)
     for(double& x : c)
@@ -82,7 +84,7 @@ BOOST_AUTO_TEST_CASE(joins_of_many_lists_visit_all_close_pairs)
   std::set<Pair> visited;
   const internal::Cell_join<CGAL::Sequential_tag, 3, Plain_points<double>> join(elements, 3, 10, 1);
   internal::Unwatched_progress progress;
-  join(internal::All_positions(points.size()), no_limit, [&] { return Visitor{visited}; },
+  join(internal::All_positions(points.size()), no_limit, [&] { return Set_visitor{visited}; },
        progress);
   std::size_t close = 0, missing = 0;
   for(std::size_t i = 0; i < points.size(); ++i)
@@ -102,16 +104,6 @@ BOOST_AUTO_TEST_CASE(joins_of_many_lists_visit_all_close_pairs)
 // The border of two cells is in the middle of each pair.
 BOOST_AUTO_TEST_CASE(joins_visit_pairs_at_the_distance_across_borders_of_cells)
 {
-  struct Visitor
-  {
-    std::set<Pair>& visited;
-    bool operator()(std::size_t i, std::size_t j)
-    {
-      visited.insert(std::minmax(i, j));
-      return true;
-    }
-    void finish() {}
-  };
   Points points;
   for(const double border : {16., 32., 48.})
     for(const int axis : {0, 1})
@@ -124,7 +116,7 @@ BOOST_AUTO_TEST_CASE(joins_visit_pairs_at_the_distance_across_borders_of_cells)
                                                                                     1);
   internal::Unwatched_progress progress;
   std::set<Pair> visited;
-  join(internal::All_positions(points.size()), no_limit, [&] { return Visitor{visited}; },
+  join(internal::All_positions(points.size()), no_limit, [&] { return Set_visitor{visited}; },
        progress);
   for(std::size_t i = 0; i < points.size(); i += 2)
     BOOST_CHECK_EQUAL(visited.count({i, i + 1}), 1u);

@@ -5,6 +5,7 @@
 // scenes of all sizes of boxes, and on scenes where no cut helps.
 
 #define BOOST_TEST_MODULE box_work
+#include "support/counted_boxes.h"
 #include "support/number_boxes.h"
 
 #include <boost/test/unit_test.hpp>
@@ -14,30 +15,6 @@
 using namespace test_support;
 
 namespace {
-
-// Objects whose boxes are counted: those that are swept, and their candidates. What the tree looks
-// at is not counted.
-template <int Axes>
-struct Counting_test : internal::Boxed_objects<Axes, Number_objects>
-{
-  using Base = internal::Boxed_objects<Axes, Number_objects>;
-  using typename Base::Box;
-  using typename Base::Run;
-  using Base::Base;
-
-  template <class Flush>
-  void collect_between(const Run& a, const Run& b, internal::Found_pairs& found,
-                       const Flush& flush) const
-  {
-    for(internal::Place i = a.first; i < a.last; ++i)
-      candidates += a.ends[i] - a.begins[i];
-    swept += a.last - a.first;
-    Base::collect_between(a, b, found, flush);
-  }
-
-  mutable double candidates = 0;
-  mutable double swept = 0;
-};
 
 double uniform(Generator& random) { return below(random, std::uint64_t(1) << 32) / (1ull << 32); }
 
@@ -49,18 +26,18 @@ double check_work(const std::string& name, const Number_boxes& boxes, double lim
   const Number_objects objects(boxes, Axes);
   std::vector<int> axes(Axes);
   std::iota(axes.begin(), axes.end(), 0);
-  const Counting_test<Axes> test(objects, axes);
-  std::vector<typename Counting_test<Axes>::Box> copies(boxes.size());
+  const Counted_boxes<Axes> test(objects, axes);
+  std::vector<typename Counted_boxes<Axes>::Box> copies(boxes.size());
   for(std::size_t i = 0; i < boxes.size(); ++i)
     test.put(i, copies[i]);
   double k = 0;
   const auto callback = [&](std::size_t, std::size_t) { ++k; };
   internal::Pair_reporter<decltype(callback)> report(callback);
   internal::Unwatched_progress progress;
-  internal::Box_route<CGAL::Sequential_tag, Counting_test<Axes>, decltype(report),
+  internal::Box_route<CGAL::Sequential_tag, Counted_boxes<Axes>, decltype(report),
                       internal::Unwatched_progress>
     route(test, report, progress);
-  internal::Piece<typename Counting_test<Axes>::Box, Sets> piece;
+  internal::Piece<typename Counted_boxes<Axes>::Box, Sets> piece;
   for(std::size_t set = 0; set < Sets; ++set)
     piece[set] = {copies.data() + set * boxes.size() / Sets,
                   copies.data() + (set + 1) * boxes.size() / Sets};
