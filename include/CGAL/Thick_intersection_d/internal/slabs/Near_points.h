@@ -66,7 +66,7 @@ public:
               const Is_within_distance<Element>& is_within)
     : points_(points), scene_(scene), axes_(searched_axes<Dimension>(scene)),
       doubles_(some_doubles(doubles, axes_)), is_within_(is_within),
-      scale_(is_within.scale_of_doubles()),
+      scale_(is_within.scale_of_doubles()), unscale_(1 / scale_),
       near_{is_within.reach_of_doubles(), is_within.filter_of_doubles()}
   {}
 
@@ -121,8 +121,8 @@ public:
       return true;
     }
     // Numbers of a grid that decides ties have not underflowed.
-    const auto x = [&](int axis) { return a.x[axis][pair.i] / scale_; };
-    const auto y = [&](int axis) { return b.x[axis][pair.j] / scale_; };
+    const auto x = [&](int axis) { return a.x[axis][pair.i] * unscale_; };
+    const auto y = [&](int axis) { return b.x[axis][pair.j] * unscale_; };
     if(const std::optional<bool> is = is_within_.decide_near_tie(x, y, Dimension, counts))
       return *is;
     return is_within_.decide_undecided(points_[a.positions[pair.i]], points_[b.positions[pair.j]],
@@ -156,7 +156,8 @@ private:
   const std::array<int, Dimension> axes_;
   Some_doubles doubles_;
   const Is_within_distance<Element>& is_within_;
-  const double scale_;
+  const double scale_;   // a power of two
+  const double unscale_;
   const Near_question near_;
 };
 
