@@ -79,8 +79,9 @@ double print_rows(const Scene& scene, bool with_others,
 template <class Function>
 void print_speed_up(const std::string& name, const Scene& scene, const Function& function)
 {
-  const Speed_up speed_up = measure_speed_up([&] { function(CGAL::Sequential_tag()); },
-                                             [&] { function(CGAL::Parallel_tag()); });
+  const auto sequential = [&] { function(CGAL::Sequential_tag()); };
+  const auto parallel = [&] { function(CGAL::Parallel_tag()); };
+  const Speed_up speed_up = measure_speed_up(sequential, parallel, sequential);
   std::cout << "| " << scene.name << " | " << scene.size() << " | " << name << " | "
             << std::setprecision(1) << speed_up.milliseconds << " | " << std::setprecision(2)
             << speed_up.of_search << " | " << speed_up.of_machine << " |\n";

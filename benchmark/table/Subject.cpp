@@ -31,10 +31,12 @@ Subject make_subject(const std::string& name, std::size_t n, const Search& searc
 
 Row measure_two_threads(const Subject& subject)
 {
+  const Search& search = subject.search;
   const Speed_up speed_up
-    = measure_speed_up(subject.search.sequential_like_parallel, subject.search.parallel);
-  const Goal goal = {Goal::AT_LEAST, 1.7, 1.9};
-  return {subject.name + ", 2 threads", "speed-up", goal, speed_up.of_search, subject.n,
+    = measure_speed_up(search.sequential_like_parallel, search.parallel, search.sequential);
+  // 1.7 and 1.9 where the machine gives 1.9.
+  const Goal goal = {Goal::AT_LEAST, 0.9, 1.0};
+  return {subject.name + ", 2 threads", "speed-up / machine", goal, speed_up.share, subject.n,
           subject.k, speed_up.milliseconds, speed_up.of_machine};
 }
 
