@@ -14,7 +14,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 find_files() {  # find expression...
   find . -path './build*' -prune -o -path ./.git -prune -o -type f \( "$@" \) -print | sort
 }
-mapfile -t cpp_files < <(find_files -name '*.h' -o -name '*.cpp')
+mapfile -t cpp_files < <(find_files -name '*.h' -o -name '*.inc' -o -name '*.cpp')
 mapfile -t documents < <(find_files -name '*.md' -o -path './doc/*.txt')
 mapfile -t other_files < <(find_files -name CMakeLists.txt -o -name '*.cmake' -o -name '*.in' \
                              -o -name '*.sh' -o -name '*.py' -o -path './scripts/*' -o -path ./.ci/run)

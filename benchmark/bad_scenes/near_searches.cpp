@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// fixed_radius_near_neighbors() in the plane and in space. The slab route is run once more on
-// points that count.
+// fixed_radius_near_neighbors() in the plane and in space. The points are moved into slabs once
+// more, and a sweep counts them.
 
 #include "bad_scenes/Work.h"
 #include "measuring/timing.h"
@@ -11,16 +11,14 @@
 #include <CGAL/fixed_radius_near_neighbors.h>
 
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
-#include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
-#include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
-#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Slab_route.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_question.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/near_points.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slab_sweep.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slab_window.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slabs.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/tuning.h>
+
+#include <CGAL/tags.h>
 
 #include <limits>
 
@@ -30,17 +28,15 @@ namespace {
 namespace internal = CGAL::Thick_intersection_d::internal;
 using Kernel = CGAL::Simple_cartesian<double>;
 
-// Points as the slab route asks for them. Doubles decide each pair, rounded.
+// Points as slabs ask for them.
 template <int Dimension>
 class Counting_points
 {
 public:
-  using Point = internal::Slab_point<Dimension>;
-  using Run = internal::Run<Dimension>;
+  using Point = internal::Slab_point<Dimension, double>;
 
   explicit Counting_points(const Made_scene& scene)
-    : boxes_(scene.boxes),
-      near_{scene.reach, {scene.reach * scene.reach, scene.reach * scene.reach}}
+    : boxes_(scene.boxes)
   {
     for(const Made_box& box : boxes_)
       for(int axis = 0; axis < Dimension; ++axis)
@@ -48,11 +44,8 @@ public:
   }
 
   std::size_t size() const { return boxes_.size(); }
-  double reach() const { return near_.reach; }
   internal::Interval interval(int axis) const { return intervals_[axis]; }
   double coordinate(std::size_t position, int axis) const { return boxes_[position].low[axis]; }
-  bool are_all_pairs() const { return false; }
-  void publish(const internal::Decision_counts&) const {}
   void put(std::size_t position, Point& place) const
   {
     ++counted;
@@ -60,58 +53,70 @@ public:
     place.position = static_cast<internal::Place>(position);
   }
 
-  // The points behind a run are NaN, and end these loops.
-  template <class Flush>
-  void collect_within(const Run& run, internal::Found_pairs& found, const Flush& flush) const
-  {
-    counted += run.size;
-    const double* const x = run.x[0];
-    for(internal::Place i = 0, j = 0; i < run.size; ++i) {
-      while(x[j] - x[i] <= near_.reach)
-        ++j;
-      counted += j - i - 1;
-    }
-    internal::Near_points_lanes::collect_within(run, near_, found, flush);
-  }
-
-  template <class Flush>
-  void collect_between(const Run& a, const Run& b, internal::Found_pairs& found,
-                       const Flush& flush) const
-  {
-    counted += a.size + b.size;
-    const double* const x = b.x[0];
-    for(internal::Place i = 0, first = 0, last = 0; i < a.size; ++i) {
-      while(a.x[0][i] - x[first] > near_.reach)
-        ++first;
-      while(x[last] - a.x[0][i] <= near_.reach)
-        ++last;
-      counted += last - first;
-    }
-    internal::Near_points_lanes::collect_between(a, b, near_, found, flush);
-  }
-
-  bool is_pair(const Run&, const Run&, internal::Found_pair, internal::Decision_counts&) const
-  {
-    return true;
-  }
-
   mutable double counted = 0;
 
 private:
   const std::vector<Made_box>& boxes_;
-  const internal::Near_question near_;
   std::array<internal::Interval, Dimension> intervals_;
 };
 
-template <int Dimension, class Sets>
-double count_work(const Made_scene& scene, const Sets& sets)
+// Sweeps nothing, and counts the points of runs and the pairs within reach along axis 0. The points
+// behind a run are NaN, and end these loops.
+template <class Run>
+class Counting_sweep
 {
-  const Counting_points<Dimension> points(scene);
-  const auto ignore = [](std::size_t, std::size_t) {};
-  internal::Pair_reporter<decltype(ignore)> report(ignore);
-  internal::Unwatched_progress progress;
-  internal::Slab_route<CGAL::Sequential_tag, Counting_points<Dimension>>(points).search(
-    sets, report, progress);
+public:
+  Counting_sweep(double reach, double& counted) : reach_(reach), counted_(counted) {}
+
+  bool is_stopped() const { return false; }
+
+  void within(const Run& run)
+  {
+    counted_ += run.size;
+    const double* const x = run.x[0];
+    for(internal::Place i = 0, j = 0; i < run.size; ++i) {
+      while(x[j] - x[i] <= reach_)
+        ++j;
+      counted_ += j - i - 1;
+    }
+  }
+
+  void between(const Run& a, const Run& b)
+  {
+    counted_ += a.size + b.size;
+    const double* const x = b.x[0];
+    for(internal::Place i = 0, first = 0, last = 0; i < a.size; ++i) {
+      while(a.x[0][i] - x[first] > reach_)
+        ++first;
+      while(x[last] - a.x[0][i] <= reach_)
+        ++last;
+      counted_ += last - first;
+    }
+  }
+
+private:
+  const double reach_;
+  double& counted_;
+};
+
+// Sweeps one slab after another as the slab route does.
+template <int Dimension>
+double count_work(const Made_scene& scene, const internal::Point_sets& sets)
+{
+  using Points = Counting_points<Dimension>;
+  using Point = typename Points::Point;
+  using Sweep = Counting_sweep<typename Point::Run>;
+  const Points points(scene);
+  const internal::Slabs<Point> slabs(CGAL::Sequential_tag(), points, points.size(), scene.reach,
+                                     sets);
+  Sweep counting(scene.reach, points.counted);
+  internal::Slab_sweep<Point, Sweep> sweep(scene.reach, counting);
+  internal::Slab_window<Point> window(slabs, scene.reach, 0, internal::Slab_tuning());
+  typename internal::Slab_window<Point>::Slabs_nearby nearby;
+  for(; window.front(); window.pop()) {
+    window.find_within_reach(window.front()->interval(Point::slab_axis).high, nearby);
+    sweep.between(*window.front(), nearby);
+  }
   return points.counted;
 }
 
@@ -160,7 +165,7 @@ Work run_near(const Made_scene& scene)
     return work;
   }
   if constexpr(!AreTwoSets) {
-    work.counted = count_work<Dimension>(scene, internal::One_set());
+    work.counted = count_work<Dimension>(scene, internal::Point_sets());
     return work;
   }
   const auto middle = points.begin() + static_cast<std::ptrdiff_t>(scene.first_size);
@@ -168,7 +173,8 @@ Work run_near(const Made_scene& scene)
   work.seconds = processor_seconds_of([&] {
     CGAL::fixed_radius_near_neighbors(first, second, bound, [](std::size_t, std::size_t) {});
   });
-  work.counted = count_work<Dimension>(scene, internal::Two_sets{scene.first_size});
+  work.counted = count_work<Dimension>(
+    scene, internal::Point_sets{static_cast<internal::Place>(scene.first_size)});
   return work;
 }
 

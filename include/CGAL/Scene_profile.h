@@ -154,6 +154,16 @@ public:
   /// filter does not decide.
   std::uint64_t decided(Arithmetic_tier tier) const { return counts_[tier]; }
 
+  /// returns how many bits the search that has made this profile held a coordinate in, to find near
+  /// pairs: 32, 64, or 0 if it did not use slabs. 32 bits are integers: steps of the grid, if the
+  /// scene is that small, or else rounded, and then the coordinates of the user decide the few
+  /// pairs near the bound. 64 bits are doubles: for scenes that extend over more than
+  /// \f$ 2^{21} \f$ reaches, and for lattices whose grid is too fine.
+  int coordinate_bits() const { return coordinate_bits_; }
+
+  /// returns whether that search rounded coordinates to 32 bits.
+  bool are_coordinates_rounded() const { return are_coordinates_rounded_; }
+
   /// @}
 
 #ifndef DOXYGEN_RUNNING
@@ -164,6 +174,12 @@ public:
   void set_counts(const Thick_intersection_d::internal::Decision_counts& counts)
   {
     counts_ = counts;
+  }
+
+  void set_coordinates(int bits, bool are_rounded)
+  {
+    coordinate_bits_ = bits;
+    are_coordinates_rounded_ = are_rounded;
   }
 #endif
 
@@ -181,6 +197,7 @@ public:
     else
       out << "grid        none, the coordinates are not doubles\n";
     out << "arithmetic  " << profile.tier() << (profile.forced_tier() ? ", forced\n" : "\n");
+    profile.print_coordinates(out);
     profile.print_counts(out);
     return out << profile.sentence() << '\n';
   }
@@ -197,6 +214,14 @@ private:
   }
 
   int terms() const { return Thick_intersection_d::internal::square_terms(extended_axes()); }
+
+  void print_coordinates(std::ostream& out) const
+  {
+    if(coordinate_bits_ == 64)
+      out << "coordinates 64 bits, doubles\n";
+    else if(coordinate_bits_ == 32)
+      out << "coordinates 32 bits, " << (are_coordinates_rounded_ ? "rounded\n" : "exact\n");
+  }
 
   void print_counts(std::ostream& out) const
   {
@@ -235,6 +260,8 @@ private:
   Arithmetic_tier needed_tier_;
   std::optional<Arithmetic_tier> forced_tier_;
   Thick_intersection_d::internal::Decision_counts counts_;
+  int coordinate_bits_ = 0;
+  bool are_coordinates_rounded_ = false;
 };
 
 /*!

@@ -20,11 +20,12 @@ BOOST_AUTO_TEST_SUITE(Bucket_sorter)
 namespace internal = CGAL::Thick_intersection_d::internal;
 
 using Generator = std::mt19937_64;
+using Point = internal::Slab_point<2, double>;
 
 // Coordinates of all sizes: buckets of buckets are crowded.
-std::vector<internal::Slab_point<2>> crowded_points(Generator& random, std::size_t n, int scales)
+std::vector<Point> crowded_points(Generator& random, std::size_t n, int scales)
 {
-  std::vector<internal::Slab_point<2>> points;
+  std::vector<Point> points;
   while(points.size() < n) {
     const int exponent = static_cast<int>(random() % static_cast<std::uint64_t>(scales));
     const double x = std::ldexp(static_cast<double>(random() % 1000) - 500, exponent);
@@ -35,7 +36,7 @@ std::vector<internal::Slab_point<2>> crowded_points(Generator& random, std::size
 
 BOOST_AUTO_TEST_CASE(buckets_sort)
 {
-  internal::Bucket_sorter<internal::Slab_point<2>> sorter;
+  internal::Bucket_sorter<Point> sorter;
   Generator random(6);
   for(const int scales : {1, 10, 1000})
     for(const std::size_t n : {0, 1, 16, 17, 100, 5000}) {

@@ -182,7 +182,7 @@ struct Work
 };
 
 template <int Dimension>
-using Strips_of = internal::Strips<internal::Slab_point<Dimension>>;
+using Strips_of = internal::Strips<internal::Slab_point<Dimension, double>>;
 
 // The points of two slabs, and those of their strips within reach, once for each two of them.
 template <int Dimension>
@@ -202,15 +202,15 @@ template <int Dimension>
 Work work_of(const Points& points, double reach, const internal::Point_sets& sets)
 {
   using Test = Undecided_points<Dimension>;
-  using Point = internal::Slab_point<Dimension>;
+  using Point = internal::Slab_point<Dimension, double>;
   const Test test(points, reach);
   const internal::Slab_tuning tuning;
   const internal::Slabs<Point> slabs(CGAL::Sequential_tag(), test, points.size(), reach, sets);
   const auto ignore = [](std::size_t, std::size_t) {};
   internal::Pair_reporter<decltype(ignore)> report(ignore);
-  using Pair_sweep = internal::Pair_sweep<Test, decltype(report)>;
-  Pair_sweep pair_sweep(test, report);
-  internal::Slab_sweep<Point, Pair_sweep> sweep(reach, pair_sweep);
+  using Near_sweep = internal::Near_sweep<Test, decltype(report)>;
+  Near_sweep near_sweep(test, report);
+  internal::Slab_sweep<Point, Near_sweep> sweep(reach, near_sweep);
   internal::Slab_window<Point> window(slabs, reach, 0, tuning);
   typename internal::Slab_window<Point>::Slabs_nearby nearby;
   Work work;

@@ -24,7 +24,7 @@ using namespace test_support;
 namespace internal = CGAL::Thick_intersection_d::internal;
 
 template <int Dimension>
-using Point = internal::Slab_point<Dimension>;
+using Point = internal::Slab_point<Dimension, double>;
 
 // One slab of the stream, and the positions of its points.
 struct Listed_slab
@@ -39,7 +39,7 @@ std::vector<internal::Place> positions_of(const internal::Strips<Point<Dimension
 {
   std::vector<internal::Place> positions;
   for(const auto& strip : strips.strips()) {
-    const internal::Run<Dimension> run = strips.run(strip);
+    const internal::Run<Dimension, double> run = strips.run(strip);
     positions.insert(positions.end(), run.positions, run.positions + run.size);
   }
   return positions;

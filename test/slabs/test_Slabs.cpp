@@ -28,7 +28,7 @@ using namespace test_support;
 void check_blocks(const Points& points, double reach)
 {
   const Undecided_points<2> source(points, reach);
-  const internal::Slabs<internal::Slab_point<2>> slabs(CGAL::Sequential_tag(), source,
+  const internal::Slabs<internal::Slab_point<2, double>> slabs(CGAL::Sequential_tag(), source,
                                                        points.size(), reach);
   std::ptrdiff_t largest = 0;
   for(internal::Place s = 0; s < slabs.count(); ++s)
@@ -56,7 +56,7 @@ BOOST_AUTO_TEST_CASE(blocks_of_slabs_share_the_points)
 }
 
 template <int Dimension>
-using Slabs_of = internal::Slabs<internal::Slab_point<Dimension>>;
+using Slabs_of = internal::Slabs<internal::Slab_point<Dimension, double>>;
 
 // Each point is in one slab, with its coordinates, and slabs follow each other.
 template <int Dimension>

@@ -5,13 +5,18 @@
 
 #include "support/point_source.h"
 
+#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Strips.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
 
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(Strips)
@@ -20,19 +25,21 @@ using namespace test_support;
 namespace internal = CGAL::Thick_intersection_d::internal;
 
 template <int Dimension>
-using Point = internal::Slab_point<Dimension>;
+using Doubles = internal::Slab_point<Dimension, double>;
+template <int Dimension>
+using Integers = internal::Slab_point<Dimension, std::int32_t>;
 
 // Strips of points on a coarse lattice, sorted along axis 0; some are empty.
-template <int Dimension>
-std::vector<std::vector<Point<Dimension>>> random_strips(Random& random)
+template <class Point>
+std::vector<std::vector<Point>> random_strips(Random& random)
 {
-  std::vector<std::vector<Point<Dimension>>> strips(1 + random.below(8));
+  std::vector<std::vector<Point>> strips(1 + random.below(8));
   internal::Place position = 0;
   for(auto& strip : strips) {
     for(std::size_t size = random.below(20); size > 0; --size) {
-      Point<Dimension> p;
-      for(double& x : p.x)
-        x = static_cast<double>(random.below(10));
+      Point p;
+      for(auto& x : p.x)
+        x = static_cast<typename Point::Number>(random.below(10));
       p.position = position++;
       strip.push_back(p);
     }
@@ -43,24 +50,30 @@ std::vector<std::vector<Point<Dimension>>> random_strips(Random& random)
   return strips;
 }
 
-template <int Dimension>
-internal::Strips<Point<Dimension>>
-make_strips(const std::vector<std::vector<Point<Dimension>>>& points)
+template <class Point>
+internal::Strips<Point>
+make_strips(const std::vector<std::vector<Point>>& points)
 {
   std::size_t size = 0;
   for(const auto& strip : points)
     size += strip.size();
-  internal::Strips<Point<Dimension>> strips;
+  internal::Strips<Point> strips;
   strips.reset(static_cast<internal::Place>(size), static_cast<internal::Place>(points.size()));
   for(const auto& strip : points)
     strips.append(strip.data(), strip.data() + strip.size(), internal::Point_sets());
   return strips;
 }
 
+void check_end(double x, internal::Place) { BOOST_CHECK(std::isnan(x)); }
+void check_end(std::int32_t x, internal::Place lane)
+{
+  BOOST_CHECK_EQUAL(x, internal::end_of_run<std::int32_t>(lane));
+}
+
 // The strips are those of `expected` that are not empty. Each run ends in points near nothing.
-template <int Dimension>
-void check_strips(const internal::Strips<Point<Dimension>>& strips,
-                  const std::vector<std::vector<Point<Dimension>>>& expected)
+template <class Point>
+void check_strips(const internal::Strips<Point>& strips,
+                  const std::vector<std::vector<Point>>& expected)
 {
   std::size_t size = 0;
   auto strip = strips.strips().begin();
@@ -69,27 +82,27 @@ void check_strips(const internal::Strips<Point<Dimension>>& strips,
       continue;
     size += points.size();
     BOOST_REQUIRE(strip != strips.strips().end());
-    const internal::Run<Dimension> run = strips.run(*strip++);
+    const typename Point::Run run = strips.run(*strip++);
     BOOST_REQUIRE_EQUAL(run.size, points.size());
     for(std::size_t i = 0; i < points.size(); ++i) {
       BOOST_CHECK_EQUAL(run.positions[i], points[i].position);
-      for(std::size_t axis = 0; axis < Dimension; ++axis)
+      for(std::size_t axis = 0; axis < Point::dimension; ++axis)
         BOOST_CHECK_EQUAL(run.x[axis][i], points[i].x[axis]);
     }
-    for(std::size_t lane = 0; lane < internal::lanes; ++lane)
-      BOOST_CHECK(std::isnan(run.x[0][points.size() + lane]));
+    for(internal::Place lane = 0; lane < internal::lanes; ++lane)
+      check_end(run.x[0][run.size + lane], lane);
   }
   BOOST_CHECK(strip == strips.strips().end());
   BOOST_CHECK_EQUAL(strips.size(), size);
 }
 
 // The boxes hold the points.
-template <int Dimension>
-void check_boxes(const internal::Strips<Point<Dimension>>& strips)
+template <class Point>
+void check_boxes(const internal::Strips<Point>& strips)
 {
   for(const auto& strip : strips.strips()) {
-    const internal::Run<Dimension> run = strips.run(strip);
-    for(int axis = 0; axis < Dimension; ++axis)
+    const typename Point::Run run = strips.run(strip);
+    for(int axis = 0; axis < Point::dimension; ++axis)
       for(internal::Place i = 0; i < run.size; ++i) {
         const double x = run.x[static_cast<std::size_t>(axis)][i];
         const internal::Interval& box = strip.box[static_cast<std::size_t>(axis)];
@@ -99,17 +112,17 @@ void check_boxes(const internal::Strips<Point<Dimension>>& strips)
   }
 }
 
-template <int Dimension>
+template <class Point>
 void check_borders()
 {
   Random random(1);
   for(int repetition = 0; repetition < 200; ++repetition) {
-    const auto points = random_strips<Dimension>(random);
-    const auto strips = make_strips<Dimension>(points);
-    check_strips<Dimension>(strips, points);
-    check_boxes<Dimension>(strips);
+    const auto points = random_strips<Point>(random);
+    const auto strips = make_strips<Point>(points);
+    check_strips<Point>(strips, points);
+    check_boxes<Point>(strips);
 
-    const int axis = static_cast<int>(random.below(Dimension));
+    const int axis = static_cast<int>(random.below(Point::dimension));
     const double low = static_cast<double>(random.below(10));
     const internal::Interval interval = {low, low + static_cast<double>(random.below(4))};
     auto kept = points;
@@ -118,30 +131,38 @@ void check_borders()
                     const double x = p.x[static_cast<std::size_t>(axis)];
                     return x < interval.low || interval.high < x;
                   }), strip.end());
-    internal::Strips<Point<Dimension>> border;
+    internal::Strips<Point> border;
     border.reset(strips.size(), static_cast<internal::Place>(strips.strips().size()));
     std::vector<internal::Place> places(20);
     for(const auto& strip : strips.strips())
       border.append_border(strips, strip, axis, interval, places.data());
-    check_strips<Dimension>(border, kept);
-    check_boxes<Dimension>(border);
+    check_strips<Point>(border, kept);
+    check_boxes<Point>(border);
   }
 }
 
-BOOST_AUTO_TEST_CASE(borders_keep_the_points_in_an_interval_2) { check_borders<2>(); }
-BOOST_AUTO_TEST_CASE(borders_keep_the_points_in_an_interval_3) { check_borders<3>(); }
+BOOST_AUTO_TEST_CASE(borders_keep_the_points_in_an_interval_2)
+{
+  check_borders<Doubles<2>>();
+  check_borders<Integers<2>>();
+}
+BOOST_AUTO_TEST_CASE(borders_keep_the_points_in_an_interval_3)
+{
+  check_borders<Doubles<3>>();
+  check_borders<Integers<3>>();
+}
 
 BOOST_AUTO_TEST_CASE(strips_are_forgotten_when_room_is_made)
 {
   Random random(2);
-  auto strips = make_strips<2>(random_strips<2>(random));
-  const std::vector<std::vector<Point<2>>> other = {{{{0.5, 0.25}, 7}}, {}};
+  auto strips = make_strips<Doubles<2>>(random_strips<Doubles<2>>(random));
+  const std::vector<std::vector<Doubles<2>>> other = {{{{0.5, 0.25}, 7}}, {}};
   strips.reset(1, 2);
   BOOST_CHECK(strips.strips().empty());
   BOOST_CHECK_EQUAL(strips.size(), 0u);
   for(const auto& strip : other)
     strips.append(strip.data(), strip.data() + strip.size(), internal::Point_sets());
-  check_strips<2>(strips, other);
+  check_strips<Doubles<2>>(strips, other);
   BOOST_CHECK_EQUAL(strips.interval(1).low, 0.25);
   BOOST_CHECK_EQUAL(strips.interval(1).high, 0.25);
 }

@@ -22,13 +22,13 @@ using namespace test_support;
 namespace internal = CGAL::Thick_intersection_d::internal;
 
 template <int Dimension>
-void check_strips(const internal::Strips<internal::Slab_point<Dimension>>& strips,
+void check_strips(const internal::Strips<internal::Slab_point<Dimension, double>>& strips,
                   const Points& points)
 {
   std::vector<int> times(points.size(), 0);
   double below = -std::numeric_limits<double>::infinity();
   for(const auto& strip : strips.strips()) {
-    const internal::Run<Dimension> run = strips.run(strip);
+    const internal::Run<Dimension, double> run = strips.run(strip);
     BOOST_CHECK(std::is_sorted(run.x[0], run.x[0] + run.size));
     if(Dimension == 3) {
       BOOST_CHECK_GE(strip.box[1].low, below);
@@ -49,7 +49,7 @@ void check_strips(const internal::Strips<internal::Slab_point<Dimension>>& strip
 template <int Dimension>
 int check_scenes(std::size_t n)
 {
-  using Point = internal::Slab_point<Dimension>;
+  using Point = internal::Slab_point<Dimension, double>;
   int crowded = 0;
   for(const double reach : {1e-9, 1e-3, 0.1, 10.}) {
     internal::Strips_maker<Point> maker(reach, internal::Point_sets(), tuning_for_few_points());
@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(strips_are_complete_and_sorted_3)
 
 BOOST_AUTO_TEST_CASE(sorted_pieces_are_short_or_few)
 {
-  using Point = internal::Slab_point<2>;
+  using Point = internal::Slab_point<2, double>;
   Random random(1);
   std::vector<Point> points;
   for(internal::Place i = 0; i < 500; ++i)

@@ -41,7 +41,7 @@ public:
     return points_[position][static_cast<std::size_t>(axis)];
   }
   void put(std::size_t position,
-           CGAL::Thick_intersection_d::internal::Slab_point<Dimension>& place) const
+           CGAL::Thick_intersection_d::internal::Slab_point<Dimension, double>& place) const
   {
     std::copy_n(points_[position].begin(), Dimension, place.x.begin());
     place.position = static_cast<CGAL::Thick_intersection_d::internal::Place>(position);
@@ -52,11 +52,12 @@ private:
 };
 
 template <int Dimension>
-std::vector<CGAL::Thick_intersection_d::internal::Slab_point<Dimension>>
+std::vector<CGAL::Thick_intersection_d::internal::Slab_point<Dimension, double>>
 slab_points(const Points& points)
 {
+  using Point = CGAL::Thick_intersection_d::internal::Slab_point<Dimension, double>;
   const Point_source<Dimension> source(points);
-  std::vector<CGAL::Thick_intersection_d::internal::Slab_point<Dimension>> result(points.size());
+  std::vector<Point> result(points.size());
   for(std::size_t i = 0; i < points.size(); ++i)
     source.put(i, result[i]);
   return result;

@@ -14,12 +14,12 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
+#include <utility>
 #include <vector>
 
 namespace test_support {
 
-template <int Dimension>
+template <int Dimension, class Number = double>
 class Run_of_points
 {
 public:
@@ -30,19 +30,21 @@ public:
     std::sort(points_.begin(), points_.end());
     for(std::size_t i = 0; i < points_.size(); ++i) {
       for(std::size_t axis = 0; axis < Dimension; ++axis)
-        columns_[axis].push_back(points_[i][axis]);
+        columns_[axis].push_back(static_cast<Number>(points_[i][axis]));
       positions_.push_back(static_cast<internal::Place>(first_position + i));
     }
-    for(internal::Place lane = 0; lane < internal::lanes; ++lane)
+    for(internal::Place lane = 0; lane < internal::lanes; ++lane) {
+      positions_.push_back(0); // is loaded, but not used
       for(std::size_t axis = 0; axis < Dimension; ++axis)
-        columns_[axis].push_back(axis == 0 ? std::numeric_limits<double>::quiet_NaN() : 0);
+        columns_[axis].push_back(axis == 0 ? internal::end_of_run<Number>(lane) : 0);
+    }
   }
 
   const Points& points() const { return points_; } // in the order of the run
 
-  CGAL::Thick_intersection_d::internal::Run<Dimension> run() const
+  CGAL::Thick_intersection_d::internal::Run<Dimension, Number> run() const
   {
-    CGAL::Thick_intersection_d::internal::Run<Dimension> run;
+    CGAL::Thick_intersection_d::internal::Run<Dimension, Number> run;
     for(std::size_t axis = 0; axis < Dimension; ++axis)
       run.x[axis] = columns_[axis].data();
     run.positions = positions_.data();
@@ -52,7 +54,7 @@ public:
 
 private:
   Points points_;
-  std::array<std::vector<double>, Dimension> columns_;
+  std::array<std::vector<Number>, Dimension> columns_;
   std::vector<CGAL::Thick_intersection_d::internal::Place> positions_;
 };
 

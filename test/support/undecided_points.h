@@ -14,8 +14,6 @@
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_question.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/near_points.h>
 
 #include <algorithm>
 #include <array>
@@ -30,11 +28,11 @@ namespace internal = CGAL::Thick_intersection_d::internal;
 template <int Dimension>
 struct Undecided_points
 {
-  using Point = internal::Slab_point<Dimension>;
-  using Run = internal::Run<Dimension>;
+  using Point = internal::Slab_point<Dimension, double>;
+  using Run = typename Point::Run;
 
   explicit Undecided_points(const Points& points, double reach)
-    : points(points), question{reach, internal::Distance_filter()}
+    : points(points), near{reach, filter.inside, filter.outside}
   {}
 
   internal::Interval interval(int axis) const
@@ -51,17 +49,8 @@ struct Undecided_points
     place.position = static_cast<internal::Place>(position);
   }
 
-  template <class Flush>
-  void collect_within(const Run& run, internal::Found_pairs& found, const Flush& flush) const
-  {
-    internal::Near_points_lanes::collect_within(run, question, found, flush);
-  }
-  template <class Flush>
-  void collect_between(const Run& a, const Run& b, internal::Found_pairs& found,
-                       const Flush& flush) const
-  {
-    internal::Near_points_lanes::collect_between(a, b, question, found, flush);
-  }
+  const internal::Near_question<double>& question() const { return near; }
+  void ask_for(const Run&, const Run&, internal::Found_pair) const {}
   bool is_pair(const Run&, const Run&, internal::Found_pair, internal::Decision_counts&) const
   {
     ++count;
@@ -69,7 +58,8 @@ struct Undecided_points
   }
 
   const Points& points;
-  internal::Near_question question;
+  const internal::Distance_filter filter;
+  const internal::Near_question<double> near;
   mutable std::size_t count = 0;
 };
 

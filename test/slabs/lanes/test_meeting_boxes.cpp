@@ -1,13 +1,26 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The lanes of boxes against all pairs, and the lanes of all processors against each other.
+// The lanes of each instruction set against all pairs of boxes, and against the plain lanes.
 
+#include "support/instruction_sets.h"
 #include "support/number_boxes.h"
+#include "support/pairs.h"
 
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/meeting_boxes.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Box_order.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Box_run.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Flush.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/lanes_plain.h>
 
 #include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <vector>
 
 BOOST_AUTO_TEST_SUITE(meeting_boxes)
 
@@ -16,7 +29,7 @@ using namespace test_support;
 // The pairs of a box of one run and a candidate in the other one that meet, in the order of lanes,
 // as positions.
 template <class Lanes, int Axes, std::size_t Sets>
-Pairs collected(const internal::Box_order<Axes, Sets>& order)
+Pairs collected(Lanes, const internal::Box_order<Axes, Sets>& order)
 {
   Pairs pairs;
   internal::Found_pairs found;
@@ -36,14 +49,14 @@ Pairs collected(const internal::Box_order<Axes, Sets>& order)
       found.row_count = 0;
       return true;
     };
-    Lanes::collect_between(a, b, found, flush);
+    Lanes::collect_meeting(a, b, found, internal::Flush(flush));
     flush();
   }
   return pairs;
 }
 
 template <class Lanes, int Axes, std::size_t Sets>
-void check_lanes(const internal::Piece<internal::Piece_box<Axes>, Sets>& piece,
+void check_lanes(Lanes set, const internal::Piece<internal::Piece_box<Axes>, Sets>& piece,
                  const Number_boxes& boxes)
 {
   for(const double max_bucket_pairs : {0., 1e9}) {
@@ -51,29 +64,27 @@ void check_lanes(const internal::Piece<internal::Piece_box<Axes>, Sets>& piece,
     tuning.max_bucket_pairs = max_bucket_pairs;
     internal::Box_order<Axes, Sets> order;
     order.set(piece, 0, tuning);
-    const Pairs found = collected<Lanes>(order);
+    const Pairs found = collected(set, order);
     std::optional<std::size_t> first_set_size;
     if(Sets == 2)
       first_set_size = piece[0].size();
     const Pairs_difference difference
       = compare(all_meeting_pairs(boxes, Axes, first_set_size), found);
     BOOST_CHECK_MESSAGE(difference.empty(), difference);
-    BOOST_CHECK(found == collected<internal::Meeting_boxes_plain>(order)); // in the same order
+    BOOST_CHECK(found == collected(internal::lanes_plain::Lanes(), order)); // in the same order
   }
 }
 
 // Runs of no, one and several rows of lanes; and long ones, whose pairs are flushed.
-template <class Lanes, int Axes>
-void check_lanes_of_boxes()
+template <int Axes, class Lanes>
+void check_lanes_of_boxes(Lanes set)
 {
-  if(!Lanes::is_supported())
-    return;
   for(unsigned int seed = 0; seed < 300; ++seed) {
     Generator random(seed);
     const std::size_t size = seed % 50 == 0 ? 400 : 1 + seed % 50;
     const Number_boxes boxes = structured_boxes(random, Axes, size);
     const Number_objects objects(boxes, Axes);
-    const auto check = [&](const auto&, const auto& piece) { check_lanes<Lanes>(piece, boxes); };
+    const auto check = [&](const auto&, const auto& piece) { check_lanes(set, piece, boxes); };
     BOOST_TEST_CONTEXT("seed " << seed << ", " << Axes << " axes")
     {
       with_piece<Axes>(objects, std::nullopt, check);
@@ -82,26 +93,19 @@ void check_lanes_of_boxes()
   }
 }
 
-BOOST_AUTO_TEST_CASE(plain_lanes_collect_the_meeting_pairs)
+BOOST_AUTO_TEST_CASE(all_lanes_collect_the_meeting_pairs_in_the_same_order)
 {
-  check_lanes_of_boxes<internal::Meeting_boxes_plain, 2>();
-  check_lanes_of_boxes<internal::Meeting_boxes_plain, 3>();
-  check_lanes_of_boxes<internal::Meeting_boxes_plain, 4>();
-}
-
-BOOST_AUTO_TEST_CASE(avx512_lanes_collect_the_meeting_pairs_in_the_same_order)
-{
-  check_lanes_of_boxes<internal::Meeting_boxes_avx512, 2>();
-  check_lanes_of_boxes<internal::Meeting_boxes_avx512, 3>();
-  check_lanes_of_boxes<internal::Meeting_boxes_avx512, 4>();
+  with_all_lanes([](auto set) {
+    check_lanes_of_boxes<2>(set);
+    check_lanes_of_boxes<3>(set);
+    check_lanes_of_boxes<4>(set);
+  });
 }
 
 // Of 200 boxes all or every other one meet, so that they are found in rows or one by one.
 template <class Lanes>
-void check_stop(bool do_all_meet)
+void check_stop(Lanes set, bool do_all_meet)
 {
-  if(!Lanes::is_supported())
-    return;
   std::vector<internal::Piece_box<2>> boxes(200, {{0, 0}, {1, 1}, 0, 0}); // 19900 pairs
   for(std::size_t i = 1; i < boxes.size() && !do_all_meet; i += 2)
     boxes[i] = {{0, 2}, {1, 3}, 0, 0};
@@ -117,16 +121,14 @@ void check_stop(bool do_all_meet)
     found.row_count = 0;
     return false;
   };
-  Lanes::collect_between(order.run(0), order.run(0), found, stop);
+  set.collect_meeting(order.run(0), order.run(0), found, internal::Flush(stop));
   BOOST_CHECK_EQUAL(calls, 1);
 }
 
 BOOST_AUTO_TEST_CASE(lanes_stop_when_told)
 {
-  for(const bool do_all_meet : {true, false}) {
-    check_stop<internal::Meeting_boxes_plain>(do_all_meet);
-    check_stop<internal::Meeting_boxes_avx512>(do_all_meet);
-  }
+  for(const bool do_all_meet : {true, false})
+    with_all_lanes([&](auto set) { check_stop(set, do_all_meet); });
 }
 
 // Each block starts from boxes of its own, and all of them together from all boxes.

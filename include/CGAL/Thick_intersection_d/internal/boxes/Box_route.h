@@ -18,7 +18,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Equal_cut.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Pair_sweep.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Box_sweep.h>
 
 #include <array>
 #include <cmath>
@@ -187,11 +187,11 @@ private:
     const Place count = static_cast<Place>(candidates / tuning_.candidates_per_block) + 1;
     const std::size_t size = task.finishes_boxes ? original_count(piece) : 0;
     for_each_block<ConcurrencyTag>(count, [&](std::size_t block, std::size_t last) {
-      Pair_sweep<Test, Report> pair_sweep(test_, report_);
+      Box_sweep<Test, Report> box_sweep(test_, report_);
       for(; block != last && !report_.is_stopped(); ++block) {
-        pair_sweep.take_block(static_cast<Place>(block), count);
-        for(std::size_t set = 0; set < Sets && !pair_sweep.is_stopped(); ++set)
-          pair_sweep.between(order.run(set), order.run(Sets - 1 - set));
+        box_sweep.take_block(static_cast<Place>(block), count);
+        for(std::size_t set = 0; set < Sets && !box_sweep.is_stopped(); ++set)
+          box_sweep.between(order.run(set), order.run(Sets - 1 - set));
         advance(size * (block + 1) / count - size * block / count);
       }
     });

@@ -15,8 +15,9 @@
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Box_run.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Flush.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/meeting_boxes.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/with_lanes.h>
 
 #include <array>
 #include <cstddef>
@@ -91,17 +92,18 @@ public:
     box.sides = 0;
   }
 
-  template <class Flush>
-  void collect_between(const Run& a, const Run& b, Found_pairs& found, const Flush& flush) const
+  template <class Function>
+  void collect_between(const Run& a, const Run& b, Found_pairs& found, const Function& flush) const
   {
     const bool are_undecided = !(are_exact_ && dimension() <= Axes)
                                || (a.has_copies && b.has_copies);
     found.is_any_undecided = are_undecided;
-    Meeting_boxes_lanes::collect_between(a, b, found, [&] {
+    const auto flush_and_reset = [&] {
       const bool goes_on = flush();
       found.is_any_undecided = are_undecided;
       return goes_on;
-    });
+    };
+    with_lanes([&](auto set) { set.collect_meeting(a, b, found, Flush(flush_and_reset)); });
   }
 
   bool is_pair(const Run& a, const Run& b, Found_pair pair, Decision_counts&) const

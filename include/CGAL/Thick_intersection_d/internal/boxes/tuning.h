@@ -26,8 +26,9 @@ inline constexpr double max_copies = .5;
 inline constexpr int max_box_cuts = 8;
 
 // How many boxes a plan looks at: of a piece, and of the whole scene. A thousand boxes estimate a
-// share of pairs of 1/1000, which is one candidate per box in a piece of 2000, to a few percent. All
-// threads wait for the first plan: with 16384 boxes it takes a thirtieth of 300,000 rectangles.
+// share of pairs of 1/1000, which is one candidate per box in a piece of 2000, to a few percent.
+// All threads wait for the first plan: of 16384 boxes it takes a thirtieth of the time of 300,000
+// rectangles.
 inline constexpr std::size_t box_sample = 1024;
 inline constexpr std::size_t first_box_sample = 4096;
 

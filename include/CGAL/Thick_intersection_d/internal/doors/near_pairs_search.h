@@ -8,30 +8,39 @@
 // The search behind fixed_radius_near_neighbors(). Chooses the arithmetic and the route by the
 // scene.
 
+#include <CGAL/Arithmetic_tier.h>
 #include <CGAL/Distance_bound.h>
 #include <CGAL/Scene_profile.h>
 #include <CGAL/Thick_point_traits_d.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_tier.h>
 #include <CGAL/Thick_intersection_d/internal/doors/Near_point_boxes.h>
 #include <CGAL/Thick_intersection_d/internal/doors/box_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/doors/recursive_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/Point_doubles.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
+#include <CGAL/Thick_intersection_d/internal/input/Scene_sample.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Is_within_distance.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Near_tie_predicate.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Near_ties_on_demand.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Narrow_points.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Narrow_scale.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_points.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_route.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -46,14 +55,15 @@ class Near_pairs_search
   using Bound = Squared_bound<Exact_number_t<Coordinate_t<Point>>>;
 
 public:
-  // Checks the bound and the points.
+  // Checks the bound and the points. Finds the grid of the scene if `needs_grid`, or if the grid
+  // may decide all pairs.
   template <class NT>
-  Near_pairs_search(const Elements& points, const Distance_bound<NT>& bound)
-    : points_(points), bound_(bound), doubles_(points),
+  Near_pairs_search(const Elements& points, const Distance_bound<NT>& bound, bool needs_grid)
+    : points_(points), bound_(bound), doubles_(points), sample_(points),
       scene_(scan_points<ConcurrencyTag>(
-        points, "point",
+        points, "point", needs_grid || may_grid_decide_all(),
         [&](std::size_t position, int axis, double x) { doubles_.set(position, axis, x); })),
-      profile_(scene_, bound_.reach())
+      profile_(scene_, bound_.reach()), near_ties_([this] { return make_near_ties(); })
   {}
 
   Scene_profile& profile() { return profile_; }
@@ -66,7 +76,7 @@ public:
   {
     if(points_.size() == 0)
       return true;
-    const Is_within_distance<Point> is_within(bound_, scene_, profile_.tier(), counts);
+    const Is_within_distance<Point> is_within = make_predicate(counts);
     if(are_finite_doubles() && (scene_.dimension() == 2 || scene_.dimension() == 3)) {
       if constexpr(dimension_or<Point>(3) == 3)
         if(scene_.extended_axis_count() == 3)
@@ -85,6 +95,32 @@ public:
   }
 
 private:
+  // Whether doubles may compute all squared distances up to the bound without error.
+  bool may_grid_decide_all() const
+  {
+    return sample_.may_have_grid()
+           && first_exact_tier(bound_.reach(), sample_.grid_exponent(),
+                               sample_.extended_axis_count()) == Arithmetic_tier::DOUBLE;
+  }
+
+  Is_within_distance<Point> make_predicate(Shared_decision_counts* counts) const
+  {
+    if(scene_.is_grid_known)
+      return {bound_, scene_, profile_.tier(), counts};
+    return {bound_, scene_, near_ties_, counts};
+  }
+
+  // Reads the grid. Integers decide near ties where doubles could, because the filter of the search
+  // is that of a scene without a grid.
+  Near_tie_predicate make_near_ties() const
+  {
+    Scene scene = scene_;
+    scene.grid_exponent = grid_exponent_of(points_, scene_);
+    const Arithmetic_tier tier
+      = first_exact_tier(bound_.reach(), scene.grid_exponent, scene.extended_axis_count());
+    return {bound_, scene, (std::max)(tier, Arithmetic_tier::INT64)};
+  }
+
   // Whether finite doubles enclose the coordinates, as slabs and boxes need. Places have 32 bits;
   // runs need up to as many places again as there are points, for their ends.
   bool are_finite_doubles() const
@@ -101,9 +137,42 @@ private:
                        Callback& callback, const NamedParameters& np)
   {
     doubles_.keep(searched_axes<Dimension>(scene_));
-    const Near_points<Dimension, Elements> near(points_, scene_, doubles_, is_within);
-    const Slab_route<ConcurrencyTag, Near_points<Dimension, Elements>> route(near);
-    auto progress = make_progress(np, points_.size());
+    using Points = Near_points<Dimension, Elements>;
+    const Points points(points_, scene_, doubles_, is_within);
+    const Narrow_scale<Dimension> scale = narrow_scale<Dimension>(points, is_within);
+    profile_.set_coordinates(scale.is_usable() ? 32 : 64,
+                             scale.is_usable() && !scale.is_exact());
+    if(scale.is_usable())
+      return report_by_slabs_of(Narrow_points<Dimension, Points>(points, scale), sets, callback,
+                                np);
+    return report_by_slabs_of(points, sets, callback, np);
+  }
+
+  // Returns a scale without ties, or one that leaves few of them; none if there are many.
+  template <int Dimension, class Points>
+  Narrow_scale<Dimension> narrow_scale(const Points& points,
+                                       const Is_within_distance<Point>& is_within) const
+  {
+    std::array<Interval, Dimension> box;
+    for(int axis = 0; axis < Dimension; ++axis)
+      box[axis] = points.interval(axis);
+    if(profile_.tier() == Arithmetic_tier::DOUBLE) {
+      const int exponent = profile_.grid_exponent();
+      const Narrow_scale<Dimension> scale(box, exponent, profile_.units(),
+                                          is_within.first_square_beyond(exponent));
+      if(scale.is_usable())
+        return scale;
+    }
+    return sample_.is_repetitive() ? Narrow_scale<Dimension>()
+                                   : Narrow_scale<Dimension>(box, points.filter());
+  }
+
+  template <class Points, class Sets, class Callback, class NamedParameters>
+  static bool report_by_slabs_of(const Points& points, const Sets& sets, Callback& callback,
+                                 const NamedParameters& np)
+  {
+    const Slab_route<ConcurrencyTag, Points> route(points);
+    auto progress = make_progress(np, points.size());
     if constexpr(Sets::are_two) {
       const auto callback_of_two_sets
         = [&](std::size_t i, std::size_t j) { return callback(i, j - sets.first_size); };
@@ -119,8 +188,10 @@ private:
   const Elements& points_;
   const Bound bound_;
   Doubles<Elements> doubles_;
+  const Scene_sample sample_;
   const Scene scene_;
   Scene_profile profile_;
+  const Near_ties_on_demand near_ties_;
 };
 
 template <class ConcurrencyTag, class Elements, class Sets, class NT, class Callback,
@@ -129,7 +200,7 @@ bool report_near_pairs(const Elements& points, const Sets& sets,
                        const Distance_bound<NT>& bound, Callback& callback,
                        const NamedParameters& np)
 {
-  Near_pairs_search<ConcurrencyTag, Elements> search(points, bound);
+  Near_pairs_search<ConcurrencyTag, Elements> search(points, bound, false);
   return search.report(sets, callback, np, nullptr);
 }
 
@@ -140,7 +211,7 @@ bool report_near_pairs(const Elements& points, const Sets& sets,
                        const Distance_bound<NT>& bound, Callback& callback,
                        Scene_profile& profile, const NamedParameters& np)
 {
-  Near_pairs_search<ConcurrencyTag, Elements> search(points, bound);
+  Near_pairs_search<ConcurrencyTag, Elements> search(points, bound, true);
   if(profile.forced_tier())
     search.profile().force_tier(*profile.forced_tier());
   Shared_decision_counts counts;

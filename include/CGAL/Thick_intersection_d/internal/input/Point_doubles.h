@@ -10,6 +10,7 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
 
 #include <algorithm>
 #include <array>
@@ -30,6 +31,14 @@ public:
   explicit Held_doubles(const Elements& points) : points_(points) {}
 
   void set(std::size_t, int, double) {}
+
+  // Asks for the memory of a point.
+  void ask_for([[maybe_unused]] std::size_t position) const
+  {
+    if constexpr(std::is_lvalue_reference_v<decltype(points_[position])>)
+      prefetch(std::addressof(points_[position]));
+  }
+
 
   template <std::size_t Dimension>
   void keep(const std::array<int, Dimension>&) {}
@@ -73,6 +82,12 @@ public:
       columns_[static_cast<std::size_t>(axis)][position] = x;
   }
 
+  void ask_for(std::size_t position) const
+  {
+    for(const auto& column : columns_)
+      prefetch(column.get() + position);
+  }
+
   // Forgets the coordinates along other axes.
   template <std::size_t Dimension>
   void keep(const std::array<int, Dimension>& axes)
@@ -113,6 +128,7 @@ public:
     : doubles_(doubles), axes_(axes)
   {}
 
+  void ask_for(std::size_t position) const { doubles_.ask_for(position); }
   double at(std::size_t position, int axis) const { return doubles_.at(position, axes_[axis]); }
 
   template <int>

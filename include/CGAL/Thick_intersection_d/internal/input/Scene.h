@@ -7,6 +7,7 @@
 
 // The scene, as all wings see it. One pass over the coordinates finds it.
 
+#include <CGAL/Thick_intersection_d/internal/arithmetic/Double_grid.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 
 #include <algorithm>
@@ -28,8 +29,9 @@ struct Scene
   double error = 0;
 
   // The exponent of the coarsest grid 2^e Z that holds all coordinates along the axes along which
-  // the points differ. There is a grid if and only if the error is zero.
+  // the points differ. There is a grid if and only if the error is zero; it may not be known.
   std::optional<int> grid_exponent;
+  bool is_grid_known = true;
 
   int dimension() const { return static_cast<int>(box.size()); }
 
@@ -47,6 +49,16 @@ struct Scene
     for(const Interval& interval : box)
       largest = (std::max)({largest, -interval.low, interval.high});
     return largest;
+  }
+
+  // Returns the exponent of the grid, given the grids along all axes.
+  int exponent_of(const std::vector<Double_grid>& grids) const
+  {
+    Double_grid grid;
+    for(int axis = 0; axis < dimension(); ++axis)
+      if(is_extended_along(axis))
+        grid.add(grids[static_cast<std::size_t>(axis)]);
+    return grid.exponent();
   }
 
   int extended_axis_count() const

@@ -32,8 +32,9 @@ namespace internal {
 class Scene_scan
 {
 public:
-  explicit Scene_scan(int dimension)
-    : box_(static_cast<std::size_t>(dimension)), grids_(box_.size())
+  // Finds the grid of the coordinates or not: this takes half of the time.
+  Scene_scan(int dimension, bool finds_grid)
+    : box_(static_cast<std::size_t>(dimension)), finds_grid_(finds_grid), grids_(box_.size())
   {}
 
   // The position of the first point that is not finite or has another dimension.
@@ -44,25 +45,13 @@ public:
   template <class Elements, class Store>
   void add(const Elements& points, std::size_t first, std::size_t last, const Store& store)
   {
-    using Number = Coordinate_t<typename Elements::value_type>;
-    const int dimension = static_cast<int>(box_.size());
-    for(std::size_t position = first; position < last; ++position) {
-      const auto& point = points[position];
-      bool is_good = point.dimension() == dimension;
-      for(int axis = 0; is_good && axis < dimension; ++axis) {
-        const std::pair<double, double> x = coordinate_bounds(point, axis);
-        is_good = are_bounds_of_finite(x);
-        box_[axis].add(Interval{x.first, x.second});
-        grids_[axis].add(x.first);
-        if constexpr(!is_held_by_double_v<Number>)
-          error_ = (std::max)(error_, x.second - x.first);
-        store(position, axis, x.first);
-      }
-      if(!is_good) {
-        first_bad_ = position;
-        return;
-      }
-    }
+    if(finds_grid_)
+      add_points(points, first, last, [&](std::size_t position, int axis, double x) {
+        grids_[axis].add(x);
+        store(position, axis, x);
+      });
+    else
+      add_points(points, first, last, store);
   }
 
   // Adds what another scan has found about other points.
@@ -82,20 +71,41 @@ public:
     Scene scene;
     scene.size = size;
     scene.box = box_;
-    if(error_ != 0) {
+    if(error_ != 0)
       scene.error = std::nextafter(error_, std::numeric_limits<double>::infinity()); // was rounded
-      return scene;
-    }
-    Double_grid grid;
-    for(int axis = 0; axis < scene.dimension(); ++axis)
-      if(scene.is_extended_along(axis))
-        grid.add(grids_[axis]);
-    scene.grid_exponent = grid.exponent();
+    else if(finds_grid_)
+      scene.grid_exponent = scene.exponent_of(grids_);
+    else
+      scene.is_grid_known = false;
     return scene;
   }
 
 private:
+  template <class Elements, class Store>
+  void add_points(const Elements& points, std::size_t first, std::size_t last, const Store& store)
+  {
+    using Number = Coordinate_t<typename Elements::value_type>;
+    const int dimension = static_cast<int>(box_.size());
+    for(std::size_t position = first; position < last; ++position) {
+      const auto& point = points[position];
+      bool is_good = point.dimension() == dimension;
+      for(int axis = 0; is_good && axis < dimension; ++axis) {
+        const std::pair<double, double> x = coordinate_bounds(point, axis);
+        is_good = are_bounds_of_finite(x);
+        box_[axis].add(Interval{x.first, x.second});
+        if constexpr(!is_held_by_double_v<Number>)
+          error_ = (std::max)(error_, x.second - x.first);
+        store(position, axis, x.first);
+      }
+      if(!is_good) {
+        first_bad_ = position;
+        return;
+      }
+    }
+  }
+
   std::vector<Interval> box_;
+  bool finds_grid_;
   std::vector<Double_grid> grids_; // of the lower bounds, per axis
   double error_ = 0;               // the largest difference of two bounds
   std::size_t first_bad_ = (std::numeric_limits<std::size_t>::max)();
@@ -105,10 +115,10 @@ private:
 // coordinate. Throws if a coordinate is NaN or infinite, or if a point has another dimension than
 // the first point; messages call a point `name`. Throws if denormal numbers are flushed to zero.
 template <class ConcurrencyTag, class Elements, class Store>
-Scene scan_points(const Elements& points, const char* name, const Store& store)
+Scene scan_points(const Elements& points, const char* name, bool finds_grid, const Store& store)
 {
   const int dimension = points.size() == 0 ? 0 : points[0].dimension();
-  Scene_scan all(dimension);
+  Scene_scan all(dimension, finds_grid);
   std::vector<Scene_scan> scans(block_count<ConcurrencyTag>(), all);
   for_each_numbered_block<ConcurrencyTag>(
     scans.size(), points.size(), [&](std::size_t block, std::size_t first, std::size_t last) {
@@ -123,9 +133,20 @@ Scene scan_points(const Elements& points, const char* name, const Store& store)
 }
 
 template <class ConcurrencyTag, class Elements>
-Scene scan_points(const Elements& points, const char* name)
+Scene scan_points(const Elements& points, const char* name, bool finds_grid = true)
 {
-  return scan_points<ConcurrencyTag>(points, name, [](std::size_t, int, double) {});
+  return scan_points<ConcurrencyTag>(points, name, finds_grid, [](std::size_t, int, double) {});
+}
+
+// Returns the exponent of the grid of points that have been scanned without it.
+template <class Elements>
+int grid_exponent_of(const Elements& points, const Scene& scene)
+{
+  std::vector<Double_grid> grids(scene.box.size());
+  for(std::size_t position = 0; position < points.size(); ++position)
+    for(int axis = 0; axis < scene.dimension(); ++axis)
+      grids[axis].add(coordinate_bounds(points[position], axis).first);
+  return scene.exponent_of(grids);
 }
 
 } // namespace internal

@@ -13,11 +13,13 @@
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_tier.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Near_tie_predicate.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Near_ties_on_demand.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Scaled_filter.h>
 
 #include <cmath>
@@ -44,6 +46,14 @@ public:
   {
     if constexpr(is_held_by_double_v<Number>)
       near_tie_ = Near_tie_predicate(bound, dimension);
+  }
+
+  // For the points of a scene whose grid is not known.
+  Is_within_distance(const Bound& bound, const Scene& scene, const Near_ties_on_demand& near_ties,
+                     Shared_decision_counts* counts)
+    : Is_within_distance(bound, scene, Arithmetic_tier::FILTERED_EXACT, counts)
+  {
+    near_ties_ = &near_ties;
   }
 
   // For the points of a scene, and no other points. Uses the arithmetic of `tier`, which is to be
@@ -97,13 +107,22 @@ public:
   double reach_of_doubles() const { return reach_of_doubles_; }
   const Distance_filter& filter_of_doubles() const { return filter_of_doubles_; }
 
+  // Returns the least number of squared steps of the grid 2^e Z that is not within the bound. A
+  // reach is to have fewer than 2^31 steps.
+  std::uint64_t first_square_beyond(int grid_exponent) const
+  {
+    const double steps = steps_within(bound_.reach(), grid_exponent);
+    return bound_.template first_beyond<std::uint64_t>(grid_exponent,
+                                                       2 * (std::ilogb(steps + 1) + 1));
+  }
+
   // The second question: returns whether points with the doubles x(i) and y(i), for i < `axes`, are
   // within the bound. Returns nothing if only the points themselves can show this.
   template <class X, class Y>
   std::optional<bool> decide_near_tie(const X& x, const Y& y, int axes,
                                       Decision_counts& counts) const
   {
-    return near_tie_.decide(x, y, axes, counts);
+    return near_tie().decide(x, y, axes, counts);
   }
 
   // The last question, for points that the first two questions left undecided. It asks the filter
@@ -140,7 +159,7 @@ private:
     // A near tie is decided only if the coordinates are doubles, so their bounds are equal.
     const auto x = [&](int i) { return coordinate_bounds(p, i).first; };
     const auto y = [&](int i) { return coordinate_bounds(q, i).first; };
-    if(const std::optional<bool> is_within = near_tie_.decide(x, y, dimension_, counts))
+    if(const std::optional<bool> is_within = near_tie().decide(x, y, dimension_, counts))
       return *is_within;
     return decide_exactly(p, q, counts);
   }
@@ -156,6 +175,11 @@ private:
     if(s.inf > filter_.outside)
       return false;
     return std::nullopt;
+  }
+
+  const Near_tie_predicate& near_tie() const
+  {
+    return near_ties_ == nullptr ? near_tie_ : near_ties_->get();
   }
 
   bool decide_exactly(const Point& p, const Point& q, Decision_counts& counts) const
@@ -175,6 +199,7 @@ private:
   int dimension_;
   Distance_filter filter_;
   Near_tie_predicate near_tie_;
+  const Near_ties_on_demand* near_ties_ = nullptr; // instead, if there are any
   bool are_doubles_exact_ = is_held_by_double_v<Number>;
   double scale_of_doubles_ = 1;
   Distance_filter filter_of_doubles_;

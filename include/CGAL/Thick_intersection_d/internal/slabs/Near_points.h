@@ -16,12 +16,12 @@
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Is_within_distance.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_question.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/near_points.h>
 
 #include <array>
 #include <cstddef>
@@ -51,6 +51,11 @@ template <int Dimension, class Elements>
 class Near_points
 {
   using Element = typename Elements::value_type;
+  struct Near
+  {
+    double reach;
+    Distance_filter filter;
+  };
 
   // Whether the search takes all axes of the points, by their type.
   static constexpr bool takes_all_axes = dimension_or<Element>(0) == Dimension;
@@ -59,7 +64,7 @@ class Near_points
                                           const Doubles_along_axes<Dimension, All_doubles>>;
 
 public:
-  using Point = Slab_point<Dimension>;
+  using Point = Slab_point<Dimension, double>;
   using Run = typename Point::Run;
 
   Near_points(const Elements& points, const Scene& scene, const All_doubles& doubles,
@@ -100,36 +105,32 @@ public:
     return s <= near_.filter.inside;
   }
 
-  template <class Flush>
-  void collect_within(const Run& run, Found_pairs& found, const Flush& flush) const
+  Near_question<double> question() const
   {
-    Near_points_lanes::collect_within(run, near_, found, flush);
+    return {near_.reach, near_.filter.inside, near_.filter.outside};
   }
 
-  template <class Flush>
-  void collect_between(const Run& a, const Run& b, Found_pairs& found,
-                       const Flush& flush) const
-  {
-    Near_points_lanes::collect_between(a, b, near_, found, flush);
-  }
+  // What is_pair() reads of the runs is in the cache.
+  void ask_for(const Run&, const Run&, Found_pair) const {}
 
-  // Whether a found pair is within the bound. The runs are in the cache, the user's points are not.
   bool is_pair(const Run& a, const Run& b, Found_pair pair, Decision_counts& counts) const
   {
-    if(squared_distance(a, b, pair) <= near_.filter.inside) { // the lanes found this, and forgot it
-      counts.add(Arithmetic_tier::DOUBLE);
-      return true;
-    }
-    // Numbers of a grid that decides ties have not underflowed.
-    const auto x = [&](int axis) { return a.x[axis][pair.i] * unscale_; };
-    const auto y = [&](int axis) { return b.x[axis][pair.j] * unscale_; };
-    if(const std::optional<bool> is = is_within_.decide_near_tie(x, y, Dimension, counts))
-      return *is;
-    return is_within_.decide_undecided(points_[a.positions[pair.i]], points_[b.positions[pair.j]],
-                                       counts);
+    return decide([&](int axis) { return a.x[axis][pair.i]; },
+                  [&](int axis) { return b.x[axis][pair.j]; }, a.positions[pair.i],
+                  b.positions[pair.j], counts);
+  }
+
+  // The same of points at positions.
+  void ask_for(Place position) const { doubles_.ask_for(position); }
+  bool is_pair(Place p, Place q, Decision_counts& counts) const
+  {
+    return decide([&](int axis) { return coordinate(p, axis); },
+                  [&](int axis) { return coordinate(q, axis); }, p, q, counts);
   }
 
   void publish(const Decision_counts& counts) const { is_within_.publish(counts); }
+
+  const Distance_filter& filter() const { return near_.filter; }
 
 private:
   static Some_doubles some_doubles(const All_doubles& doubles,
@@ -141,14 +142,26 @@ private:
       return Some_doubles(doubles, axes);
   }
 
-  static double squared_distance(const Run& a, const Run& b, Found_pair pair)
+  // Decides about the points at the positions p and q, which have the doubles x(axis) and y(axis).
+  template <class X, class Y>
+  bool decide(const X& x, const Y& y, Place p, Place q, Decision_counts& counts) const
   {
     double s = 0;
-    for(int axis = 0; axis < Dimension; ++axis) {
-      const double gap = a.x[axis][pair.i] - b.x[axis][pair.j];
-      s += gap * gap;
+    for(int axis = 0; axis < Dimension; ++axis)
+      s += (x(axis) - y(axis)) * (x(axis) - y(axis));
+    if(s <= near_.filter.inside) {
+      counts.add(Arithmetic_tier::DOUBLE);
+      return true;
     }
-    return s;
+    if(s > near_.filter.outside)
+      return false;
+    // Numbers of a grid that decides ties have not underflowed.
+    const auto unscaled_x = [&](int axis) { return x(axis) * unscale_; };
+    const auto unscaled_y = [&](int axis) { return y(axis) * unscale_; };
+    if(const std::optional<bool> is
+       = is_within_.decide_near_tie(unscaled_x, unscaled_y, Dimension, counts))
+      return *is;
+    return is_within_.decide_undecided(points_[p], points_[q], counts);
   }
 
   const Elements& points_;
@@ -158,7 +171,7 @@ private:
   const Is_within_distance<Element>& is_within_;
   const double scale_;   // a power of two
   const double unscale_;
-  const Near_question near_;
+  const Near near_;
 };
 
 } // namespace internal

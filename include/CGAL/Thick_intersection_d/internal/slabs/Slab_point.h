@@ -17,24 +17,18 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// The coordinates of a point as doubles, along the axes that are searched, and its position.
-//
-// Another kind of element in the slabs is another class like this one: slabs, strips and buckets
-// order it by x, and its runs have the columns that its lanes ask for.
-template <int Dimension>
+// The coordinates of a point along the axes that are searched, as doubles or as 32-bit integers,
+// and its position.
+template <int Dimension, class CoordinateNumber>
 struct Slab_point
 {
+  using Number = CoordinateNumber;
   static constexpr int dimension = Dimension;
   static constexpr int slab_axis = Dimension - 1; // the axis that slabs are cut along
 
-  // The columns of a run: coordinates, and which of them bound the element along an axis.
-  using Run = internal::Run<Dimension>;
-  static constexpr int column_count = Dimension;
-  static constexpr int low_column(int axis) { return axis; }
-  static constexpr int high_column(int axis) { return axis; }
-  double column(int index) const { return x[index]; }
+  using Run = internal::Run<Dimension, Number>;
 
-  std::array<double, Dimension> x;
+  std::array<Number, Dimension> x;
   Place position;
 };
 

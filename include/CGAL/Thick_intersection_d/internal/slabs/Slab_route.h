@@ -14,7 +14,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Pair_sweep.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Near_sweep.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_sweep.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_window.h>
@@ -30,7 +30,7 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// `Test` is a source for Slabs and a test for Pair_sweep. It also has a type Point, like
+// `Test` is a source for Slabs and a test for Near_sweep. It also has a type Point, like
 // Slab_point, whose runs are its own, and the functions size(), reach(), are_all_pairs() and
 // publish(counts), as Near_points does.
 template <class ConcurrencyTag, class Test>
@@ -83,14 +83,14 @@ private:
                    Progress& progress) const
   {
     Window window(slabs, reach_, first, tuning_);
-    Pair_sweep<Test, Report> pair_sweep(test_, report);
-    Slab_sweep<Point, Pair_sweep<Test, Report>> sweep(reach_, pair_sweep);
+    Near_sweep<Test, Report> near_sweep(test_, report);
+    Slab_sweep<Point, Near_sweep<Test, Report>> sweep(reach_, near_sweep);
     Slabs_nearby nearby;
     for(; window.slab() < last && !report.is_stopped(); window.pop()) {
       window.find_within_reach(window.front()->interval(axis).high, nearby);
       sweep_slab(*window.front(), nearby, sweep, report, progress);
     }
-    test_.publish(pair_sweep.counts());
+    test_.publish(near_sweep.counts());
   }
 
   // Sweeps a slab with the slabs nearby. If there are very many candidates, it sweeps in blocks.
@@ -106,14 +106,14 @@ private:
       return;
     }
     for_each_block<ConcurrencyTag>(count, [&](std::size_t block, std::size_t last) {
-      Pair_sweep<Test, Report> pair_sweep(test_, report);
-      Sweep sweep_of_block(reach_, pair_sweep);
+      Near_sweep<Test, Report> near_sweep(test_, report);
+      Sweep sweep_of_block(reach_, near_sweep);
       for(; block != last && !report.is_stopped(); ++block) {
-        pair_sweep.take_block(static_cast<Place>(block), count);
+        near_sweep.take_block(static_cast<Place>(block), count);
         sweep_of_block.between(slab, nearby);
         advance(progress, slab.size() * (block + 1) / count - slab.size() * block / count, report);
       }
-      test_.publish(pair_sweep.counts());
+      test_.publish(near_sweep.counts());
     });
   }
 

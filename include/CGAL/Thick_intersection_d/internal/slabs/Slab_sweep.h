@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// `Sweep` has the functions within(run), between(a, b) and is_stopped() of Pair_sweep.
+// `Sweep` has the functions within(run), between(a, b) and is_stopped() of Near_sweep.
 template <class Point, class Sweep>
 class Slab_sweep
 {

@@ -12,6 +12,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Equal_cut.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/tuning.h>
@@ -65,8 +66,12 @@ public:
 private:
   static constexpr int axis = Point::slab_axis;
 
+  // How many points ahead the memory that a point goes to is asked for.
+  static constexpr int distance = 16;
+
   // Sorts the points by slabs, by counting. Each block of points has its own counts, which become
-  // the places that the block writes to.
+  // the places that the block writes to. There are too many slabs for the processor to have the
+  // ends of all of them at hand.
   template <class ConcurrencyTag, class Source>
   void distribute(const Source& source, const Equal_cut& cut, Place size)
   {
@@ -87,9 +92,15 @@ private:
     begins_.push_back(sum);
     for_each_numbered_block<ConcurrencyTag>(
       blocks, size, [&](std::size_t block, std::size_t i, std::size_t end) {
-        for(; i != end; ++i) {
-          const Place slab = cut(source.coordinate(i, axis));
-          source.put(i, points_[next[block * count + slab]++]);
+        Place slabs[distance];
+        while(i != end) {
+          const std::size_t some = (std::min)(end - i, std::size_t(distance));
+          for(std::size_t p = 0; p < some; ++p) {
+            slabs[p] = cut(source.coordinate(i + p, axis));
+            prefetch_for_write(&points_[next[block * count + slabs[p]]]);
+          }
+          for(std::size_t p = 0; p < some; ++p, ++i)
+            source.put(i, points_[next[block * count + slabs[p]]++]);
         }
       });
   }

@@ -41,6 +41,7 @@ struct Strip
 template <class Point>
 class Strips
 {
+  using Number = typename Point::Number;
   static constexpr int dimension = Point::dimension;
 
 public:
@@ -58,8 +59,8 @@ public:
   typename Point::Run run(const Strip_of_points& strip) const
   {
     typename Point::Run run;
-    for(int c = 0; c < Point::column_count; ++c)
-      run.x[c] = columns_[c].data() + strip.begin;
+    for(int axis = 0; axis < dimension; ++axis)
+      run.x[axis] = columns_[axis].data() + strip.begin;
     run.positions = positions_.data() + strip.begin;
     run.size = strip.size();
     return run;
@@ -68,7 +69,7 @@ public:
   // Returns the number of candidates.
   double count_candidates(double reach) const
   {
-    const double* const x = columns_[0].data();
+    const Number* const x = columns_[0].data();
     double count = 0;
     for(const Strip_of_points& strip : strips_)
       for(Place first = strip.begin, i = first; i != strip.end; ++i) {
@@ -109,17 +110,17 @@ public:
   void append_border(const Strips& other, const Strip_of_points& strip, int axis,
                      const Interval& interval, Place* kept)
   {
-    const double* low = other.columns_[Point::low_column(axis)].data();
-    const double* high = other.columns_[Point::high_column(axis)].data();
+    const Number* const x = other.columns_[axis].data();
+    const Number low = static_cast<Number>(interval.low); // both ends are numbers of this type
+    const Number high = static_cast<Number>(interval.high);
     Place count = 0;
     for(Place i = strip.begin; i != strip.end; ++i) {
       kept[count] = i;
-      count += static_cast<Place>(high[i] >= interval.low)
-               & static_cast<Place>(low[i] <= interval.high);
+      count += static_cast<Place>(x[i] >= low) & static_cast<Place>(x[i] <= high);
     }
-    for(int c = 0; c < Point::column_count; ++c) {
-      const double* from = other.columns_[c].data();
-      double* to = columns_[c].data() + end_;
+    for(int c = 0; c < dimension; ++c) {
+      const Number* from = other.columns_[c].data();
+      Number* to = columns_[c].data() + end_;
       for(Place k = 0; k < count; ++k)
         to[k] = from[kept[k]];
     }
@@ -136,11 +137,10 @@ private:
     Strip_of_points strip{end_, end_, {}, sides};
     for(; first != last; ++first) {
       const Point& p = *first;
-      for(int c = 0; c < Point::column_count; ++c)
-        columns_[c].data()[strip.end] = p.column(c);
-      for(int axis = 0; axis < dimension; ++axis)
-        strip.box[axis].add(
-          Interval{p.column(Point::low_column(axis)), p.column(Point::high_column(axis))});
+      for(int axis = 0; axis < dimension; ++axis) {
+        columns_[axis].data()[strip.end] = p.x[axis];
+        strip.box[axis].add(p.x[axis]);
+      }
       positions_.data()[strip.end] = p.position;
       strip.end += keep(p.position); // no branch: the next point takes the place of one not kept
     }
@@ -151,10 +151,10 @@ private:
   void close(const Strip_of_points& strip)
   {
     for(Place lane = 0; lane < lanes; ++lane)
-      columns_[0].data()[strip.end + lane] = std::numeric_limits<double>::quiet_NaN();
-    for(int c = 1; c < Point::column_count; ++c) // the sweep reads these, but does not use them
+      columns_[0].data()[strip.end + lane] = end_of_run<Number>(lane);
+    for(int axis = 1; axis < dimension; ++axis) // the sweep reads these, but does not use them
       for(Place lane = 0; lane < lanes; ++lane)
-        columns_[c].data()[strip.end + lane] = 0;
+        columns_[axis].data()[strip.end + lane] = 0;
     end_ = strip.end + lanes;
     if(strip.size() == 0)
       return;
@@ -164,7 +164,7 @@ private:
       box_[axis].add(strip.box[axis]);
   }
 
-  std::array<Buffer<double>, Point::column_count> columns_;
+  std::array<Buffer<Number>, dimension> columns_;
   Buffer<Place> positions_;
   std::vector<Strip_of_points> strips_;
   Box_of_intervals<dimension> box_;

@@ -5,7 +5,7 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_FOUND_PAIRS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_FOUND_PAIRS_H
 
-// Pairs that lanes have found, and that Pair_sweep decides and reports.
+// Pairs that lanes have found, and that sweeps decide and report.
 
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>

@@ -7,16 +7,22 @@
 
 // The question that lanes ask about two points.
 
-#include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
+#include <type_traits>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
+// What sums of squares of differences are computed in.
+template <class Number>
+using Real_of = std::conditional_t<std::is_same_v<Number, double>, double, float>;
+
+template <class Number>
 struct Near_question
 {
-  double reach;           // along axis 0
-  Distance_filter filter; // of the squared distance
+  Number reach;            // along axis 0
+  Real_of<Number> inside;  // a computed squared distance up to it is certainly within the bound
+  Real_of<Number> outside; // and one above it is certainly beyond
 };
 
 } // namespace internal

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -20,12 +21,12 @@ namespace internal {
 // How many pairs are computed at once.
 inline constexpr Place lanes = 8;
 
-// Behind the last point there are `lanes` points whose coordinate along axis 0 is NaN. They are not
-// near any point, so they end all loops.
-template <int Dimension>
+// Behind the last point there are `lanes` points that end all loops: along axis 0 they are beyond
+// reach of all points and of each other. end_of_run() gives their coordinates.
+template <int Dimension, class Number>
 struct Run
 {
-  std::array<const double*, Dimension> x;
+  std::array<const Number*, Dimension> x;
   const Place* positions;
   Place size;
 
@@ -37,13 +38,34 @@ struct Run
     const Place begin = static_cast<Place>(groups * index / count * lanes);
     const Place end = static_cast<Place>(groups * (index + 1) / count * lanes);
     Run block = *this;
-    for(const double*& column : block.x)
+    for(const Number*& column : block.x)
       column += begin;
     block.positions += begin;
     block.size = (std::min)(end, size) - begin;
     return block;
   }
 };
+
+// Returns the coordinate along axis 0 of the last points of a run. A point is near none if a
+// coordinate is NaN.
+template <class Number>
+Number end_of_run(Place lane);
+template <>
+inline double end_of_run(Place)
+{
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+// Coordinates that are 32-bit integers are from zero to this number, and their reach is at most the
+// other one. So no difference of coordinates overflows, those at the ends of runs included.
+inline constexpr std::int32_t max_narrow_coordinate = 1 << 30;
+inline constexpr std::int32_t max_narrow_reach = 1 << 25;
+
+template <>
+inline std::int32_t end_of_run(Place lane)
+{
+  return max_narrow_coordinate + static_cast<std::int32_t>(lane + 1) * (max_narrow_reach + 1);
+}
 
 } // namespace internal
 } // namespace Thick_intersection_d

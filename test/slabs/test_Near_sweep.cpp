@@ -1,45 +1,46 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Sweeps report each near pair once, the smaller position first; in blocks, each block its share.
+// Sweeps of points report each near pair once, the smaller position first; in blocks, each block
+// its share.
 
 #include "support/pairs.h"
 #include "support/point_generators.h"
 #include "support/run_of_points.h"
 
+#include <CGAL/Arithmetic_tier.h>
+
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Pair_sweep.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/near_points.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Near_sweep.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_question.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
-BOOST_AUTO_TEST_SUITE(Pair_sweep)
+BOOST_AUTO_TEST_SUITE(Near_sweep)
 
 using namespace test_support;
 namespace internal = CGAL::Thick_intersection_d::internal;
 
 // Pairs at most 1 apart along axis 0. The lanes decide all of them, or none, and then each second
-// candidate is a pair.
+// one is a pair.
 struct Near_along_axis_0
 {
-  using Run = internal::Run<2>;
+  using Run = internal::Run<2, double>;
 
-  internal::Near_question question;
+  internal::Near_question<double> near;
 
-  template <class Flush>
-  void collect_within(const Run& run, internal::Found_pairs& candidates, const Flush& flush) const
-  {
-    internal::Near_points_plain::collect_within(run, question, candidates, flush);
-  }
-  template <class Flush>
-  void collect_between(const Run& a, const Run& b, internal::Found_pairs& candidates,
-                       const Flush& flush) const
-  {
-    internal::Near_points_plain::collect_between(a, b, question, candidates, flush);
-  }
+  const internal::Near_question<double>& question() const { return near; }
+
+  void ask_for(const Run&, const Run&, internal::Found_pair) const {}
+
   bool is_pair(const Run& a, const Run& b, internal::Found_pair pair,
                internal::Decision_counts& counts) const
   {
@@ -48,8 +49,8 @@ struct Near_along_axis_0
   }
 };
 
-const internal::Near_question decided = {1, {1, 1}};
-const internal::Near_question undecided = {1, {-1, 1}};
+const internal::Near_question<double> decided = {1, 1, 1};
+const internal::Near_question<double> undecided = {1, -1, 1};
 
 Points points_on_line(std::size_t size, std::size_t side, Random& random)
 {
@@ -76,13 +77,13 @@ Pairs by_brute_force(const Run_of_points<2>& a, const Run_of_points<2>* b, bool 
 
 // Sweeps all blocks. The blocks have no pair in common.
 Pairs by_sweeps(const Run_of_points<2>& a, const Run_of_points<2>* b,
-                const internal::Near_question& question, internal::Place block_count)
+                const internal::Near_question<double>& question, internal::Place block_count)
 {
   Pairs pairs;
   auto callback = [&](std::size_t i, std::size_t j) { pairs.emplace_back(i, j); };
   internal::Pair_reporter<decltype(callback)> report(callback);
   const Near_along_axis_0 test = {question};
-  internal::Pair_sweep<Near_along_axis_0, decltype(report)> sweep(test, report);
+  internal::Near_sweep<Near_along_axis_0, decltype(report)> sweep(test, report);
   for(internal::Place block = 0; block < block_count; ++block) {
     sweep.take_block(block, block_count);
     if(b)
@@ -117,13 +118,13 @@ BOOST_AUTO_TEST_CASE(all_blocks_together_report_each_pair_once)
 BOOST_AUTO_TEST_CASE(each_candidate_is_counted_once)
 {
   const Run_of_points<2> a(identical_points(2, 100, 1));
-  for(const internal::Near_question& question : {decided, undecided}) {
+  for(const internal::Near_question<double>& question : {decided, undecided}) {
     auto ignore = [](std::size_t, std::size_t) {};
     internal::Pair_reporter<decltype(ignore)> report(ignore);
     const Near_along_axis_0 test = {question};
-    internal::Pair_sweep<Near_along_axis_0, decltype(report)> sweep(test, report);
+    internal::Near_sweep<Near_along_axis_0, decltype(report)> sweep(test, report);
     sweep.within(a.run());
-    const bool by_lanes = question.filter.inside == 1;
+    const bool by_lanes = question.inside == 1;
     BOOST_CHECK_EQUAL(sweep.counts()[CGAL::Arithmetic_tier::DOUBLE], by_lanes ? 4950u : 0u);
     BOOST_CHECK_EQUAL(sweep.counts()[CGAL::Arithmetic_tier::INT64], by_lanes ? 0u : 4950u);
   }
@@ -136,7 +137,7 @@ BOOST_AUTO_TEST_CASE(a_sweep_stops_when_the_report_says_so)
   auto stop = [&](std::size_t, std::size_t) { return ++calls < 10; };
   internal::Pair_reporter<decltype(stop)> report(stop);
   const Near_along_axis_0 test = {decided};
-  internal::Pair_sweep<Near_along_axis_0, decltype(report)> sweep(test, report);
+  internal::Near_sweep<Near_along_axis_0, decltype(report)> sweep(test, report);
   sweep.within(a.run());
   BOOST_CHECK(sweep.is_stopped());
   BOOST_CHECK_EQUAL(calls, 10);

@@ -2,12 +2,12 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_PAIR_SWEEP_H
-#define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_PAIR_SWEEP_H
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_BOXES_BOX_SWEEP_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_BOXES_BOX_SWEEP_H
 
-// Sweeps one or two sorted runs: lanes find pairs, the test decides those that lanes left
-// undecided, and the report gets the rest. It knows neither where the runs come from nor what makes
-// a pair.
+// Sweeps two sorted runs of boxes, which may be the same run: lanes find pairs, the test decides
+// those that lanes left undecided, and the report gets the rest. It knows neither where the runs
+// come from nor what makes a pair.
 
 #include <CGAL/Arithmetic_tier.h>
 
@@ -26,23 +26,21 @@ namespace internal {
 
 // `Test` decides what a pair is. It has
 //
-//   Run                                 sorted elements in columns, with positions and block()
-//   collect_within(run, found, flush)   finds the pairs in a run that are not certainly no pairs,
-//                                       by lanes; within() alone needs it
-//   collect_between(a, b, found, flush) finds such pairs between two runs
+//   Run                                 sorted boxes in columns, with positions and block()
+//   collect_between(a, b, found, flush) finds the pairs that are not certainly no pairs, by lanes
 //   is_pair(a, b, pair, counts)         decides about a found pair; called if lanes left any
 //                                       found pair undecided
 //
 // `Report` takes two positions, returns false to stop, and has is_stopped().
 template <class Test, class Report>
-class Pair_sweep
+class Box_sweep
 {
   using Run = typename Test::Run;
 
 public:
-  Pair_sweep(const Test& test, Report& report) : test_(test), report_(report) {}
+  Box_sweep(const Test& test, Report& report) : test_(test), report_(report) {}
 
-  // From now on, starts from the elements of one of `count` blocks of each run only.
+  // From now on, starts from the boxes of one of `count` blocks of each run only.
   void take_block(Place index, Place count)
   {
     block_index_ = index;
@@ -54,15 +52,7 @@ public:
   // How many pairs each arithmetic has decided so far.
   const Decision_counts& counts() const { return counts_; }
 
-  // Reports the pairs of a run.
-  void within(const Run& run)
-  {
-    const Run a = block_of(run);
-    test_.collect_within(a, found_, [&] { return flush(a, a); });
-    flush(a, a);
-  }
-
-  // Reports the pairs of an element of one run and an element of another.
+  // Reports the pairs of a box of one run and a box of the other.
   void between(const Run& run, const Run& b)
   {
     const Run a = block_of(run);
@@ -163,4 +153,4 @@ private:
 } // namespace Thick_intersection_d
 } // namespace CGAL
 
-#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_PAIR_SWEEP_H
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_BOXES_BOX_SWEEP_H

@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_NEAR_PAIRS_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_NEAR_PAIRS_H
+
+// Near pairs of points that lanes have found, and that Near_sweep decides and reports.
+
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
+
+#include <array>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+struct Near_pairs
+{
+  static constexpr Place capacity = 1024;
+
+  bool is_full_of_undecided() const { return undecided_count >= capacity; }
+
+  Place count = 0;
+  Place undecided_count = 0;
+  // The positions of points that are certainly within the bound, the lesser first. There is room
+  // for the pairs of all lanes before a look at the count.
+  std::array<Found_pair, capacity + lanes> pairs;
+  std::array<Found_pair, capacity + lanes> undecided; // places, as in Found_pair
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_NEAR_PAIRS_H

@@ -1,0 +1,99 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_LANES_AVX2_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_LANES_AVX2_H
+
+// The lanes of AVX2.
+
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Box_run.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Flush.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_question.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
+
+#include <boost/config.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+
+#define CGAL_LANES_TARGET __attribute__((target("avx2,popcnt")))
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+namespace lanes_avx2 {
+
+typedef std::int32_t Int_part __attribute__((vector_size(32)));
+typedef float Float_part __attribute__((vector_size(32)));
+typedef double Double_part __attribute__((vector_size(32)));
+typedef long long Quad __attribute__((vector_size(32)));
+
+CGAL_LANES_TARGET inline Float_part to_float(Int_part x)
+{
+  return __builtin_convertvector(x, Float_part);
+}
+CGAL_LANES_TARGET inline Int_part is_less(Int_part a, Int_part b) { return a < b; }
+
+CGAL_LANES_TARGET inline unsigned int bits_at_most(Int_part a, Int_part b)
+{
+  return static_cast<unsigned int>(__builtin_ia32_movmskps256((Float_part)(a <= b)));
+}
+CGAL_LANES_TARGET inline unsigned int bits_at_most(Float_part a, Float_part b)
+{
+  return static_cast<unsigned int>(__builtin_ia32_movmskps256((Float_part)(a <= b)));
+}
+CGAL_LANES_TARGET inline unsigned int bits_at_most(Double_part a, Double_part b)
+{
+  return static_cast<unsigned int>(__builtin_ia32_movmskpd256((Double_part)(a <= b)));
+}
+
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/vectors.inc>
+
+// For each set of lanes, their numbers in order.
+struct Lanes_in_order
+{
+  constexpr Lanes_in_order()
+  {
+    for(unsigned int bits = 0; bits < 256; ++bits)
+      for(unsigned int lane = 0, count = 0; lane < 8; ++lane)
+        if((bits >> lane & 1) != 0)
+          of[bits][count++] = static_cast<std::int32_t>(lane);
+  }
+
+  std::int32_t of[256][8] = {};
+};
+inline constexpr Lanes_in_order lanes_in_order;
+
+// Moves the pairs of these lanes to the front, and stores all eight.
+CGAL_LANES_TARGET inline Place append_pairs(unsigned int bits, const Ints& p, const Ints& q,
+                                            Found_pair* pairs, Place count)
+{
+  const Int_part order = Ints::load(lanes_in_order.of[bits]).parts[0];
+  const Int_part a = __builtin_ia32_permvarsi256(p.parts[0], order);
+  const Int_part b = __builtin_ia32_permvarsi256(q.parts[0], order);
+  const Int_part low = __builtin_ia32_punpckldq256(a, b);  // pairs 0, 1, 4 and 5
+  const Int_part high = __builtin_ia32_punpckhdq256(a, b); // pairs 2, 3, 6 and 7
+  const Int_part first = (Int_part)__builtin_ia32_permti256((Quad)low, (Quad)high, 0x20);
+  const Int_part second = (Int_part)__builtin_ia32_permti256((Quad)low, (Quad)high, 0x31);
+  std::memcpy(pairs + count, &first, sizeof(first));
+  std::memcpy(pairs + count + 4, &second, sizeof(second));
+  return count + static_cast<Place>(__builtin_popcount(bits));
+}
+
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/loops.inc>
+
+} // namespace lanes_avx2
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#undef CGAL_LANES_TARGET
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_LANES_AVX2_H

@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_LANES_AVX512_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_LANES_AVX512_H
+
+// The lanes of AVX-512, with the vectors of 256 bits that AVX512VL has.
+
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Box_run.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Flush.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_question.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
+
+#include <boost/config.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+
+#define CGAL_LANES_TARGET __attribute__((target("avx2,popcnt,avx512f,avx512vl")))
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+namespace lanes_avx512 {
+
+typedef std::int32_t Int_part __attribute__((vector_size(32)));
+typedef float Float_part __attribute__((vector_size(32)));
+typedef double Double_part __attribute__((vector_size(64)));
+typedef long long Pairs __attribute__((vector_size(64)));
+typedef std::uint32_t Positions __attribute__((vector_size(32)));
+
+CGAL_LANES_TARGET inline Float_part to_float(Int_part x)
+{
+  return __builtin_convertvector(x, Float_part);
+}
+CGAL_LANES_TARGET inline Int_part is_less(Int_part a, Int_part b) { return a < b; }
+
+CGAL_LANES_TARGET inline unsigned int bits_at_most(Int_part a, Int_part b)
+{
+  return static_cast<unsigned int>(__builtin_ia32_movmskps256((Float_part)(a <= b)));
+}
+CGAL_LANES_TARGET inline unsigned int bits_at_most(Float_part a, Float_part b)
+{
+  return static_cast<unsigned int>(__builtin_ia32_movmskps256((Float_part)(a <= b)));
+}
+CGAL_LANES_TARGET inline unsigned int bits_at_most(Double_part a, Double_part b)
+{
+  constexpr int is_at_most = 18, current_rounding = 4;
+  return static_cast<unsigned char>(
+    __builtin_ia32_cmppd512_mask(a, b, is_at_most, static_cast<char>(-1), current_rounding));
+}
+
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/vectors.inc>
+
+// One instruction moves the pairs of these lanes to the front.
+CGAL_LANES_TARGET inline Place append_pairs(unsigned int bits, const Ints& p, const Ints& q,
+                                            Found_pair* pairs, Place count)
+{
+  const Pairs low = __builtin_convertvector((Positions)p.parts[0], Pairs);
+  const Pairs high = __builtin_convertvector((Positions)q.parts[0], Pairs);
+  const Pairs near = __builtin_ia32_compressdi512_mask(low | high << 32, Pairs(),
+                                                       static_cast<char>(bits));
+  std::memcpy(pairs + count, &near, sizeof(near));
+  return count + static_cast<Place>(__builtin_popcount(bits));
+}
+
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/loops.inc>
+
+} // namespace lanes_avx512
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#undef CGAL_LANES_TARGET
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_LANES_AVX512_H
