@@ -52,7 +52,7 @@ BOOST_AUTO_TEST_CASE(the_first_bad_point_of_all_blocks_is_kept)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const Plain_points<double> points = plain_points({{0}, {nan}, {nan}, {1}});
-  internal::Scene_scan all(1), low(1), high(1);
+  internal::Scene_scan all(1, true), low(1, true), high(1, true);
   low.add(points, 0, 2, [](std::size_t, int, double) {});
   high.add(points, 2, 4, [](std::size_t, int, double) {});
   all.add(low);
@@ -95,7 +95,7 @@ BOOST_AUTO_TEST_CASE(lower_bounds_are_stored_once_each)
   points[2].coordinates[0] = -Rational(1) / 3;
   std::vector<std::tuple<std::size_t, int, double>> stored;
   const internal::Scene scene = internal::scan_points<CGAL::Sequential_tag>(
-    points, "point",
+    points, "point", false,
     [&](std::size_t position, int axis, double x) { stored.emplace_back(position, axis, x); });
   BOOST_REQUIRE_EQUAL(stored.size(), 6u);
   for(std::size_t i = 0; i < stored.size(); ++i) {
@@ -103,6 +103,38 @@ BOOST_AUTO_TEST_CASE(lower_bounds_are_stored_once_each)
     BOOST_CHECK_EQUAL(2 * position + static_cast<std::size_t>(axis), i);
     const Rational gap = points[position].coordinates[static_cast<std::size_t>(axis)] - Rational(x);
     BOOST_CHECK(gap >= 0 && gap <= Rational(scene.error));
+  }
+}
+
+// The scene without its grid, which can be read later.
+BOOST_AUTO_TEST_CASE(the_grid_is_found_at_once_or_later)
+{
+  const auto points = plain_points({{0.5, 4, 1e-9}, {-1, 8, 1e-9}, {0, 2.25, 1e-9}});
+  const internal::Scene with = scene_of(points);
+  const internal::Scene without
+    = internal::scan_points<CGAL::Sequential_tag>(points, "point", false);
+  BOOST_CHECK(with.is_grid_known && with.grid_exponent == -2);
+  BOOST_CHECK(!without.is_grid_known && !without.grid_exponent);
+  BOOST_CHECK_EQUAL(internal::grid_exponent_of(points, without), -2);
+  BOOST_CHECK_EQUAL(without.size, with.size);
+  BOOST_CHECK_EQUAL(without.error, 0);
+  for(std::size_t axis = 0; axis < 3; ++axis) {
+    BOOST_CHECK_EQUAL(without.box[axis].low, with.box[axis].low);
+    BOOST_CHECK_EQUAL(without.box[axis].high, with.box[axis].high);
+  }
+}
+
+// It is known that numbers that are no doubles have none.
+BOOST_AUTO_TEST_CASE(other_numbers_have_no_grid)
+{
+  using Rational = CGAL::Exact_rational;
+  Plain_points<Rational> points = plain_points<Rational>({{1, 2}, {0.5, 4}});
+  points[1].coordinates[0] /= 3;
+  for(const bool finds_grid : {true, false}) {
+    const internal::Scene scene
+      = internal::scan_points<CGAL::Sequential_tag>(points, "point", finds_grid);
+    BOOST_CHECK(scene.is_grid_known && !scene.grid_exponent);
+    BOOST_CHECK_GT(scene.error, 0);
   }
 }
 
