@@ -14,3 +14,7 @@ using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 BOOST_AUTO_TEST_CASE(doubles_2) { fuzz<Fuzz_cartesian<Epick, 2, false>>(400000); }
 BOOST_AUTO_TEST_CASE(doubles_3) { fuzz<Fuzz_cartesian<Epick, 3, false>>(400000); }
+
+// Near pairs at the limits of narrow coordinates.
+BOOST_AUTO_TEST_CASE(partners_2) { fuzz<Fuzz_cartesian<Epick, 2, false>, PARTNERS>(50000); }
+BOOST_AUTO_TEST_CASE(partners_3) { fuzz<Fuzz_cartesian<Epick, 3, false>, PARTNERS>(50000); }

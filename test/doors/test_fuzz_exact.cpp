@@ -26,3 +26,10 @@ BOOST_AUTO_TEST_CASE(homogeneous_2)
 {
   fuzz<Fuzz_homogeneous<Integers, 2>, NEAR_PAIRS | CLOSEST_PAIRS>(2000);
 }
+
+// Near pairs at the limits of narrow coordinates.
+BOOST_AUTO_TEST_CASE(partners_of_epeck_3) { fuzz<Fuzz_cartesian<Epeck, 3, true>, PARTNERS>(5000); }
+BOOST_AUTO_TEST_CASE(partners_of_rationals_2)
+{
+  fuzz<Fuzz_cartesian<Rationals, 2, true>, PARTNERS>(5000);
+}

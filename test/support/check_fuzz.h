@@ -13,7 +13,9 @@
 #define THICK_INTERSECTION_TEST_SUPPORT_CHECK_FUZZ_H
 
 #include "fuzz_scenes.h"
+#include "instruction_sets.h"
 #include "pairs.h"
+#include "rounding_mode.h"
 
 #include <CGAL/Box_intersection_d/Box_d.h>
 #include <CGAL/Exact_rational.h>
@@ -129,7 +131,8 @@ enum Fuzz_parts : unsigned {
   CLOSEST_PAIRS = 4,
   BALLS = 8,
   OBJECTS = 16,
-  ALL_PARTS = 31
+  ALL_PARTS = 31,
+  PARTNERS = 32 // near pairs of scenes at the limits of narrow coordinates
 };
 
 // Takes pairs from several threads.
@@ -159,8 +162,9 @@ class Fuzz_case
 
 public:
   explicit Fuzz_case(std::uint64_t seed)
-    : seed_(seed), draw_(seed, Maker::range), scene_(draw_.scene(dimension)),
-      bound_(draw_.bound(scene_))
+    : seed_(seed), draw_(seed, Maker::range),
+      scene_(parts == PARTNERS ? draw_.scene_of_partners(dimension) : draw_.scene(dimension)),
+      bound_(parts == PARTNERS ? draw_.bound_of_partners(scene_) : draw_.bound(scene_))
   {
     for(const Lattice_place& place : scene_.places)
       points_.push_back(Maker::point(place, scene_.exponent));
@@ -170,6 +174,8 @@ public:
 
   void check()
   {
+    if constexpr(parts == PARTNERS)
+      return check_partners();
     const std::int64_t choice = draw_.below(8);
     if constexpr((parts & NEAR_PAIRS) != 0)
       if(choice < 3)
@@ -190,6 +196,16 @@ public:
   }
 
 private:
+  // By any instruction set; in doubles, rounded in any direction as well.
+  void check_partners()
+  {
+    const auto sets = instruction_sets();
+    const Forced_instruction_set forced(sets[draw_.random().below(sets.size())]);
+    const Rounding_mode rounding(Maker::is_exact ? FE_TONEAREST
+                                                 : rounding_modes[draw_.random().below(4)]);
+    check_near_pairs();
+  }
+
   void check_near_pairs()
   {
     Pairs found;

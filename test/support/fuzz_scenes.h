@@ -129,7 +129,77 @@ public:
             is_open};
   }
 
+  // Partners at about one distance, in a box whose extent is at a limit of narrow coordinates. The
+  // points 2 i and 2 i + 1 are partners, and their distance is off by some units, or by about a
+  // step of such coordinates. The first two are the corners of the box.
+  Fuzz_scene scene_of_partners(int dimension)
+  {
+    Fuzz_scene scene = {dimension, is_chance(2) ? 0 : exponent(), {}};
+    const auto [extent, distance] = extent_and_distance();
+    Lattice_place low = {}, high = {};
+    for(int axis = 0; axis < dimension; ++axis) {
+      low[axis] = is_chance(2) ? 0 : below((std::size_t(1) << range_.digits) - extent);
+      high[axis] = low[axis] + (axis > 0 && is_chance(4) ? below(extent + 1) : extent);
+    }
+    scene.places = {low, high};
+    const std::int64_t step = 1 + (std::max)(extent >> 30, distance >> 25);
+    for(std::size_t pairs = random_.below(8); pairs > 0; --pairs) {
+      Lattice_place p = {}, q = {};
+      Wide_integer left = (std::max)(Wide_integer(0), Wide_integer(distance + near_zero(step)));
+      left *= left;
+      for(int axis = 0; axis < dimension; ++axis) {
+        const auto root = static_cast<std::int64_t>(sqrt(left));
+        const std::int64_t gap
+          = axis == dimension - 1 || is_chance(3) ? root : below(root + 1) / (1 + below(8));
+        left -= Wide_integer(gap) * gap;
+        p[axis] = low[axis] + below(high[axis] - low[axis] + 1);
+        q[axis] = p[axis] + gap <= high[axis] ? p[axis] + gap : p[axis] - gap;
+        q[axis] = (std::max)(q[axis] + (is_chance(3) ? near_zero(1) : 0), low[axis]);
+        q[axis] = (std::min)(q[axis], high[axis]);
+      }
+      scene.places.push_back(p);
+      scene.places.push_back(q);
+    }
+    return scene;
+  }
+
+  // The distance of partners, or next to it.
+  Fuzz_bound bound_of_partners(const Fuzz_scene& scene)
+  {
+    const std::size_t i = scene.size() == 2 ? 0 : 2 + 2 * random_.below(scene.size() / 2 - 1);
+    const Wide_integer square = squared_distance(scene.places[i], scene.places[i + 1]);
+    const bool is_open = is_chance(3);
+    if(is_chance(2))
+      return {sqrt(square) + below(2), false, is_open};
+    return {(std::max)(Wide_integer(square + near_zero(1)), Wide_integer(0)), true, is_open};
+  }
+
 private:
+  // An extent, and the distance of partners in it: at the limits of the integers of a grid, whose
+  // extent is at most 2^30 and whose reach is at most 2^24, with squares of 24 bits or more; and at
+  // those of rounded numbers, from where the reach is a 32nd of the extent to where it has 64 steps.
+  std::pair<std::int64_t, std::int64_t> extent_and_distance()
+  {
+    const int max_bits = range_.digits - 2;
+    const int bits = static_cast<int>(random_.below(static_cast<std::size_t>(max_bits - 24)));
+    const std::int64_t distances[]
+      = {1, 64, 4096, 1 << 24, std::int64_t(1) << bits, (std::int64_t(1) << bits) * 3 / 2};
+    const std::int64_t distance
+      = (std::max)(distances[random_.below(6)] + near_zero(2), std::int64_t(1));
+    const std::int64_t ratios[] = {1, 2, 31, 32, 33, 1 << 6, 1 << 20, (1 << 24) - 5, (1 << 24) - 4,
+                                   (1 << 24) - 3, (1 << 24) + 1};
+    const std::int64_t most = std::int64_t(1) << max_bits;
+    const std::int64_t extent
+      = near_zero(2) + (is_chance(4) ? 1 << 30 : ratios[random_.below(11)] * distance);
+    return {(std::min)((std::max)(extent, std::int64_t(1)), most), distance};
+  }
+
+  // At most `size` up or down.
+  std::int64_t near_zero(std::int64_t size)
+  {
+    return is_chance(2) ? below(3) - 1 : below(2 * size + 1) - size;
+  }
+
   // Squares that overflow or vanish, numbers that do, and others.
   int exponent()
   {

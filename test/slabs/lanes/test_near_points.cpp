@@ -31,6 +31,18 @@ BOOST_AUTO_TEST_SUITE(near_points)
 using namespace test_support;
 namespace internal = CGAL::Thick_intersection_d::internal;
 
+// This comes first, before another one has been forced.
+BOOST_AUTO_TEST_CASE(best_instruction_set_is_taken_unless_another_is_forced)
+{
+  const internal::Instruction_set best = internal::best_instruction_set();
+  BOOST_CHECK(internal::instruction_set() == best);
+  for(const internal::Instruction_set set : instruction_sets()) {
+    const Forced_instruction_set forced(set);
+    BOOST_CHECK(internal::instruction_set() == set);
+  }
+  BOOST_CHECK(internal::instruction_set() == best);
+}
+
 Points integer_points(int dimension, std::size_t size, std::size_t side, Random& random)
 {
   Points points(size, Coordinates(static_cast<std::size_t>(dimension)));
@@ -179,17 +191,6 @@ BOOST_AUTO_TEST_CASE(all_lanes_collect_the_near_pairs_of_doubles_in_the_same_ord
 BOOST_AUTO_TEST_CASE(all_lanes_collect_the_near_pairs_of_integers_in_the_same_order)
 {
   check_all_runs<std::int32_t>();
-}
-
-BOOST_AUTO_TEST_CASE(best_instruction_set_is_taken_unless_another_is_forced)
-{
-  const internal::Instruction_set best = internal::best_instruction_set();
-  BOOST_CHECK(internal::instruction_set() == best);
-  for(const internal::Instruction_set set : instruction_sets()) {
-    const Forced_instruction_set forced(set);
-    BOOST_CHECK(internal::instruction_set() == set);
-  }
-  BOOST_CHECK(internal::instruction_set() == best);
 }
 
 // If doubles decide nothing, the pairs within reach along axis 0 are left, or more of them.
