@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_SHORT_LISTS_PLAIN_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_SHORT_LISTS_PLAIN_H
+
+// Short lists in ascending order, by plain loops.
+
+#include <CGAL/Thick_intersection_d/internal/arrays/sort_distinct.h>
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Short_list.h>
+
+#include <algorithm>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+struct Short_lists_plain
+{
+  static bool is_supported() { return true; }
+
+  // Writes the first `size` positions of a list to `sorted` in ascending order. There is room for
+  // a whole list.
+  static void sort(const Short_list& list, Place size, Place* sorted)
+  {
+    std::copy_n(list.positions.data(), size, sorted);
+    sort_distinct(sorted, sorted + size);
+  }
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_SHORT_LISTS_PLAIN_H
