@@ -191,7 +191,8 @@ number of threads.
 
 The parameters are as for `fixed_radius_near_neighbors()`.
 
-\return the lists. If the progress functor cancels the search, they hold the pairs found so far.
+\return the lists. If the progress functor cancels the search, they hold some of the pairs, each in
+both of its lists.
 
 \throws std::invalid_argument as `fixed_radius_near_neighbors()`.
 \throws std::length_error if there are \f$ 2^{32} \f$ points or more.

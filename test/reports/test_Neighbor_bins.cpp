@@ -33,8 +33,10 @@ BOOST_AUTO_TEST_CASE(each_bin_has_the_neighbors_of_its_points)
   }
   for(std::size_t bin = 0; bin < 4; ++bin) {
     std::vector<Neighbor> found;
-    bins.for_each(bin, [&](std::size_t of, Bins::Position neighbor) {
-      found.emplace_back(of, neighbor);
+    bins.for_each(bin, [&](std::size_t of, const Bins::Position* first,
+                           const Bins::Position* last) {
+      BOOST_CHECK_EQUAL(last - first, 1);
+      found.emplace_back(of, *first);
     });
     BOOST_CHECK(found == expected[bin]);
     BOOST_CHECK_EQUAL(bins.size(bin), expected[bin].size());

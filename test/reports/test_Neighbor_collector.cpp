@@ -72,4 +72,22 @@ BOOST_AUTO_TEST_CASE(lists_are_the_sorted_pairs)
   check_lists(40000, 50000);
 }
 
+BOOST_AUTO_TEST_CASE(lists_in_any_order_are_put_in_the_order_of_points)
+{
+  const std::size_t size = 20000;
+  Random random(7);
+  Collector collect_pairs(size);
+  for(const Pair& p : random_pairs(size, 50000, random))
+    collect_pairs(p.first, p.second);
+  const CGAL::Neighbor_lists expected = collect_pairs.lists();
+
+  Collector collect_lists(size);
+  for(std::size_t i = 0; i < size; ++i) { // 7919 is prime
+    const std::size_t of = i * 7919 % size;
+    collect_lists.local_lists().append(static_cast<CGAL::Neighbor_lists::Position>(of),
+                                       expected[of].begin(), expected[of].end());
+  }
+  BOOST_CHECK(collect_lists.lists() == expected);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

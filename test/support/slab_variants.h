@@ -12,8 +12,10 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <array>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 namespace test_support {
@@ -21,35 +23,15 @@ namespace test_support {
 namespace internal = CGAL::Thick_intersection_d::internal;
 using internal::Slab_tuning;
 
-// The pairs of one route.
-template <class Test>
-Pairs pairs_by_slabs_of(const Test& test, const Slab_tuning& tuning,
-                        std::optional<std::size_t> first_set_size)
-{
-  const internal::Slab_route<CGAL::Sequential_tag, Test> route(test, tuning);
-  Pairs pairs;
-  auto callback = [&](std::size_t i, std::size_t j) { pairs.emplace_back(i, j); };
-  internal::Pair_reporter<decltype(callback)> report(callback);
-  internal::Unwatched_progress progress;
-  if(first_set_size)
-    route.search(internal::Two_sets{*first_set_size}, report, progress);
-  else
-    route.search(internal::One_set(), report, progress);
-  return pairs;
-}
-
-// The pairs of points by slabs that are cut as `tuning` says. They are the same with the points as
-// doubles, and as 32-bit integers if a scale is usable: rounded ones, and those of the grid.
-template <int Dimension, class Point, class NT>
-Pairs slab_pairs(const std::vector<Point>& points, const CGAL::Distance_bound<NT>& distance_bound,
-                 const Slab_tuning& tuning,
-                 std::optional<std::size_t> first_set_size = std::nullopt)
+// Calls task(points) with the points as the slab route sees them, at least one: as doubles, and as
+// 32-bit integers if a scale is usable, rounded ones and those of the grid.
+template <int Dimension, class Point, class NT, class Task>
+void with_near_points(const std::vector<Point>& points,
+                      const CGAL::Distance_bound<NT>& distance_bound, const Task& task)
 {
   using Elements = internal::Numbered_elements<std::vector<Point>>;
   using Near = internal::Near_points<Dimension, Elements>;
   using Scale = internal::Narrow_scale<Dimension>;
-  if(points.empty())
-    return {};
   const Elements elements(points);
   internal::Doubles<Elements> doubles(elements);
   const internal::Scene scene = internal::scan_points<CGAL::Sequential_tag>(
@@ -60,24 +42,74 @@ Pairs slab_pairs(const std::vector<Point>& points, const CGAL::Distance_bound<NT
   const CGAL::Scene_profile profile(scene, bound.reach());
   const internal::Is_within_distance<Point> is_within(bound, scene, profile.tier());
   const Near near(elements, scene, doubles, is_within);
-  const Pairs pairs = pairs_by_slabs_of(near, tuning, first_set_size);
-  const auto check = [&](const Scale& scale) {
-    if(!scale.is_usable())
-      return;
-    const internal::Narrow_points<Dimension, Near> narrow(near, scale);
-    const Pairs found = pairs_by_slabs_of(narrow, tuning, first_set_size);
-    BOOST_REQUIRE_MESSAGE(sorted(found) == sorted(pairs),
-                          "as integers of " << (scale.is_exact() ? "the grid" : "a scale") << ": "
-                                            << compare(pairs, found));
-  };
+  task(near);
   std::array<internal::Interval, Dimension> box;
   for(int axis = 0; axis < Dimension; ++axis)
     box[axis] = near.interval(axis);
-  check(Scale(box, near.filter()));
+  const auto with_scale = [&](const Scale& scale) {
+    if(scale.is_usable())
+      task(internal::Narrow_points<Dimension, Near>(near, scale));
+  };
+  with_scale(Scale(box, near.filter()));
   if(profile.tier() == CGAL::Arithmetic_tier::DOUBLE)
-    check(Scale(box, profile.grid_exponent(), profile.units(),
-                is_within.first_square_beyond(profile.grid_exponent())));
-  return pairs;
+    with_scale(Scale(box, profile.grid_exponent(), profile.units(),
+                     is_within.first_square_beyond(profile.grid_exponent())));
+}
+
+// The pairs of points by slabs that are cut as `tuning` says: the same ones in whatever way the
+// slab route sees the points.
+template <int Dimension, class Point, class NT>
+Pairs slab_pairs(const std::vector<Point>& points, const CGAL::Distance_bound<NT>& distance_bound,
+                 const Slab_tuning& tuning,
+                 std::optional<std::size_t> first_set_size = std::nullopt)
+{
+  std::optional<Pairs> pairs;
+  const auto check = [&](const auto& near) {
+    const internal::Slab_route<CGAL::Sequential_tag, std::decay_t<decltype(near)>> route(near,
+                                                                                         tuning);
+    Pairs found;
+    auto callback = [&](std::size_t i, std::size_t j) { found.emplace_back(i, j); };
+    internal::Pair_reporter<decltype(callback)> report(callback);
+    internal::Unwatched_progress progress;
+    if(first_set_size)
+      route.search(internal::Two_sets{*first_set_size}, report, progress);
+    else
+      route.search(internal::One_set(), report, progress);
+    if(!pairs)
+      pairs = found;
+    BOOST_REQUIRE_MESSAGE(sorted(found) == sorted(*pairs), compare(*pairs, found));
+  };
+  if(points.empty())
+    return {};
+  with_near_points<Dimension>(points, distance_bound, check);
+  return *pairs;
+}
+
+// The lists of neighbors by slabs that are cut as `tuning` says, likewise.
+template <class ConcurrencyTag, int Dimension, class Point, class NT>
+CGAL::Neighbor_lists slab_lists(const std::vector<Point>& points,
+                                const CGAL::Distance_bound<NT>& distance_bound,
+                                const Slab_tuning& tuning)
+{
+  using Collector = internal::Neighbor_collector<ConcurrencyTag>;
+  std::optional<CGAL::Neighbor_lists> lists;
+  const auto check = [&](const auto& near) {
+    const internal::List_route<ConcurrencyTag, std::decay_t<decltype(near)>> route(near, tuning);
+    Collector collector(points.size());
+    internal::Pair_reporter<Collector> report(collector);
+    internal::Unwatched_progress progress;
+    route.search(internal::One_set(), collector, report, progress);
+    const CGAL::Neighbor_lists found = collector.lists();
+    if(!lists)
+      lists = found;
+    for(std::size_t i = 0; i < points.size(); ++i)
+      BOOST_REQUIRE(std::equal((*lists)[i].begin(), (*lists)[i].end(), found[i].begin(),
+                               found[i].end()));
+  };
+  if(points.empty())
+    return Collector(0).lists();
+  with_near_points<Dimension>(points, distance_bound, check);
+  return *lists;
 }
 
 } // namespace test_support

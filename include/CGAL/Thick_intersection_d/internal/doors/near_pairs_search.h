@@ -31,9 +31,11 @@
 #include <CGAL/Thick_intersection_d/internal/predicates/Is_within_distance.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Near_tie_predicate.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Near_ties_on_demand.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Neighbor_collector.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/List_route.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Narrow_points.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Narrow_scale.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_points.h>
@@ -181,7 +183,10 @@ private:
     }
     else {
       Pair_reporter<Callback> report(callback);
-      return route.search(sets, report, progress);
+      if constexpr(takes_lists<Callback>)
+        return List_route<ConcurrencyTag, Points>(points).search(sets, callback, report, progress);
+      else
+        return route.search(sets, report, progress);
     }
   }
 

@@ -12,6 +12,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/doors/near_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Neighbor_collector.h>
+#include <CGAL/Thick_intersection_d/internal/reports/mutual_neighbors.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
 #include <limits>
@@ -28,8 +29,9 @@ Neighbor_lists collect_neighbors(const Elements& points, const Distance_bound<NT
   if(points.size() > (std::numeric_limits<Neighbor_lists::Position>::max)())
     throw std::length_error("There are more points than lists of neighbors have positions for.");
   Neighbor_collector<ConcurrencyTag> collector(points.size());
-  report_near_pairs<ConcurrencyTag>(points, One_set(), bound, collector, np);
-  return collector.lists();
+  if(report_near_pairs<ConcurrencyTag>(points, One_set(), bound, collector, np))
+    return collector.lists();
+  return mutual_neighbors(collector.lists());
 }
 
 } // namespace internal

@@ -36,7 +36,7 @@ public:
   void ask_for([[maybe_unused]] std::size_t position) const
   {
     if constexpr(std::is_lvalue_reference_v<decltype(points_[position])>)
-      prefetch(std::addressof(points_[position]));
+      prefetch_to_read(std::addressof(points_[position]));
   }
 
 
@@ -85,7 +85,7 @@ public:
   void ask_for(std::size_t position) const
   {
     for(const auto& column : columns_)
-      prefetch(column.get() + position);
+      prefetch_to_read(column.get() + position);
   }
 
   // Forgets the coordinates along other axes.

@@ -5,23 +5,37 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_MACHINE_PREFETCH_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_MACHINE_PREFETCH_H
 
-// Asks for memory that will be used soon, where the compiler can do so.
+// Memory that is brought to the cache ahead of time, where the processor cannot guess what the
+// program will touch next. Nothing is read or written, so any address is allowed.
+
+#include <cstddef>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-inline void prefetch([[maybe_unused]] const void* memory)
+// The bytes that come to the cache at once.
+inline constexpr std::size_t cache_line_size = 64;
+
+// The program will soon read the cache line `line_count` behind the one of `address`.
+inline void prefetch_to_read(const void* address, std::size_t line_count = 0)
 {
 #ifdef __GNUC__
-  __builtin_prefetch(memory);
+  __builtin_prefetch(static_cast<const char*>(address) + line_count * cache_line_size, 0);
+#else
+  static_cast<void>(address);
+  static_cast<void>(line_count);
 #endif
 }
 
-inline void prefetch_for_write([[maybe_unused]] const void* memory)
+// The program will soon write to the cache line `line_count` behind the one of `address`.
+inline void prefetch_to_write(const void* address, std::size_t line_count = 0)
 {
 #ifdef __GNUC__
-  __builtin_prefetch(memory, 1);
+  __builtin_prefetch(static_cast<const char*>(address) + line_count * cache_line_size, 1);
+#else
+  static_cast<void>(address);
+  static_cast<void>(line_count);
 #endif
 }
 

@@ -27,6 +27,9 @@ public:
   // The number of points of a bin. 16384 points with 20 neighbors each have lists of 1.3 MB.
   static constexpr std::size_t bin_size = 16384;
 
+  // Whether the neighbors of a point come in ascending order.
+  static constexpr bool are_sorted = false;
+
   // Makes bins for `size` points.
   explicit Neighbor_bins(std::size_t size) : bins_((size + bin_size - 1) / bin_size) {}
 
@@ -41,13 +44,14 @@ public:
   // Returns the number of neighbors in a bin.
   std::size_t size(std::size_t bin) const { return bins_.size(bin); }
 
-  // Calls task(of, neighbor) for each neighbor in a bin. `of` counts from the first point of the
-  // bin.
+  // Calls task(of, first, last) for each neighbor in a bin, as a list of one neighbor. `of` counts
+  // from the first point of the bin.
   template <class Task>
   void for_each(std::size_t bin, const Task& task) const
   {
     bins_.for_each(bin, [&](const Neighbor& neighbor) {
-      task(neighbor.of, neighbor.low | static_cast<Position>(neighbor.high) << 16);
+      const Position position = neighbor.low | static_cast<Position>(neighbor.high) << 16;
+      task(neighbor.of, &position, &position + 1);
       return true;
     });
   }

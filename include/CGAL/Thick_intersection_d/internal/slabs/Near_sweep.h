@@ -19,11 +19,21 @@
 
 #include <boost/config.hpp>
 
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
+
+// Whether a report takes many pairs at once: report_pairs(pairs, count) takes `count` pairs of
+// positions.
+template <class Report, class = void>
+inline constexpr bool takes_found_pairs = false;
+
+template <class Report>
+inline constexpr bool
+  takes_found_pairs<Report, std::void_t<decltype(&Report::report_pairs)>> = true;
 
 // `Test` decides what a pair is. It has
 //
@@ -102,10 +112,14 @@ private:
   // The loop itself stores nothing. This makes short callbacks fast.
   bool report_pairs(Place count)
   {
-    for(Place c = 0; c < count; ++c)
-      if(!report_(found_.pairs[c].i, found_.pairs[c].j))
-        return false;
-    return true;
+    if constexpr(takes_found_pairs<Report>)
+      return report_.report_pairs(found_.pairs.data(), count);
+    else {
+      for(Place c = 0; c < count; ++c)
+        if(!report_(found_.pairs[c].i, found_.pairs[c].j))
+          return false;
+      return true;
+    }
   }
 
   BOOST_NOINLINE bool report_undecided(const Run& a, const Run& b, Place count)

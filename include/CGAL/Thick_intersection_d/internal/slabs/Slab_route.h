@@ -60,6 +60,20 @@ public:
     return !report.is_stopped();
   }
 
+  // Returns in how many blocks to sweep a slab with the slabs nearby. Each block looks at all
+  // points of the slabs, for their borders. So it has more candidates than points.
+  Place sweep_block_count(const Strips<Point>& slab, const Slabs_nearby& nearby) const
+  {
+    double candidates = 0;
+    double size = 0;
+    for(const Strips<Point>* other : nearby) {
+      candidates += std::sqrt(slab.candidates() * other->candidates());
+      size += slab.size() + other->size();
+    }
+    const double count = candidates / (std::max)(tuning_.candidates_per_block, size);
+    return static_cast<Place>((std::min)(count, max_block_count)) + 1;
+  }
+
 private:
   static constexpr int axis = Point::slab_axis;
 
@@ -115,20 +129,6 @@ private:
       }
       test_.publish(near_sweep.counts());
     });
-  }
-
-  // Each block looks at all points of the slabs, for their borders. So it has more candidates than
-  // points.
-  Place sweep_block_count(const Strips<Point>& slab, const Slabs_nearby& nearby) const
-  {
-    double candidates = 0;
-    double size = 0;
-    for(const Strips<Point>* other : nearby) {
-      candidates += std::sqrt(slab.candidates() * other->candidates());
-      size += slab.size() + other->size();
-    }
-    const double count = candidates / (std::max)(tuning_.candidates_per_block, size);
-    return static_cast<Place>((std::min)(count, max_block_count)) + 1;
   }
 
   // Reports each element with all elements behind it; each element of the first of two sets with

@@ -23,15 +23,25 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-template <class Point>
+// Leaves a slab as it is.
+struct Leave_slab
+{
+  template <class Point>
+  void operator()(Strips<Point>&) const
+  {}
+};
+
+// Calls number(slab) for each slab that becomes ready, in their order.
+template <class Point, class Number = Leave_slab>
 class Slab_window
 {
 public:
   using Slabs_nearby = std::vector<const Strips<Point>*>;
 
   // Starts with the slab `first`.
-  Slab_window(const Slabs<Point>& slabs, double reach, Place first, const Slab_tuning& tuning)
-    : stream_(slabs, reach, first, tuning), reach_(reach), end_(slabs.count())
+  Slab_window(const Slabs<Point>& slabs, double reach, Place first, const Slab_tuning& tuning,
+              const Number& number = Number())
+    : stream_(slabs, reach, first, tuning), reach_(reach), end_(slabs.count()), number_(number)
   {}
 
   // Returns the first slab in the window, or nullptr if there is none.
@@ -40,6 +50,10 @@ public:
   // Returns the number of the slab that the first strips in the window belong to. Returns the
   // number of all slabs if the window is empty.
   Place slab() { return front() ? ready_.front().slab : end_; }
+
+  // Returns the number of the slab that strips in the window belong to. `index` counts from the
+  // first ones, and is that of strips that were made ready.
+  Place slab(std::size_t index) const { return ready_[index].slab; }
 
   void pop()
   {
@@ -78,6 +92,7 @@ private:
         return nullptr;
       }
       ready_.back().slab = stream_.slab();
+      number_(ready_.back().strips);
     }
     return &ready_[index].strips;
   }
@@ -85,6 +100,7 @@ private:
   Slab_stream<Point> stream_;
   const double reach_;
   const Place end_;
+  const Number number_;
   std::deque<Ready_slab> ready_;
   Ready_slab spare_; // its memory is used again
 };

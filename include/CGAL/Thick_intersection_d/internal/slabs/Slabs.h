@@ -97,7 +97,7 @@ private:
           const std::size_t some = (std::min)(end - i, std::size_t(distance));
           for(std::size_t p = 0; p < some; ++p) {
             slabs[p] = cut(source.coordinate(i + p, axis));
-            prefetch_for_write(&points_[next[block * count + slabs[p]]]);
+            prefetch_to_write(&points_[next[block * count + slabs[p]]]);
           }
           for(std::size_t p = 0; p < some; ++p, ++i)
             source.put(i, points_[next[block * count + slabs[p]]++]);

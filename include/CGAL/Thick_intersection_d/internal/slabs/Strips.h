@@ -18,6 +18,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -127,6 +128,17 @@ public:
     for(Place k = 0; k < count; ++k)
       positions_.data()[end_ + k] = other.positions_.data()[kept[k]];
     close({end_, end_ + count, strip.box, strip.sides});
+  }
+
+  // The number of places that the strips and the ends of their runs take.
+  Place place_count() const { return end_; }
+
+  // Replaces the positions by the numbers from `first` on, one per place. Writes the positions to
+  // `positions`.
+  void number_places(Place first, Place* positions)
+  {
+    std::copy_n(positions_.data(), end_, positions);
+    std::iota(positions_.data(), positions_.data() + end_, first);
   }
 
 private:

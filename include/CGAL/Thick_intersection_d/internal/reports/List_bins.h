@@ -1,0 +1,156 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_LIST_BINS_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_LIST_BINS_H
+
+// The complete lists that one thread makes, of points in any order, in bins. A bin takes the lists
+// of consecutive points, so few that a cache holds their lists.
+
+#include <CGAL/Neighbor_lists.h>
+
+#include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
+#include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
+
+#include <boost/config.hpp> // BOOST_NOINLINE
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// A copy shares the lists of the original. So copy bins only while they are empty.
+class List_bins
+{
+public:
+  using Position = Neighbor_lists::Position;
+
+  // The number of points of a bin. 8192 points with 20 neighbors each have lists of 0.7 MB.
+  static constexpr std::size_t bin_size = 8192;
+
+  // Whether the neighbors of a point come in ascending order.
+  static constexpr bool are_sorted = true;
+
+  // A short list has no more neighbors.
+  static constexpr std::size_t max_short_size = 32;
+
+  // Makes bins for `size` points.
+  explicit List_bins(std::size_t size) : bins_((size + bin_size - 1) / bin_size) {}
+
+  // Returns the number of neighbors in a bin.
+  std::size_t size(std::size_t bin) const { return bins_[bin].size; }
+
+  // Appends a short list to the bin of the point `of`. Returns where to write its neighbors. There
+  // is room for `max_short_size` of them, which the next list writes over.
+  Position* append_short(Position of, std::size_t size)
+  {
+    Bin& bin = bins_[of / bin_size];
+    if(bin.end - bin.next < static_cast<std::ptrdiff_t>(1 + max_short_size))
+      extend(bin);
+    Position* const list = append_part(bin, of, size);
+    // Each list goes to another bin, so the processor cannot guess where the next ones go.
+    prefetch_to_write(bin.next, 1);
+    prefetch_to_write(bin.next, 2);
+    return list;
+  }
+
+  // Appends a list of any size to the bin of the point `of`, in parts.
+  void append(Position of, const Position* first, const Position* last)
+  {
+    Bin& bin = bins_[of / bin_size];
+    while(first != last) {
+      if(bin.end - bin.next < 2)
+        extend(bin);
+      const std::ptrdiff_t size = (std::min)(last - first, bin.end - bin.next - 1);
+      std::copy_n(first, size, append_part(bin, of, static_cast<std::size_t>(size)));
+      first += size;
+    }
+  }
+
+  // Calls task(of, first, last) for each part of a list in a bin, in the order in which they were
+  // appended. `of` counts from the first point of the bin.
+  template <class Task>
+  void for_each(std::size_t bin, const Task& task) const
+  {
+    const Bin& b = bins_[bin];
+    for(std::size_t c = 0; c < b.chunks.size(); ++c) {
+      const Position* part = b.chunks[c].begin;
+      const Position* const end = c + 1 < b.chunks.size() ? b.chunks[c].end : b.next;
+      while(part != end) {
+        prefetch_to_read(part, lines_ahead);
+        prefetch_to_read(part, lines_ahead + 1);
+        const Position* const first = part + 1;
+        const Position* const last = first + *part % max_part_size;
+        task(*part / max_part_size, first, last);
+        part = last;
+      }
+    }
+  }
+
+private:
+  static constexpr std::size_t chunk_size = 2048;     // positions
+  static constexpr std::size_t max_block_size = 1024; // chunks
+  static constexpr std::size_t lines_ahead = 16;
+
+  // A part begins with the number of its point in the bin times this number, plus its size.
+  static constexpr Position max_part_size = 1 << 16;
+  static_assert(chunk_size < max_part_size && bin_size <= max_part_size);
+
+  struct Chunk
+  {
+    Position* begin;
+    Position* end; // of what is used, unless it is the last chunk
+  };
+
+  struct Bin
+  {
+    Position* next = nullptr; // in the last chunk
+    Position* end = nullptr;  // of the last chunk
+    std::size_t size = 0;
+    std::vector<Chunk> chunks;
+  };
+
+  static Position* append_part(Bin& bin, Position of, std::size_t size)
+  {
+    Position* const part = bin.next;
+    *part = static_cast<Position>(of % bin_size * max_part_size + size);
+    bin.next += 1 + size;
+    bin.size += size;
+    return part + 1;
+  }
+
+  // Not inline, so that loops that append stay short. Large blocks of memory hold many chunks,
+  // because each block costs an allocation.
+  BOOST_NOINLINE void extend(Bin& bin)
+  {
+    if(chunks_left_ == 0) {
+      const std::size_t size = (std::min)(2 * block_size_, max_block_size);
+      blocks_.emplace_back(make_uninitialized<Position>(size * chunk_size));
+      block_size_ = size;
+      chunks_left_ = size;
+    }
+    Position* const begin = blocks_.back().get() + (chunks_left_ - 1) * chunk_size;
+    bin.chunks.push_back({begin, nullptr});
+    if(bin.chunks.size() > 1)
+      bin.chunks[bin.chunks.size() - 2].end = bin.next;
+    --chunks_left_;
+    bin.next = begin;
+    bin.end = begin + chunk_size;
+  }
+
+  std::vector<Bin> bins_;
+  std::vector<std::shared_ptr<Position[]>> blocks_;
+  std::size_t block_size_ = 1;  // of the last block, in chunks
+  std::size_t chunks_left_ = 0; // in the last block
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_LIST_BINS_H

@@ -1,0 +1,156 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LIST_ROUTE_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LIST_ROUTE_H
+
+// The slab route for lists of neighbors. Lists grow while their slab is in the window, and are
+// complete when it leaves. So no pair is stored, and each list is moved as a whole.
+
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Near_sweep.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Numbered_test.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slab_lists.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slab_route.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slab_sweep.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slab_window.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slabs.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Strips.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/tuning.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// `Test` is as for Slab_route.
+template <class ConcurrencyTag, class Test>
+class List_route
+{
+  using Point = typename Test::Point;
+  using Slabs_nearby = typename Slab_window<Point>::Slabs_nearby;
+
+public:
+  List_route(const Test& test, const Slab_tuning& tuning = Slab_tuning())
+    : test_(test), reach_(test.reach()), tuning_(tuning), route_(test, tuning)
+  {}
+
+  // Hands the lists of neighbors to collector.local_lists() of each thread. Reports the pairs
+  // instead if all pairs are within the bound, or if threads have to share a slab. Returns false
+  // iff the search was stopped; then some pairs are missing, on one side or on both.
+  template <class Sets, class Collector, class Report, class Progress>
+  bool search(const Sets& sets, Collector& collector, Report& report, Progress& progress) const
+  {
+    static_assert(!Sets::are_two, "The neighbors of a point are in its own set.");
+    if(!test_.are_all_pairs()) {
+      const Slabs<Point> slabs(ConcurrencyTag(), test_, test_.size(), reach_, Point_sets(),
+                               tuning_);
+      if(are_small(slabs)) {
+        sweep_all_slabs(slabs, collector, report, progress);
+        return !report.is_stopped();
+      }
+    }
+    return route_.search(sets, report, progress);
+  }
+
+private:
+  static constexpr int axis = Point::slab_axis;
+
+  // Whether no slab has more points than two of the blocks that threads take have on average.
+  static bool are_small(const Slabs<Point>& slabs)
+  {
+    const std::size_t blocks = block_count<ConcurrencyTag>();
+    for(Place slab = 0; slab < slabs.count(); ++slab) {
+      const auto size = static_cast<std::size_t>(slabs.end(slab) - slabs.begin(slab));
+      if(size * blocks > 2 * static_cast<std::size_t>(slabs.size()))
+        return false;
+    }
+    return true;
+  }
+
+  template <class Collector, class Report, class Progress>
+  void sweep_all_slabs(const Slabs<Point>& slabs, Collector& collector, Report& report,
+                       Progress& progress) const
+  {
+    const std::size_t count = block_count<ConcurrencyTag>();
+    for_each_block<ConcurrencyTag>(count, [&](std::size_t block, std::size_t end) {
+      try {
+        for(; block != end; ++block) {
+          const auto [first, last] = slabs.block(block, count);
+          if(first != last)
+            sweep_slabs(slabs, first, last, collector.local_lists(), report, progress);
+        }
+      }
+      catch(...) {
+        report.stop();
+        throw;
+      }
+    });
+  }
+
+  // Makes the lists of the points in the slabs [first, last). The slab before them belongs to
+  // another block, whose thread makes its lists. So it is swept with these slabs once more, but not
+  // with itself. Slabs are two reaches high, so further slabs are beyond reach.
+  template <class Bins, class Report, class Progress>
+  void sweep_slabs(const Slabs<Point>& slabs, Place first, Place last, Bins& bins, Report& report,
+                   Progress& progress) const
+  {
+    using Lists = Slab_lists<Report>;
+    using Sweep = Near_sweep<Numbered_test<Test, Lists>, Lists>;
+    Lists lists(report);
+    const Numbered_test<Test, Lists> test(test_, lists);
+    Sweep near_sweep(test, lists);
+    Slab_sweep<Point, Sweep> sweep(reach_, near_sweep);
+    const auto number = [&](Strips<Point>& slab) { lists.number(slab); };
+    Slab_window<Point, decltype(number)> window(slabs, reach_, first == 0 ? 0 : first - 1, tuning_,
+                                                number);
+    Slabs_nearby nearby;
+    for(; window.slab() < last && !report.is_stopped(); window.pop()) {
+      window.find_within_reach(window.front()->interval(axis).high, nearby);
+      if(window.slab() < first) {
+        std::size_t others = 0;
+        while(others < nearby.size() && window.slab(others) < first)
+          ++others;
+        nearby.erase(nearby.begin(), nearby.begin() + static_cast<std::ptrdiff_t>(others));
+        sweep.between(*window.front(), nearby);
+        lists.drop();
+      }
+      else {
+        sweep_slab(*window.front(), nearby, sweep, near_sweep, report, progress);
+        lists.finish(bins);
+      }
+    }
+    test_.publish(near_sweep.counts());
+  }
+
+  // Sweeps a slab with the slabs nearby, in blocks if there are very many candidates. The search
+  // can stop after each block.
+  template <class Sweep, class Blocks, class Report, class Progress>
+  void sweep_slab(const Strips<Point>& slab, const Slabs_nearby& nearby, Sweep& sweep,
+                  Blocks& blocks, Report& report, Progress& progress) const
+  {
+    const std::size_t count = route_.sweep_block_count(slab, nearby);
+    for(std::size_t block = 0; block < count && !report.is_stopped(); ++block) {
+      blocks.take_block(static_cast<Place>(block), static_cast<Place>(count));
+      sweep.between(slab, nearby);
+      const std::size_t finished = slab.size() * (block + 1) / count - slab.size() * block / count;
+      if(!report.is_stopped() && !progress.advance(finished))
+        report.stop();
+    }
+  }
+
+  const Test& test_;
+  const double reach_;
+  const Slab_tuning tuning_;
+  const Slab_route<ConcurrencyTag, Test> route_;
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LIST_ROUTE_H

@@ -1,0 +1,211 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_SLAB_LISTS_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_SLAB_LISTS_H
+
+// The neighbors of the points of the slabs in the window, as the sweep finds them. The two points
+// of a pair are in the window, where their lists are in the cache. When a slab leaves the window,
+// its lists are complete.
+
+#include <CGAL/Thick_intersection_d/internal/arrays/sort_distinct.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Strips.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Short_list.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/short_lists.h>
+
+#include <boost/config.hpp> // BOOST_LIKELY, BOOST_NOINLINE
+
+#include <algorithm>
+#include <cstddef>
+#include <deque>
+#include <vector>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// A report for Near_sweep. Points have numbers here: those of a slab in the window are consecutive,
+// and free for other slabs afterwards. `Stop` has is_stopped().
+//
+// The first neighbors of a point go to a short list of its own. There are few further ones in most
+// scenes; they are stored with the number of their point, and sorted by it in the end.
+template <class Stop>
+class Slab_lists
+{
+public:
+  explicit Slab_lists(const Stop& stop) : stop_(stop) {}
+
+  bool is_stopped() const { return stop_.is_stopped(); }
+
+  // The number of slabs in the window.
+  std::size_t slab_count() const { return window_.size(); }
+
+  // Adds a slab behind those in the window. Its points get numbers instead of positions.
+  template <class Point>
+  void number(Strips<Point>& slab)
+  {
+    const Place size = slab.place_count();
+    const Place first = find_room(size);
+    slab.number_places(first, positions_.data() + first);
+    std::fill_n(sizes_.data() + first, size, Place(0));
+    window_.push_back({first, first + size});
+  }
+
+  // Returns the position of the point with a number.
+  Place position(Place number) const { return positions_[number]; }
+
+  // Makes the points with two numbers neighbors of each other. Never stops.
+  bool operator()(Place i, Place j)
+  {
+    const Found_pair pair = {i, j};
+    return report_pairs(&pair, 1);
+  }
+
+  // Does so for `count` pairs of numbers.
+  bool report_pairs(const Found_pair* pairs, Place count)
+  {
+    const Place* const positions = positions_.data(); // copies stay in registers
+    Place* const sizes = sizes_.data();
+    Short_list* const lists = lists_.data();
+    const auto append = [&](Place of, Place position) {
+      const Place size = sizes[of]++;
+      if(BOOST_LIKELY(size < Short_list::capacity))
+        lists[of].positions[size] = position;
+      else
+        append_further({of, position});
+    };
+    for(const Found_pair* const end = pairs + count; pairs != end; ++pairs) {
+      append(pairs->i, positions[pairs->j]);
+      append(pairs->j, positions[pairs->i]);
+    }
+    return true;
+  }
+
+  // Removes the first slab from the window, and hands its lists to `bins` (List_bins.h), in
+  // ascending order.
+  template <class Bins>
+  void finish(Bins& bins)
+  {
+    const Numbers slab = window_.front();
+    take_further_neighbors(slab);
+    for(Place number = slab.first; number != slab.end; ++number) {
+      prefetch_to_read(lists_.data() + number, lines_ahead);
+      prefetch_to_read(lists_.data() + number, lines_ahead + 1);
+      const Place size = sizes_[number];
+      if(size == 1)
+        *bins.append_short(positions_[number], 1) = lists_[number].positions[0];
+      else if(size > Short_list::capacity)
+        finish_long_list(number, ends_[number - slab.first], bins);
+      else if(size > 0)
+        sort_short_list(lists_[number], size, bins.append_short(positions_[number], size));
+    }
+    window_.pop_front();
+  }
+
+  // Removes the first slab from the window, and its lists with it.
+  void drop()
+  {
+    take_further_neighbors(window_.front());
+    window_.pop_front();
+  }
+
+private:
+  static constexpr std::size_t lines_ahead = 8 * sizeof(Short_list) / cache_line_size;
+
+  struct Numbers
+  {
+    Place first;
+    Place end;
+  };
+
+  struct Neighbor
+  {
+    Place of; // a number
+    Place position;
+  };
+
+  // Not inline, so that the loop over pairs stays short.
+  BOOST_NOINLINE void append_further(const Neighbor& neighbor) { further_.push_back(neighbor); }
+
+  // Returns the first of `size` numbers that no slab in the window has: zero, or the first one
+  // behind a slab.
+  Place find_room(Place size)
+  {
+    std::size_t first = 0;
+    for(bool is_free = false; !is_free;) {
+      is_free = true;
+      for(const Numbers& slab : window_)
+        if(first < slab.end && slab.first < first + size) {
+          first = slab.end;
+          is_free = false;
+        }
+    }
+    const std::size_t end = first + size;
+    check_size(end);
+    if(end > lists_.size()) {
+      positions_.resize(end);
+      sizes_.resize(end);
+      lists_.resize(end);
+    }
+    return static_cast<Place>(first);
+  }
+
+  // Moves the further neighbors of the points of a slab to `sorted_`, in the order of the points.
+  // Sets `ends_` to where those of each point end.
+  void take_further_neighbors(const Numbers& slab)
+  {
+    if(further_.empty())
+      return;
+    ends_.clear();
+    std::size_t sum = 0;
+    for(Place number = slab.first; number != slab.end; ++number) {
+      ends_.push_back(sum);
+      sum += (std::max)(sizes_[number], Short_list::capacity) - Short_list::capacity;
+    }
+    Place* const sorted = sorted_.require(sum);
+    std::size_t kept = 0;
+    for(const Neighbor& neighbor : further_)
+      if(slab.first <= neighbor.of && neighbor.of < slab.end)
+        sorted[ends_[neighbor.of - slab.first]++] = neighbor.position;
+      else
+        further_[kept++] = neighbor;
+    further_.resize(kept);
+  }
+
+  // `end` is where the further neighbors of the point end.
+  template <class Bins>
+  void finish_long_list(Place number, std::size_t end, Bins& bins)
+  {
+    const std::size_t size = sizes_[number];
+    const Place* const last = sorted_.data() + end;
+    Place* const list = long_list_.require(size);
+    std::copy_n(lists_[number].positions.data(), Short_list::capacity, list);
+    std::copy(last - (size - Short_list::capacity), last, list + Short_list::capacity);
+    sort_distinct(list, list + size);
+    bins.append(positions_[number], list, list + size);
+  }
+
+  const Stop& stop_;
+  std::deque<Numbers> window_;
+
+  // By numbers.
+  std::vector<Place> positions_;
+  std::vector<Place> sizes_; // of the lists, with further neighbors
+  std::vector<Short_list> lists_;
+
+  std::vector<Neighbor> further_;
+  std::vector<std::size_t> ends_; // by numbers, from the first one of a slab on
+  Buffer<Place> sorted_;
+  Buffer<Place> long_list_;
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_SLAB_LISTS_H
