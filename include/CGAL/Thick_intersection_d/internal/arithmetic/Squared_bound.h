@@ -68,6 +68,9 @@ public:
 
     const std::pair<double, double> value = bounds(bound.value());
     set_doubles(value, bound.is_squared());
+    if constexpr(std::is_same_v<NT, Exact>)
+      if(bound.is_squared() && (value.second < 0x1p-600 || value.second > 0x1p600))
+        set_reach();
   }
 
   bool is_open() const { return open_; }
@@ -150,6 +153,21 @@ private:
                   std::nextafter(value.second * value.second, infinity)};
       reach_ = value.second;
     }
+  }
+
+  // Sets the reach from r^2, which may be beyond the range of doubles while r is not.
+  void set_reach()
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    constexpr int step = 256;
+    Exact square(numerator_); // times 4^-exponent
+    int exponent = 0;
+    for(; exponent > -5 * step && bounds(square).second < 0x1p-600; exponent -= step)
+      square = square * Exact(std::ldexp(1., 2 * step));
+    for(; exponent < 5 * step && bounds(square).second > 0x1p600; exponent += step)
+      square = square * Exact(std::ldexp(1., -2 * step));
+    const double root = std::nextafter(std::sqrt(bounds(square).second), infinity);
+    reach_ = std::nextafter(std::ldexp(root, exponent), infinity);
   }
 
   Exact numerator_ = Exact(0);
