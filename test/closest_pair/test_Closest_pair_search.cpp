@@ -26,9 +26,10 @@ BOOST_AUTO_TEST_CASE(first_point_may_be_far_out)
   const Counted_points<Point> counted = {points, looks};
   const internal::Scene scene = scene_of(counted);
   internal::Unwatched_progress progress;
-  const Pair pair = internal::Closest_pair_search<CGAL::Sequential_tag, Counted_points<Point>,
-                                                  internal::Unwatched_progress>(counted, scene, 1,
-                                                                         progress).find();
+  const Pair pair
+    = internal::Closest_pair_search<CGAL::Sequential_tag, Counted_points<Point>,
+                                    internal::Unwatched_progress, Report_near_points>(
+        counted, scene, 1, progress, Report_near_points()).find();
   BOOST_CHECK(pair == closest_by_division(points));
   BOOST_CHECK_LE(looks, 20 * points.size());
 }
@@ -50,13 +51,83 @@ BOOST_AUTO_TEST_CASE(cancelled_search_looks_at_few_points_more)
     using Progress = internal::Watched_progress<decltype(cancel)>;
     using Counted = Counted_points<Point>;
     Progress progress(cancel, points.size());
-    internal::Closest_pair_search<CGAL::Sequential_tag, Counted, Progress>(counted, scene, 1,
-                                                                           progress).find();
+    internal::Closest_pair_search<CGAL::Sequential_tag, Counted, Progress, Report_near_points>(
+      counted, scene, 1, progress, Report_near_points()).find();
     BOOST_CHECK_LE(looks - before, 4000u);
     Progress other(cancel, points.size());
-    internal::Close_pair_search<CGAL::Sequential_tag, Counted, Progress>(counted, zero, scene,
-                                                                         other).find();
+    const auto report_near = [](const auto&, auto&) {};
+    internal::Close_pair_search<CGAL::Sequential_tag, Counted, Progress, decltype(report_near)>(
+      counted, zero, scene, other, report_near).find();
     BOOST_CHECK_LE(looks - before, 4000u);
+  }
+}
+
+// Counts how many searches were left to it.
+struct Counted_reports
+{
+  int& count;
+
+  template <class Elements, class Bound, class Callback, class Progress>
+  void operator()(const Elements& points, const Bound& bound, const Callback& callback,
+                  Progress& progress) const
+  {
+    ++count;
+    Report_near_points()(points, bound, callback, progress);
+  }
+};
+
+// Returns how many reports the search for the closest pair asks for.
+template <int Dimension>
+int reports_of_closest_pair(const Points& scene)
+{
+  const auto points = make_points<Maker<Dimension>>(scene);
+  using Elements = Elements_of<typename Maker<Dimension>::Point>;
+  const Elements elements(points);
+  int count = 0;
+  const Counted_reports report_near = {count};
+  internal::Unwatched_progress progress;
+  const Pair pair = internal::Closest_pair_search<CGAL::Sequential_tag, Elements,
+                                                  internal::Unwatched_progress, Counted_reports>(
+    elements, scene_of(elements), 1, progress, report_near).find();
+  check_pair("search", closest_by_division(points), pair);
+  return count;
+}
+
+// A lattice whose points have moved by up to a share of its step.
+Points moved_lattice(int dimension, double share)
+{
+  Points points = shuffled(lattice_points(dimension, dimension == 2 ? 60 : 15, 1), 3);
+  Random random(4);
+  for(Coordinates& c : points)
+    for(double& x : c)
+      x += share * random.uniform();
+  return points;
+}
+
+BOOST_AUTO_TEST_CASE(near_pairs_of_crowded_points_are_reported)
+{
+  for(const double share : {1e-300, 1e-15, 1e-3, 0.1}) {
+    BOOST_CHECK_GT(reports_of_closest_pair<2>(moved_lattice(2, share)), 0);
+    BOOST_CHECK_GT(reports_of_closest_pair<3>(moved_lattice(3, share)), 0);
+  }
+  for(const double scale : {0.1, 1e-318, 1e-165, 1e170, 1e300}) {
+    BOOST_CHECK_GT(reports_of_closest_pair<2>(moved(moved_lattice(2, 0), scale, 0)), 0);
+    BOOST_CHECK_GT(reports_of_closest_pair<3>(moved(moved_lattice(3, 0), scale, 0)), 0);
+  }
+  BOOST_CHECK_EQUAL(reports_of_closest_pair<2>(uniform_points(2, 4000, 0, 1, 5)), 0);
+  BOOST_CHECK_EQUAL(reports_of_closest_pair<3>(uniform_points(3, 4000, 0, 1, 5)), 0);
+}
+
+// The distance of the lattice is decided exactly.
+BOOST_AUTO_TEST_CASE(close_pairs_of_crowded_points_are_found)
+{
+  for(const double step : {1., 0.1, 1e-318, 1e200}) {
+    const auto points = make_points<Maker<2>>(shuffled(lattice_points(2, 60, step), 6));
+    const Pair closest = closest_by_division(points);
+    const auto bound = CGAL::within_squared_distance(
+      internal::exact_squared_distance(points[closest.first], points[closest.second], 2));
+    BOOST_CHECK(CGAL::has_close_pair(points, bound));
+    BOOST_CHECK(!CGAL::has_close_pair(points, bound.open()));
   }
 }
 

@@ -33,8 +33,9 @@ double looks_per_point(const Points& scene)
   const Counted counted = {points, looks};
   const internal::Scene scene_of_points = scene_of(Elements_of<Point>(points));
   internal::Unwatched_progress progress;
-  internal::Closest_pair_search<CGAL::Sequential_tag, Counted, internal::Unwatched_progress>(
-    counted, scene_of_points, 1, progress).find();
+  internal::Closest_pair_search<CGAL::Sequential_tag, Counted, internal::Unwatched_progress,
+                                Report_near_points>(counted, scene_of_points, 1, progress,
+                                                 Report_near_points()).find();
   return static_cast<double>(looks) / static_cast<double>(points.size());
 }
 
@@ -111,34 +112,38 @@ BOOST_AUTO_TEST_CASE(coordinates_of_all_scales_take_linear_work)
   }));
 }
 
-// A lattice of the smallest doubles, where cells are rounded, and a lattice with a point far out,
-// which makes cells wide, take the work of a lattice.
-BOOST_AUTO_TEST_CASE(lattices_at_any_scale_take_the_work_of_a_lattice)
+// All neighbors are at the same distance, or nearly so: .1 is no multiple of a power of two. Slabs
+// look at points in order, once for each pass.
+BOOST_AUTO_TEST_CASE(points_with_many_ties_take_linear_work)
 {
-  const auto lattice = [](int dimension, std::size_t size) {
+  const auto lattice = [](int dimension, std::size_t size, double step) {
     const double side = std::floor(std::pow(static_cast<double>(size), 1. / dimension) + 1e-9);
-    return shuffled(lattice_points(dimension, static_cast<std::size_t>(side), 1), 4);
+    return shuffled(lattice_points(dimension, static_cast<std::size_t>(side), step), 4);
   };
-  const auto check_same = [&](const std::string& name, const auto& change) {
-    for(const std::size_t n : {10000, 40000}) {
-      Points plane = lattice(2, n), space = lattice(3, n);
-      const double plane_looks = looks_per_point<2>(plane), space_looks = looks_per_point<3>(space);
-      change(plane);
-      change(space);
-      BOOST_TEST_MESSAGE(name << ", " << n << ": " << plane_looks << ' ' << space_looks);
-      BOOST_CHECK_LE(looks_per_point<2>(plane), 4 * plane_looks);
-      BOOST_CHECK_LE(looks_per_point<3>(space), 4 * space_looks);
-    }
-  };
-  check_same("far out", [](Points& points) {
-    for(double& x : points[0])
-      x = 1e9;
-  });
-  check_same("tiny", [](Points& points) {
-    for(Coordinates& c : points)
-      for(double& x : c)
-        x *= 1e-321;
-  });
+  const double max_factor = 16;
+  for(const double step : {1., 0.1, 1e-321, 1e250})
+    check_work("lattice", [&](int dimension, std::size_t size) {
+      return lattice(dimension, size, step);
+    }, max_factor);
+  check_work("every other point of a lattice", [&](int dimension, std::size_t size) {
+    Points points;
+    for(const Coordinates& c : lattice(dimension, 2 * size, 1))
+      if(std::fmod(std::accumulate(c.begin(), c.end(), 0.), 2) == 0)
+        points.push_back(c);
+    return points;
+  }, max_factor);
+  check_work("a lattice and a point far out", [&](int dimension, std::size_t size) {
+    Points points = lattice(dimension, size, 1);
+    points[0].assign(static_cast<std::size_t>(dimension), 1e9);
+    return points;
+  }, max_factor);
+  check_work("equal steps on a diagonal", [](int dimension, std::size_t size) {
+    Points points;
+    for(std::size_t i = 0; i < size; ++i)
+      points.emplace_back(dimension, 0.14 + 0.0088 * (static_cast<double>(i)
+                                                      / static_cast<double>(size)));
+    return points;
+  }, max_factor);
 }
 
 // Half of the points are equal. The others had one hash when hashes had no keys: all coordinates

@@ -35,6 +35,17 @@ internal::Scene scene_of(const Elements& elements)
   return internal::scan_points<CGAL::Sequential_tag>(elements, "point");
 }
 
+// What the searches report near pairs by.
+struct Report_near_points
+{
+  template <class Elements, class Bound, class Callback, class Progress>
+  void operator()(const Elements& points, const Bound& bound, const Callback& callback,
+                  Progress& progress) const
+  {
+    internal::report_near_points<CGAL::Sequential_tag>(points, bound, callback, progress);
+  }
+};
+
 template <class ConcurrencyTag = CGAL::Sequential_tag, class Point>
 Pair closest_by_division(const std::vector<Point>& points)
 {

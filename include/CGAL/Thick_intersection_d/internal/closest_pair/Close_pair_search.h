@@ -7,8 +7,9 @@
 
 // Chooses the method for a close pair. Beyond dimension 5 it is the divide and conquer of [L].
 // Otherwise the buckets of [L] look at a few points first. In the plane and in space, a join of
-// points in common cells follows. The buckets take all points in other dimensions, if doubles are
-// too coarse for the join, and if the join is given up. Closest_pair_search.h says what [L] is.
+// points in common cells follows. If the join is given up, the search of near pairs looks for one.
+// The buckets take all points in other dimensions, and if doubles are too coarse for the join.
+// Closest_pair_search.h says what [L] is.
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
@@ -60,7 +61,9 @@ struct Close_pair_visitor
   std::optional<Position_pair> pair = std::nullopt;
 };
 
-template <class ConcurrencyTag, class Elements, class Progress>
+// `report_near(callback, progress)` calls callback(i, j) for the close pairs, until it returns
+// false.
+template <class ConcurrencyTag, class Elements, class Progress, class Report_near>
 class Close_pair_search
 {
   using Point = typename Elements::value_type;
@@ -70,12 +73,12 @@ class Close_pair_search
 public:
   // Takes the points of the scene.
   Close_pair_search(const Elements& points, const Squared_bound<Exact>& bound, const Scene& scene,
-                    Progress& progress)
+                    Progress& progress, const Report_near& report_near)
     : points_(points), all_(points.size()), scene_(scene),
       is_zero_within_(bound.holds_for(Exact(0))),
       is_within_(bound, scene, first_exact_tier(bound.reach(), scene.grid_exponent,
                                                 scene.extended_axis_count())),
-      buckets_(points, scene, is_within_), progress_(progress)
+      buckets_(points, scene, is_within_), progress_(progress), report_near_(report_near)
   {}
 
   Close_pair_search(const Close_pair_search&) = delete; // the buckets refer to another member
@@ -130,7 +133,21 @@ private:
       = join_cells(all_, max_steps_per_point * all_.size(), [&] {
           return Close_pair_visitor<Elements>{points_, is_within_, result, mutex};
         }, progress_);
-    return result || is_complete ? result : find_in_buckets(all_, 0);
+    return result || is_complete ? result : find_reported();
+  }
+
+  Found find_reported() const
+  {
+    Found result;
+    std::mutex mutex;
+    const auto take = [&](std::size_t i, std::size_t j) {
+      const std::lock_guard<std::mutex> lock(mutex);
+      result = Position_pair(std::minmax(i, j));
+      return false;
+    };
+    progress_.restart(all_.size());
+    report_near_(take, progress_);
+    return result;
   }
 
   // In sequence, the pair depends on the input alone. So the seed is fixed.
@@ -143,6 +160,7 @@ private:
   const Is_within_distance<Point> is_within_;
   const Close_pair_buckets<ConcurrencyTag, Elements> buckets_;
   Progress& progress_;
+  const Report_near& report_near_;
 };
 
 } // namespace internal

@@ -6,25 +6,33 @@
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CLOSEST_PAIR_SEARCH_H
 
 // Chooses the method for the closest pair. In the plane and in space it is a join of points in
-// common cells. Crowded points go to the randomized cells. Hashing finds equal points if doubles
-// hold their coordinates. The divide and conquer of [L] takes points of other dimensions, and
-// points that doubles are too coarse for.
+// common cells. If these are crowded, the search of near pairs reports those that are as near as
+// the closest pair of a sample. If there are too many of them, the randomized cells follow. Hashing
+// finds equal points if doubles hold their coordinates. The divide and conquer of [L] takes points
+// of other dimensions, and points that doubles are too coarse for.
 //
 //   [L]  Computational geometry: closest pair and close pair. Slides of a lecture on algorithms,
 //        without name or date.
 
+#include <CGAL/Arithmetic_tier.h>
+#include <CGAL/Distance_bound.h>
+
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_tier.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Cell_join.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Closest_pair_cells.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Closest_pair_divide.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Hashed_cells.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Pair_minimum.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/Points_at.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/Step_budget.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/first_equal_pair.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/tuning.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -59,7 +67,9 @@ struct Minimum_visitor
   Minimum minimum;
 };
 
-template <class ConcurrencyTag, class Elements, class Progress>
+// `report_near(points, bound, callback, progress)` calls callback(i, j) for the pairs of points
+// within the bound, from any thread, until it returns false.
+template <class ConcurrencyTag, class Elements, class Progress, class Report_near>
 class Closest_pair_search
 {
   using Point = typename Elements::value_type;
@@ -69,8 +79,9 @@ class Closest_pair_search
 public:
   // Takes the points of the scene, at least two.
   Closest_pair_search(const Elements& points, const Scene& scene, std::uint64_t seed,
-                      Progress& progress)
-    : points_(points), scene_(scene), random_(seed), progress_(progress)
+                      Progress& progress, const Report_near& report_near)
+    : points_(points), scene_(scene), random_(seed), progress_(progress),
+      report_near_(report_near)
   {}
 
   // Returns the closest pair. If the search is cancelled, returns the closest of the pairs that it
@@ -105,32 +116,78 @@ private:
     if(positions.size() <= small_size)
       return search_cells<Dimension>(positions, later, minimum);
     return search<Dimension>(draw_sample(positions), later + positions.size(), minimum)
+           && minimum.has_tight_reach()
+           && Hashed_cells<Dimension>::fits(minimum.reach(), scene_.error)
            && (join_all<Dimension>(positions, later, minimum)
+               || report_all(positions, later, minimum)
                || search_cells<Dimension>(positions, later, minimum));
   }
 
-  // Joins points in wide cells. If these are crowded, joins them in narrow cells, and so all larger
-  // samples of the points. Returns false if narrow cells are crowded too, or of no use.
+  // Joins points in cells. Returns false if the cells are crowded, or those of a sample were.
   template <int Dimension, class Some_positions>
   bool join_all(const Some_positions& positions, std::size_t later, Minimum& minimum)
   {
-    while(minimum.has_tight_reach()
-          && Hashed_cells<Dimension>::fits(minimum.reach(), scene_.error)) {
-      const double distance = minimum.reach();
-      const double narrow = min_cell_side * distance;
-      const double side
-        = is_crowded_ ? narrow : join_cell_side(scene_, positions.size(), distance);
-      const std::size_t steps_per_point
-        = side > narrow ? max_wide_steps_per_point : max_steps_per_point;
-      progress_.restart(2 * (positions.size() + later));
-      const Cell_join<ConcurrencyTag, Dimension, Elements> join(points_, distance, side, random_());
-      if(offer_joined(join, positions, steps_per_point * positions.size(), minimum))
-        return true;
-      if(side <= narrow)
-        return false;
-      is_crowded_ = true;
-    }
-    return false;
+    if(is_crowded_)
+      return false;
+    // If all points took so many steps, a sample of them would take a share of its size.
+    const double size = static_cast<double>(positions.size());
+    const double steps_per_point
+      = 1 + max_steps_per_point * size / static_cast<double>(points_.size());
+    const double distance = minimum.reach();
+    progress_.restart(2 * (positions.size() + later));
+    const Cell_join<ConcurrencyTag, Dimension, Elements> join(
+      points_, distance, join_cell_side(scene_, positions.size(), distance), random_());
+    is_crowded_ = !offer_joined(join, positions, static_cast<std::size_t>(steps_per_point * size),
+                                minimum);
+    return !is_crowded_;
+  }
+
+  // Offers the pairs that are as near as the closest pair so far. Returns false if there are too
+  // many of them.
+  template <class Some_positions>
+  bool report_all(const Some_positions& some_positions, std::size_t later, Minimum& minimum)
+  {
+    const Positions positions = as_vector(some_positions);
+    progress_.restart(2 * positions.size() + later);
+    if(!do_integers_decide(minimum.reach())) // a longer bound leaves all ties to the minimum
+      return offer_reported(positions, within_distance(minimum.reach() * (1 + 0x1p-40)), minimum,
+                            &Minimum::offer);
+    // Closer pairs are few, and if there are any, they make all others no matter. Otherwise nothing
+    // is left but pairs that are as close.
+    const auto bound = within_squared_distance(minimum.exact_square());
+    const Position_pair pair = minimum.pair();
+    const bool are_few = offer_reported(positions, bound.open(), minimum, &Minimum::offer);
+    if(!are_few || minimum.pair() != pair || progress_.is_cancelled())
+      return are_few;
+    return offer_reported(positions, bound, minimum, &Minimum::offer_tie);
+  }
+
+  bool do_integers_decide(double reach) const
+  {
+    return first_exact_tier(reach, scene_.grid_exponent, scene_.extended_axis_count())
+           != Arithmetic_tier::FILTERED_EXACT;
+  }
+
+  // Offers the pairs within the bound to a minimum of each thread, up to a number of pairs.
+  template <class Bound, class Offer>
+  bool offer_reported(const Positions& positions, const Bound& bound, Minimum& minimum,
+                      const Offer& offer)
+  {
+    struct Offers
+    {
+      Minimum minimum;
+      Step_counter counter;
+    };
+    Step_budget budget(max_near_pairs_per_point * positions.size());
+    Per_thread<ConcurrencyTag, Offers> offers(Offers{minimum, Step_counter(budget)});
+    report_near_(Points_at<Elements>(points_, positions), bound,
+                 [&](std::size_t i, std::size_t j) {
+                   Offers& own = offers.local();
+                   (own.minimum.*offer)(positions[i], positions[j]);
+                   return own.counter.step();
+                 }, progress_);
+    offers.for_each([&](const Offers& own) { minimum.offer_pair_of(own.minimum); });
+    return !budget.is_exceeded();
   }
 
   // Returns false if the join was given up.
@@ -148,11 +205,17 @@ private:
   bool search_cells(const Some_positions& positions, std::size_t later, Minimum& minimum)
   {
     progress_.restart(positions.size() + later);
+    return Closest_pair_cells<Dimension, Elements>(points_, as_vector(positions), scene_, random_())
+      .search(minimum, progress_);
+  }
+
+  template <class Some_positions>
+  static Positions as_vector(const Some_positions& positions)
+  {
     Positions all(positions.size());
     for(std::size_t i = 0; i < all.size(); ++i)
       all[i] = positions[i];
-    return Closest_pair_cells<Dimension, Elements>(points_, std::move(all), scene_, random_())
-      .search(minimum, progress_);
+    return all;
   }
 
   template <class Some_positions>
@@ -169,7 +232,8 @@ private:
   const Scene& scene_;
   std::mt19937_64 random_;
   Progress& progress_;
-  bool is_crowded_ = false; // whether a join in wide cells was given up
+  const Report_near& report_near_;
+  bool is_crowded_ = false; // whether a join was given up
 };
 
 } // namespace internal

@@ -58,7 +58,13 @@ public:
     if(scale_exponent_ != 0)
       offer_at_scale(i, j);
     else
-      offer(i, j, squared_distance_bounds(points_[i], points_[j], dimension_));
+      offer_between(i, j, squared_distance_bounds(points_[i], points_[j], dimension_));
+  }
+
+  // As offer(), of a pair that is as close.
+  void offer_tie(std::size_t i, std::size_t j)
+  {
+    pair_ = (std::min)(pair_, Position_pair(std::minmax(i, j)));
   }
 
   void offer_pair_of(const Pair_minimum& other)
@@ -93,6 +99,15 @@ public:
     return std::nextafter(scaled_reach() / scale_, std::numeric_limits<double>::infinity());
   }
 
+  // The square of the distance.
+  const Exact& exact_square() const
+  {
+    if(!exact_square_)
+      exact_square_ = exact_squared_distance(points_[pair_.first], points_[pair_.second],
+                                             dimension_);
+    return *exact_square_;
+  }
+
   // Whether reach() is at most twice the distance, or the next double, or beyond the doubles. False
   // if points are equal, or if the errors of the coordinates hide the distance.
   bool has_tight_reach() const
@@ -109,16 +124,8 @@ private:
     return std::nextafter(std::sqrt(max_square_), std::numeric_limits<double>::infinity());
   }
 
-  const Exact& exact_square() const
-  {
-    if(!exact_square_)
-      exact_square_ = exact_squared_distance(points_[pair_.first], points_[pair_.second],
-                                             dimension_);
-    return *exact_square_;
-  }
-
   // Offers a pair whose computed squared distance is between the doubles of `square`.
-  void offer(std::size_t i, std::size_t j, const Gap& square)
+  void offer_between(std::size_t i, std::size_t j, const Gap& square)
   {
     if(square.inf > filter_.outside)
       return;
@@ -155,8 +162,11 @@ private:
   {
     if constexpr(is_held_by_double_v<Coordinate_t<Point>>)
       if(scale_exponent_ == 0 && min_square_ > min_twofold_square
-         && max_square_ < max_twofold_square && dimension_ <= Twofold_distance::max_dimension)
-        return twofold_distance(candidate).compare(twofold_distance(pair_));
+         && max_square_ < max_twofold_square && dimension_ <= Twofold_distance::max_dimension) {
+        if(!twofold_)
+          twofold_ = twofold_distance(pair_);
+        return twofold_distance(candidate).compare(*twofold_);
+      }
     return std::nullopt;
   }
 
@@ -173,7 +183,7 @@ private:
   // Not inline: few scenes need it.
   BOOST_NOINLINE void offer_at_scale(std::size_t i, std::size_t j)
   {
-    offer(i, j, scaled_square_bounds(i, j));
+    offer_between(i, j, scaled_square_bounds(i, j));
   }
 
   // As squared_distance_bounds(), of differences times the scale.
@@ -228,6 +238,7 @@ private:
     has_pair_ = true;
     pair_ = pair;
     exact_square_ = std::move(exact);
+    twofold_.reset();
     if(scale_exponent_ != 0 || !is_plain(square.sup))
       square = choose_scale();
     min_square_ = square.inf >= min_safe_square
@@ -249,7 +260,8 @@ private:
 
   bool has_pair_ = false;
   Position_pair pair_ = {0, 0};
-  mutable std::optional<Exact> exact_square_; // of the pair, once it was needed
+  mutable std::optional<Exact> exact_square_;       // of the pair, once it was needed
+  mutable std::optional<Twofold_distance> twofold_; // of the pair, once it was needed
   int scale_exponent_ = 0;
   double scale_ = 1;
   double min_square_ = 0; // min_square_ <= squared distance at this scale <= max_square_

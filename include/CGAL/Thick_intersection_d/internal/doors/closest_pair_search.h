@@ -15,6 +15,7 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Close_pair_search.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Closest_pair_search.h>
+#include <CGAL/Thick_intersection_d/internal/doors/near_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
@@ -38,6 +39,15 @@ Scene scan_checked_points(const Elements& points)
   return scan_points<ConcurrencyTag>(points, "point");
 }
 
+// Reports the pairs of points in the plane or in space within a bound.
+template <class ConcurrencyTag, class Elements, class NT, class Callback, class Progress>
+void report_near_points(const Elements& points, const Distance_bound<NT>& bound,
+                        const Callback& callback, Progress& progress)
+{
+  Near_pairs_search<ConcurrencyTag, Elements>(points, bound, false)
+    .report_by_slabs(callback, progress);
+}
+
 template <class ConcurrencyTag, class Elements, class NamedParameters>
 Position_pair find_closest_pair(const Elements& points, const NamedParameters& np)
 {
@@ -47,8 +57,12 @@ Position_pair find_closest_pair(const Elements& points, const NamedParameters& n
   const std::uint64_t seed = parameters::choose_parameter(
     parameters::get_parameter(np, internal_np::random_seed), seed_of_process());
   auto progress = make_progress(np, points.size());
-  Closest_pair_search<ConcurrencyTag, Elements, decltype(progress)> search(points, scene, seed,
-                                                                           progress);
+  const auto report_near = [](const auto& some_points, const auto& bound, const auto& callback,
+                              auto& progress_of_search) {
+    report_near_points<ConcurrencyTag>(some_points, bound, callback, progress_of_search);
+  };
+  Closest_pair_search<ConcurrencyTag, Elements, decltype(progress), decltype(report_near)> search(
+    points, scene, seed, progress, report_near);
   const Position_pair pair = search.find();
   progress.finish();
   return pair;
@@ -63,8 +77,11 @@ std::optional<Position_pair> find_pair_within(const Elements& points,
   const Squared_bound<Exact_number_t<Number>> squared_bound(bound);
   const Scene scene = scan_checked_points<ConcurrencyTag>(points);
   auto progress = make_progress(np, points.size());
-  const Close_pair_search<ConcurrencyTag, Elements, decltype(progress)> search(
-    points, squared_bound, scene, progress);
+  const auto report_near = [&](const auto& callback, auto& progress_of_search) {
+    report_near_points<ConcurrencyTag>(points, bound, callback, progress_of_search);
+  };
+  const Close_pair_search<ConcurrencyTag, Elements, decltype(progress), decltype(report_near)>
+    search(points, squared_bound, scene, progress, report_near);
   const std::optional<Position_pair> pair = search.find();
   progress.finish();
   return pair;

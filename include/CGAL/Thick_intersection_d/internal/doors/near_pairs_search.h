@@ -79,13 +79,11 @@ public:
     if(points_.size() == 0)
       return true;
     const Is_within_distance<Point> is_within = make_predicate(counts);
-    if(are_finite_doubles() && (scene_.dimension() == 2 || scene_.dimension() == 3)) {
-      if constexpr(dimension_or<Point>(3) == 3)
-        if(scene_.extended_axis_count() == 3)
-          return report_by_slabs<3>(is_within, sets, callback, np);
-      if constexpr(dimension_or<Point>(2) == 2 || dimension_or<Point>(3) == 3)
-        return report_by_slabs<2>(is_within, sets, callback, np);
-    }
+    if constexpr(dimension_or<Point>(2) == 2 || dimension_or<Point>(3) == 3)
+      if(takes_slabs()) {
+        auto progress = make_progress(np, points_.size());
+        return report_by_slabs(is_within, sets, callback, progress);
+      }
     if constexpr(dimension_or<Point>(0) != 2 && dimension_or<Point>(0) != 3)
       if(are_finite_doubles() && scene_.dimension() > 0) {
         auto progress = make_progress(np, points_.size());
@@ -94,6 +92,20 @@ public:
       }
     const Thick_point_traits_d<Point> traits(is_within);
     return report_recursively<ConcurrencyTag>(points_, sets, traits, callback, np);
+  }
+
+  // Whether report() takes the slab route.
+  bool takes_slabs() const
+  {
+    return are_finite_doubles() && (scene_.dimension() == 2 || scene_.dimension() == 3);
+  }
+
+  // As report(), of one set of points that take the slab route, as a part of a larger search.
+  template <class Callback, class Progress>
+  bool report_by_slabs(Callback& callback, Progress& progress)
+  {
+    const Is_within_distance<Point> is_within = make_predicate(nullptr);
+    return report_by_slabs(is_within, One_set(), callback, progress);
   }
 
 private:
@@ -133,10 +145,20 @@ private:
     return points_.size() < max_place / 2;
   }
 
-  // Searches along at least two axes, among them all axes along which the points differ.
-  template <int Dimension, class Sets, class Callback, class NamedParameters>
+  template <class Sets, class Callback, class Progress>
   bool report_by_slabs(const Is_within_distance<Point>& is_within, const Sets& sets,
-                       Callback& callback, const NamedParameters& np)
+                       Callback& callback, Progress& progress)
+  {
+    if constexpr(dimension_or<Point>(3) == 3)
+      if(scene_.extended_axis_count() == 3)
+        return report_along_axes<3>(is_within, sets, callback, progress);
+    return report_along_axes<2>(is_within, sets, callback, progress);
+  }
+
+  // Searches along at least two axes, among them all axes along which the points differ.
+  template <int Dimension, class Sets, class Callback, class Progress>
+  bool report_along_axes(const Is_within_distance<Point>& is_within, const Sets& sets,
+                         Callback& callback, Progress& progress)
   {
     doubles_.keep(searched_axes<Dimension>(scene_));
     using Points = Near_points<Dimension, Elements>;
@@ -146,8 +168,8 @@ private:
                              scale.is_usable() && !scale.is_exact());
     if(scale.is_usable())
       return report_by_slabs_of(Narrow_points<Dimension, Points>(points, scale), sets, callback,
-                                np);
-    return report_by_slabs_of(points, sets, callback, np);
+                                progress);
+    return report_by_slabs_of(points, sets, callback, progress);
   }
 
   // Returns a scale without ties, or one that leaves few of them; none if there are many.
@@ -169,12 +191,11 @@ private:
                                    : Narrow_scale<Dimension>(box, points.filter());
   }
 
-  template <class Points, class Sets, class Callback, class NamedParameters>
+  template <class Points, class Sets, class Callback, class Progress>
   static bool report_by_slabs_of(const Points& points, const Sets& sets, Callback& callback,
-                                 const NamedParameters& np)
+                                 Progress& progress)
   {
     const Slab_route<ConcurrencyTag, Points> route(points);
-    auto progress = make_progress(np, points.size());
     if constexpr(Sets::are_two) {
       const auto callback_of_two_sets
         = [&](std::size_t i, std::size_t j) { return callback(i, j - sets.first_size); };
