@@ -41,6 +41,7 @@ BOOST_AUTO_TEST_CASE(cancelled_search_looks_at_few_points_more)
   std::size_t looks = 0;
   const Counted_points<Point> counted = {points, looks};
   const internal::Squared_bound<Exact_of<Point>> zero(CGAL::within_distance(0));
+  const internal::Squared_bound<Exact_of<Point>> tiny(CGAL::within_distance(1e-9));
   const internal::Scene scene = scene_of(counted);
   for(const double share : {0., 0.1, 0.3, 0.6, 0.9}) {
     std::size_t before = 0;
@@ -54,11 +55,13 @@ BOOST_AUTO_TEST_CASE(cancelled_search_looks_at_few_points_more)
     internal::Closest_pair_search<CGAL::Sequential_tag, Counted, Progress, Report_near_points>(
       counted, scene, 1, progress, Report_near_points()).find();
     BOOST_CHECK_LE(looks - before, 4000u);
-    Progress other(cancel, points.size());
     const auto report_near = [](const auto&, auto&) {};
-    internal::Close_pair_search<CGAL::Sequential_tag, Counted, Progress, decltype(report_near)>(
-      counted, zero, scene, other, report_near).find();
-    BOOST_CHECK_LE(looks - before, 4000u);
+    for(const auto& bound : {zero, tiny}) {
+      Progress other(cancel, points.size());
+      internal::Close_pair_search<CGAL::Sequential_tag, Counted, Progress, decltype(report_near)>(
+        counted, bound, scene, other, report_near).find();
+      BOOST_CHECK_LE(looks - before, 4000u);
+    }
   }
 }
 
@@ -116,6 +119,23 @@ BOOST_AUTO_TEST_CASE(near_pairs_of_crowded_points_are_reported)
   }
   BOOST_CHECK_EQUAL(reports_of_closest_pair<2>(uniform_points(2, 4000, 0, 1, 5)), 0);
   BOOST_CHECK_EQUAL(reports_of_closest_pair<3>(uniform_points(3, 4000, 0, 1, 5)), 0);
+}
+
+// Once for each coordinate, and for few others in the same place of the hash table.
+BOOST_AUTO_TEST_CASE(equal_points_are_found_by_few_looks)
+{
+  const auto points = make_points<Maker<2>>(uniform_points(2, 20000, 0, 1, 7));
+  std::size_t looks = 0;
+  const Counted_points<Point> counted = {points, looks};
+  const internal::Scene scene = scene_of(Elements_of<Point>(points));
+  const internal::Squared_bound<Exact_of<Point>> zero(CGAL::within_distance(0));
+  const auto report_near = [](const auto&, auto&) {};
+  using Progress = internal::Unwatched_progress;
+  Progress progress;
+  BOOST_CHECK(!(internal::Close_pair_search<CGAL::Sequential_tag, Counted_points<Point>, Progress,
+                                            decltype(report_near)>(
+    counted, zero, scene, progress, report_near).find()));
+  BOOST_CHECK_LE(looks, 3 * points.size());
 }
 
 // The distance of the lattice is decided exactly.

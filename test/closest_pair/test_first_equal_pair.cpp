@@ -8,6 +8,7 @@
 #include "support/point_generators.h"
 
 #include <CGAL/Thick_intersection_d/internal/closest_pair/first_equal_pair.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -42,7 +43,10 @@ BOOST_AUTO_TEST_CASE(the_pair_is_the_lexicographically_smallest)
     const std::optional<Pair> expected = by_brute_force(points);
     found += expected.has_value();
     const Plain_points<double> elements = plain_points(points);
-    BOOST_CHECK(internal::first_equal_pair(elements, 3, random.below(1000)) == expected);
+    internal::Unwatched_progress progress;
+    internal::First_equal_pair<Plain_points<double>> search(elements, 3, random.below(1000));
+    BOOST_CHECK(search.find(progress) == expected);
+    BOOST_CHECK(!search.is_given_up());
   }
   BOOST_CHECK_GT(found, 500u);
   BOOST_CHECK_LT(found, 2500u);

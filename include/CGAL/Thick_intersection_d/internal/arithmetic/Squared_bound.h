@@ -78,6 +78,9 @@ public:
   // Whether every pair of points is within the bound.
   bool is_unbounded() const { return unbounded_; }
 
+  // Whether r is zero.
+  bool is_zero() const { return !unbounded_ && numerator_ == Exact(0); }
+
   // Doubles that enclose r^2.
   const std::pair<double, double>& squared() const { return squared_; }
 

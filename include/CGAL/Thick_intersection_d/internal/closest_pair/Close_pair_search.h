@@ -5,20 +5,23 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CLOSE_PAIR_SEARCH_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CLOSE_PAIR_SEARCH_H
 
-// Chooses the method for a close pair. Beyond dimension 5 it is the divide and conquer of [L].
-// Otherwise the buckets of [L] look at a few points first. In the plane and in space, a join of
-// points in common cells follows. If the join is given up, the search of near pairs looks for one.
-// The buckets take all points in other dimensions, and if doubles are too coarse for the join.
-// Closest_pair_search.h says what [L] is.
+// Chooses the method for a close pair. If the bound is zero, and doubles hold the coordinates, it
+// is hashing. Beyond dimension 5 it is the divide and conquer of [L]. Otherwise the buckets of [L]
+// look at a few points first. In the plane and in space, a join of points in common cells follows.
+// If the join is given up, the search of near pairs looks for one. The buckets take all points in
+// other dimensions, and if doubles are too coarse for the join. Closest_pair_search.h says what [L]
+// is.
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_tier.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Cell_join.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Close_pair_buckets.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Closest_pair_divide.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Hashed_cells.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Pair_minimum.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/first_equal_pair.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/tuning.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
@@ -75,7 +78,7 @@ public:
   Close_pair_search(const Elements& points, const Squared_bound<Exact>& bound, const Scene& scene,
                     Progress& progress, const Report_near& report_near)
     : points_(points), all_(points.size()), scene_(scene),
-      is_zero_within_(bound.holds_for(Exact(0))),
+      is_zero_within_(bound.holds_for(Exact(0))), is_zero_(bound.is_zero()),
       is_within_(bound, scene, first_exact_tier(bound.reach(), scene.grid_exponent,
                                                 scene.extended_axis_count())),
       buckets_(points, scene, is_within_), progress_(progress), report_near_(report_near)
@@ -88,6 +91,14 @@ public:
   {
     if(!is_zero_within_) // no distance is less than zero
       return std::nullopt;
+    if constexpr(is_held_by_double_v<Coordinate_t<Point>>)
+      if(is_zero_) {
+        progress_.restart(all_.size());
+        First_equal_pair<Elements> equal_points(points_, scene_.dimension(), seed_of_process());
+        const Found pair = equal_points.find(progress_);
+        if(!equal_points.is_given_up())
+          return pair;
+      }
     if(scene_.dimension() > max_bucket_dimension)
       return test_closest_pair();
     if(const Found pair = find_in_buckets(All_positions(all_.size() / first_look_divisor),
@@ -157,6 +168,7 @@ private:
   const All_positions all_;
   const Scene& scene_;
   const bool is_zero_within_;
+  const bool is_zero_; // whether only equal points are close
   const Is_within_distance<Point> is_within_;
   const Close_pair_buckets<ConcurrencyTag, Elements> buckets_;
   Progress& progress_;

@@ -97,9 +97,12 @@ public:
     if(is_found || progress_.is_cancelled())
       return minimum.pair();
     if constexpr(is_held_by_double_v<Coordinate_t<Point>>)
-      if(minimum.is_zero())
-        if(const auto pair = first_equal_pair(points_, scene_.dimension(), random_()))
+      if(minimum.is_zero()) {
+        progress_.restart(points_.size());
+        First_equal_pair<Elements> equal_points(points_, scene_.dimension(), random_());
+        if(const auto pair = equal_points.find(progress_))
           return *pair;
+      }
     divide_and_conquer<ConcurrencyTag>(points_.size(), scene_.dimension(), minimum, progress_);
     return minimum.pair();
   }

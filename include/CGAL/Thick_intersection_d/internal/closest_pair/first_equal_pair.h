@@ -13,6 +13,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -34,25 +35,34 @@ public:
       next_(points.size())
   {}
 
-  // Returns the pair, if there is one, in linear time. Also returns nothing if many points collide
-  // in the hash table, which is not to be expected of a random seed.
-  std::optional<Position_pair> find()
+  // Returns the pair, if there is one, in linear time. The search may be cancelled, or given up if
+  // many points collide in the hash table, which is not to be expected of a random seed. Each point
+  // is one step of progress.
+  template <class Progress>
+  std::optional<Position_pair> find(Progress& progress)
   {
     // Invariant: the slots hold the first point of each set of equal points before i.
     std::optional<Position_pair> first;
     for(std::size_t i = 0; i < points_.size(); ++i) {
+      if(i % batch_size == 0 && !progress.advance((std::min)(batch_size, points_.size() - i)))
+        return first;
       const std::size_t other = find_or_insert(i);
       if(other < (first ? first->first : i))
         first = Position_pair(other, i);
       if(first && first->first == 0)
         return first;
-      if(step_count_ > max_equality_steps_per_point * points_.size())
+      if(is_given_up())
         return std::nullopt;
     }
     return first;
   }
 
+  // Whether it is not known if there is a pair.
+  bool is_given_up() const { return step_count_ > max_equality_steps_per_point * points_.size(); }
+
 private:
+  static constexpr std::size_t batch_size = 512;
+
   // Returns the first point that is equal to point i: another one, or i.
   std::size_t find_or_insert(std::size_t i)
   {
@@ -96,13 +106,6 @@ private:
   std::vector<Place> next_;  // by point: 1 + the point before it in the slot, or 0
   std::size_t step_count_ = 0;
 };
-
-template <class Elements>
-std::optional<Position_pair> first_equal_pair(const Elements& points, int dimension,
-                                              std::uint64_t seed)
-{
-  return First_equal_pair<Elements>(points, dimension, seed).find();
-}
 
 } // namespace internal
 } // namespace Thick_intersection_d
