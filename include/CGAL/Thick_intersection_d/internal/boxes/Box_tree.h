@@ -8,7 +8,9 @@
 // The pairs of crowded boxes, by a segment tree that is never stored: Zomorodian and Edelsbrunner,
 // "Fast software for box intersections", 2002. O(n log^(d-1) n + k) time, whatever the boxes are.
 
+#include <CGAL/Thick_intersection_d/internal/arrays/radix_sort.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -75,19 +77,24 @@ private:
     return x < y || (x == y && a->position < b->position);
   }
 
-  // The lower ends are copied, because they are compared often and lie far apart.
   static void sort(Boxes& boxes, int axis)
   {
-    std::vector<std::pair<double, const Box*>> ends;
+    std::vector<Keyed_value> ends;
     ends.reserve(boxes.size());
-    for(const Box* box : boxes)
-      ends.emplace_back(low(box, axis), box);
-    std::sort(ends.begin(), ends.end(), [](const auto& a, const auto& b) {
-      return a.first < b.first
-             || (a.first == b.first && a.second->position < b.second->position);
-    });
-    for(std::size_t i = 0; i < ends.size(); ++i)
-      boxes[i] = ends[i].second;
+    for(std::size_t i = 0; i < boxes.size(); ++i)
+      ends.push_back({radix_key(low(boxes[i], axis)), static_cast<Place>(i)});
+    radix_sort(ends);
+    const Boxes unsorted = boxes;
+    std::transform(ends.begin(), ends.end(), boxes.begin(),
+                   [&](const Keyed_value& end) { return unsorted[end.value]; });
+    // Invariant: the boxes before `first` are in order.
+    for(std::size_t first = 0, last; first != boxes.size(); first = last) {
+      last = first + 1;
+      while(last != boxes.size() && ends[last].key == ends[first].key)
+        ++last;
+      std::sort(boxes.begin() + first, boxes.begin() + last,
+                [](const Box* a, const Box* b) { return a->position < b->position; });
+    }
   }
 
   // Lists are mostly read along axis 0, so this is the order of the boxes in memory.
