@@ -14,16 +14,12 @@
 #include <CGAL/Iso_cuboid_3.h>
 #include <CGAL/Iso_rectangle_2.h>
 #include <CGAL/Kernel_traits.h>
-#include <CGAL/Segment_2.h>
-#include <CGAL/Segment_3.h>
 #include <CGAL/Sphere_3.h>
-#include <CGAL/Tetrahedron_3.h>
-#include <CGAL/Triangle_2.h>
-#include <CGAL/Triangle_3.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/input/vertices.h>
 
 #include <cmath>
 #include <cstddef>
@@ -57,33 +53,6 @@ template <>
 struct Is_box_of_doubles<Bbox_2> : std::true_type {};
 template <>
 struct Is_box_of_doubles<Bbox_3> : std::true_type {};
-
-// The number of vertices of a kernel object; 0 for other types.
-template <class Object>
-struct Vertex_count : std::integral_constant<int, 0> {};
-template <class K>
-struct Vertex_count<Segment_2<K>> : std::integral_constant<int, 2> {};
-template <class K>
-struct Vertex_count<Segment_3<K>> : std::integral_constant<int, 2> {};
-template <class K>
-struct Vertex_count<Triangle_2<K>> : std::integral_constant<int, 3> {};
-template <class K>
-struct Vertex_count<Triangle_3<K>> : std::integral_constant<int, 3> {};
-template <class K>
-struct Vertex_count<Iso_rectangle_2<K>> : std::integral_constant<int, 4> {};
-template <class K>
-struct Vertex_count<Iso_cuboid_3<K>> : std::integral_constant<int, 8> {};
-template <class K>
-struct Vertex_count<Tetrahedron_3<K>> : std::integral_constant<int, 4> {};
-
-// Every so many vertices have all coordinates of the object. In iso-boxes these are two opposite
-// vertices: 0 and 2, or 0 and 7.
-template <class Object>
-struct Vertex_step : std::integral_constant<int, 1> {};
-template <class K>
-struct Vertex_step<Iso_rectangle_2<K>> : std::integral_constant<int, 2> {};
-template <class K>
-struct Vertex_step<Iso_cuboid_3<K>> : std::integral_constant<int, 7> {};
 
 // Whether doubles hold the coordinates of an object. Its box is finite if its vertices are.
 template <class Object>
