@@ -31,10 +31,16 @@ template <class Object>
 struct Has_kernel<Object, std::void_t<typename Kernel_traits<Object>::Kernel::Point_2>>
   : std::true_type {};
 
+// Whether the predicates of a kernel are exact. CGAL calls `long long` an exact type, but products
+// of such numbers overflow.
+template <class FT>
+constexpr bool has_exact_predicates_v
+  = Algebraic_structure_traits<FT>::Is_exact::value && !std::is_arithmetic_v<FT>;
+
 // A kernel whose predicates are exact on the objects of Kernel.
 template <class Kernel>
 using Kernel_with_exact_predicates = std::conditional_t<
-  Algebraic_structure_traits<typename Kernel::FT>::Is_exact::value, Kernel,
+  has_exact_predicates_v<typename Kernel::FT>, Kernel,
   std::conditional_t<is_held_by_double_v<typename Kernel::FT>,
                      Exact_predicates_inexact_constructions_kernel,
                      Simple_cartesian<Exact_rational>>>;
