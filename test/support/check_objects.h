@@ -1,23 +1,29 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Kernel objects on several kernels, against all pairs tested in exact rational numbers, and
-// against CGAL::box_self_intersection_d() with the same test.
+// Kernel objects on several kernels and scales, against all pairs tested in exact rational numbers,
+// against CGAL::box_intersection_d() with the same test, and against the recursive route.
 
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_CHECK_OBJECTS_H
 #define THICK_INTERSECTION_TEST_SUPPORT_CHECK_OBJECTS_H
 
 #include "number_boxes.h"
+#include "object_makers.h"
 #include "object_scenes.h"
 #include "pairs.h"
 #include "parallel_pairs.h"
 
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/doors/Traits_boxes.h>
+#include <CGAL/Thick_intersection_d/internal/doors/recursive_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
+#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Fraction_traits.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/thick_intersection_d.h>
@@ -28,8 +34,10 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <random>
+#include <initializer_list>
+#include <optional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace test_support {
@@ -37,41 +45,41 @@ namespace test_support {
 using Double_kernel = CGAL::Simple_cartesian<double>;
 using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
 
-// n random objects on a lattice of a unit, so that many of them touch.
-inline std::vector<Numbers> random_numbers(std::size_t n, std::size_t per_object, int dimension,
-                                           float unit, unsigned int seed)
-{
-  std::mt19937_64 random(seed);
-  std::vector<Numbers> objects(n);
-  for(Numbers& object : objects) {
-    Numbers corner;
-    for(int i = 0; i < dimension; ++i)
-      corner.push_back(static_cast<double>(random() % (dimension == 2 ? 40 : 12)));
-    for(std::size_t k = 0; k < per_object; ++k) {
-      const double steps = corner[k % dimension] + static_cast<double>(random() % 6);
-      object.push_back(unit * static_cast<float>(steps)); // rounded as kernels of floats need it
-    }
-  }
-  return objects;
-}
-
-// What integers are multiplied by, without rounding. The pairs stay the same.
+// What numbers are multiplied by, without rounding. The pairs stay the same.
 enum class Scale {
   ONE,
-  HUGE_POWER, // squares of such numbers are no doubles
+  HUGE_POWER, // squares of such numbers are no doubles, or no integers
   DENORMAL,
-  THIRD       // few of these are doubles, so the boxes are larger than the objects
+  THIRD       // few of these are doubles, so boxes of doubles meet whose objects do not touch
 };
+
+template <class FT>
+constexpr bool can_scale(Scale scale)
+{
+  return scale == Scale::ONE        ? true
+         : scale == Scale::THIRD    ? CGAL::Algebraic_structure_traits<FT>::Is_exact::value
+                                      && !std::is_integral_v<FT>
+         : scale == Scale::DENORMAL ? !std::is_same_v<FT, float> && !std::is_integral_v<FT>
+                                    : !std::is_same_v<FT, float>;
+}
 
 template <class FT>
 FT scaled(double x, Scale scale)
 {
-  if constexpr(CGAL::Algebraic_structure_traits<FT>::Is_exact::value)
-    if(scale == Scale::THIRD)
-      return FT(x) / FT(3);
-  return FT(scale == Scale::HUGE_POWER ? std::ldexp(x, 990)
-            : scale == Scale::DENORMAL ? std::ldexp(x, -1074)
-                                       : x);
+  if constexpr(internal::Is_quotient<FT>::value) {
+    typename FT::NT numerator, denominator;
+    CGAL::Fraction_traits<CGAL::Exact_rational>::Decompose()(
+      scaled<CGAL::Exact_rational>(x, scale), numerator, denominator);
+    return FT(numerator, denominator);
+  }
+  else {
+    if constexpr(can_scale<FT>(Scale::THIRD))
+      if(scale == Scale::THIRD)
+        return FT(FT(x) / FT(3));
+    return FT(scale == Scale::HUGE_POWER ? std::ldexp(x, std::is_integral_v<FT> ? 40 : 990)
+              : scale == Scale::DENORMAL ? std::ldexp(x, -1074)
+                                         : x);
+  }
 }
 
 template <class Maker, class Kernel>
@@ -87,185 +95,237 @@ auto make_objects(const std::vector<Numbers>& numbers, Scale scale = Scale::ONE)
   return objects;
 }
 
-// Those that are not degenerate in the exact kernel.
+// Whether two objects intersect.
+using Test = std::function<bool(std::size_t, std::size_t)>;
+
+// In exact rational numbers.
 template <class Maker>
-std::vector<Numbers> proper_objects(float unit)
+Test exact_test(const std::vector<Numbers>& numbers)
 {
-  std::vector<Numbers> proper;
-  for(const Numbers& c :
-      random_numbers(250, Maker::points * Maker::dimension, Maker::dimension, unit, 7))
-    if(!Maker::template make<Rational_kernel>(c).is_degenerate())
-      proper.push_back(c);
-  return proper;
+  return [objects = make_objects<Maker, Rational_kernel>(numbers)](std::size_t i, std::size_t j) {
+    return CGAL::do_intersect(objects[i], objects[j]);
+  };
 }
 
-template <class Object>
-Pairs all_intersecting_pairs(const std::vector<Object>& objects)
+inline Number_box box_of(const Numbers& object, int dimension)
 {
+  Number_box box;
+  for(std::size_t k = 0; k < object.size(); ++k)
+    box[k % static_cast<std::size_t>(dimension)].add(object[k]);
+  return box;
+}
+
+// What a scene has, found out without the package.
+struct Object_truth
+{
+  Test do_intersect;
   Pairs pairs;
-  for(std::size_t i = 0; i < objects.size(); ++i)
-    for(std::size_t j = i + 1; j < objects.size(); ++j)
-      if(CGAL::do_intersect(objects[i], objects[j]))
-        pairs.emplace_back(i, j);
-  return pairs;
+};
+
+template <class Maker>
+Object_truth truth_of(const std::vector<Numbers>& numbers)
+{
+  Number_boxes boxes;
+  for(const Numbers& c : numbers)
+    boxes.push_back(box_of(c, Maker::dimension));
+  Object_truth truth = {exact_test<Maker>(numbers), {}};
+  for(const Pair& p : all_meeting_pairs(boxes, Maker::dimension))
+    if(truth.do_intersect(p.first, p.second))
+      truth.pairs.push_back(p);
+  return truth;
+}
+
+// The first set of two, of one object in three.
+inline std::size_t first_set_size(std::size_t size) { return size / 3; }
+
+inline Pairs between_sets(const Pairs& pairs, std::size_t first_size)
+{
+  Pairs result;
+  for(const Pair& p : pairs)
+    if(p.first < first_size && p.second >= first_size)
+      result.push_back(p);
+  return result;
+}
+
+// Compares the pairs of one set and those between two sets, in one numbering.
+inline void check_found(const Object_truth& truth, std::size_t size, const Pairs& one_set,
+                        const Pairs& two_sets, const char* how)
+{
+  const Pairs_difference of_one = compare(truth.pairs, one_set);
+  BOOST_CHECK_MESSAGE(of_one.empty(), how << ", one set: " << of_one);
+  const Pairs_difference of_two
+    = compare(between_sets(truth.pairs, first_set_size(size)), two_sets);
+  BOOST_CHECK_MESSAGE(of_two.empty(), how << ", two sets: " << of_two);
+}
+
+template <int Dimension>
+using Cgal_boxes = std::vector<CGAL::Box_intersection_d::Box_with_info_d<double, Dimension,
+                                                                         std::size_t>>;
+
+// The truth by CGAL, with the boxes that objects say they have.
+template <int Dimension>
+void check_truth_by_boxes(const Cgal_boxes<Dimension>& boxes, const Object_truth& truth)
+{
+  using Box = typename Cgal_boxes<Dimension>::value_type;
+  Pairs found;
+  const auto report = [&](const Box& a, const Box& b) {
+    const Pair p = std::minmax(a.info(), b.info());
+    if(truth.do_intersect(p.first, p.second))
+      found.push_back(p);
+  };
+  const auto middle = static_cast<std::ptrdiff_t>(first_set_size(boxes.size()));
+  Cgal_boxes<Dimension> a(boxes.begin(), boxes.begin() + middle);
+  Cgal_boxes<Dimension> b(boxes.begin() + middle, boxes.end());
+  CGAL::box_intersection_d(a.begin(), a.end(), b.begin(), b.end(), report);
+  const Pairs two_sets = std::exchange(found, {});
+  a = boxes;
+  CGAL::box_self_intersection_d(a.begin(), a.end(), report);
+  check_found(truth, boxes.size(), found, two_sets, "by CGAL");
 }
 
 // One type of callback, because compilers make a search for each.
 using Callback = std::function<void(std::size_t, std::size_t)>;
 
-// The pairs that are reported in sequence or in parallel.
-template <class ConcurrencyTag, class Object>
-Pairs reported_pairs(const std::vector<Object>& objects)
-{
-  return collected([&](const Callback& callback) {
-    CGAL::thick_self_intersection_d<ConcurrencyTag>(objects, callback);
-  });
-}
-
-template <class ConcurrencyTag, class Object>
-Pairs reported_pairs(const std::vector<Object>& objects, std::size_t first_set_size)
-{
-  const auto middle = objects.begin() + static_cast<std::ptrdiff_t>(first_set_size);
-  const std::vector<Object> a(objects.begin(), middle), b(middle, objects.end());
-  Pairs pairs = collected([&](const Callback& callback) {
-    CGAL::thick_intersection_d<ConcurrencyTag>(a, b, callback);
-  });
-  for(Pair& p : pairs)
-    p.second += first_set_size;
-  return pairs;
-}
-
-inline Pairs between_sets(const Pairs& pairs, std::size_t first_set_size)
-{
-  Pairs result;
-  for(const Pair& p : pairs)
-    if(p.first < first_set_size && p.second >= first_set_size)
-      result.push_back(p);
-  return result;
-}
-
-template <class ConcurrencyTag, class Object>
-void check_pairs(const std::vector<Object>& objects, const Pairs& expected, const char* how)
-{
-  const Pairs_difference one_set = compare(expected, reported_pairs<ConcurrencyTag>(objects));
-  BOOST_CHECK_MESSAGE(one_set.empty(), how << ", one set: " << one_set);
-  const std::size_t first_set_size = objects.size() / 3;
-  const Pairs_difference two_sets
-    = compare(between_sets(expected, first_set_size),
-              reported_pairs<ConcurrencyTag>(objects, first_set_size));
-  BOOST_CHECK_MESSAGE(two_sets.empty(), how << ", two sets: " << two_sets);
-}
-
-// In parallel, two kernels are enough: one that computes when it is asked, one that does not.
-template <class Maker, class Kernel>
-void check_objects(const std::vector<Numbers>& numbers, const Pairs& expected,
-                   Scale scale = Scale::ONE)
-{
-  const auto objects = make_objects<Maker, Kernel>(numbers, scale);
-  check_pairs<CGAL::Sequential_tag>(objects, expected, "in sequence");
-  if constexpr(std::is_same_v<Kernel, Epeck> || std::is_same_v<Kernel, Double_kernel>)
-    check_pairs<CGAL::Parallel_tag>(make_objects<Maker, Kernel>(numbers, scale), expected,
-                                    "in parallel");
-}
-
-// The first objects, of any magnitude, because most predicates need exact numbers for these.
-template <class Maker, class Kernel>
-void check_scales(const std::vector<Numbers>& numbers, const Pairs& expected)
-{
-  using FT = typename Kernel::FT;
-  const std::size_t size = (std::min)(numbers.size(), std::size_t(60));
-  const std::vector<Numbers> first(numbers.begin(), numbers.begin() + size);
-  Pairs expected_of_first;
-  for(const Pair& p : expected)
-    if(p.second < size)
-      expected_of_first.push_back(p);
-  for(const Scale scale : {Scale::HUGE_POWER, Scale::DENORMAL, Scale::THIRD})
-    BOOST_TEST_CONTEXT("scale " << static_cast<int>(scale))
-    {
-      const bool is_possible = scale == Scale::THIRD
-                                 ? CGAL::Algebraic_structure_traits<FT>::Is_exact::value
-                                 : !std::is_same_v<FT, float>;
-      if(is_possible)
-        check_objects<Maker, Kernel>(first, expected_of_first, scale);
-    }
-}
-
-// On each of the kernels: each costs half a minute of compilation for objects in space.
-template <class Maker, class... Kernels>
-void check_type_of_object()
-{
-  for(const float unit : {1.f, 0.1f}) {
-    const std::vector<Numbers> numbers = proper_objects<Maker>(unit);
-    const Pairs expected = all_intersecting_pairs(make_objects<Maker, Rational_kernel>(numbers));
-    BOOST_REQUIRE_GT(expected.size(), 50u);
-    (check_objects<Maker, Kernels>(numbers, expected), ...);
-  }
-}
-
-// The pairs by the boxes of CGAL, tested in exact rational numbers.
-template <class Maker>
-Pairs pairs_by_box_intersection(const std::vector<Numbers>& numbers)
-{
-  using Box = CGAL::Box_intersection_d::Box_with_info_d<double, Maker::dimension, std::size_t>;
-  const auto objects = make_objects<Maker, Rational_kernel>(numbers);
-  std::vector<Box> boxes;
-  for(const Numbers& c : numbers) {
-    double low[Maker::dimension], high[Maker::dimension];
-    for(std::size_t axis = 0; axis < Maker::dimension; ++axis) {
-      low[axis] = high[axis] = c[axis];
-      for(std::size_t k = axis; k < c.size(); k += Maker::dimension) {
-        low[axis] = (std::min)(low[axis], c[k]);
-        high[axis] = (std::max)(high[axis], c[k]);
-      }
-    }
-    boxes.emplace_back(low, high, boxes.size());
-  }
-  Pairs pairs;
-  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
-    if(CGAL::do_intersect(objects[a.info()], objects[b.info()]))
-      pairs.push_back(std::minmax(a.info(), b.info()));
-  });
-  return pairs;
-}
-
-// By the other routes: the box route with many cuts, and the recursive route.
+// The objects as one set and as two.
 template <class Object>
-void check_other_routes(const std::vector<Object>& objects, const Pairs& expected)
+struct Object_sets
+{
+  using Objects = std::vector<Object>;
+
+  explicit Object_sets(const Objects& objects) : all(objects)
+  {
+    const auto middle = static_cast<std::ptrdiff_t>(first_set_size(all.size()));
+    a.assign(all.begin(), all.begin() + middle);
+    b.assign(all.begin() + middle, all.end());
+  }
+
+  Callback callback_of_two_sets(const Callback& callback) const
+  {
+    return [&, size = a.size()](std::size_t i, std::size_t j) { callback(i, size + j); };
+  }
+
+  Objects all, a, b;
+};
+
+template <class ConcurrencyTag, class Object>
+void check_search(const Object_sets<Object>& sets, const Object_truth& truth, const char* how)
+{
+  const Pairs one_set = collected([&](const Callback& callback) {
+    CGAL::thick_self_intersection_d<ConcurrencyTag>(sets.all, callback);
+  });
+  const Pairs two_sets = collected([&](const Callback& callback) {
+    const Callback callback_of_two = sets.callback_of_two_sets(callback);
+    CGAL::thick_intersection_d<ConcurrencyTag>(sets.a, sets.b, callback_of_two);
+  });
+  check_found(truth, sets.all.size(), one_set, two_sets, how);
+}
+
+// The recursive route, as public functions call it: so it is not compiled once more.
+template <class Object>
+void check_recursive_route(const Object_sets<Object>& sets, const Object_truth& truth)
+{
+  const CGAL::Thick_object_traits_d<Object> traits(sets.all);
+  const auto& np = CGAL::parameters::default_values();
+  const Pairs one_set = collected([&](const Callback& callback) {
+    internal::report_recursively<CGAL::Sequential_tag>(internal::make_elements(sets.all, np),
+                                                       internal::One_set(), traits, callback, np);
+  });
+  const Pairs two_sets = collected([&](const Callback& callback) {
+    const Callback callback_of_two = sets.callback_of_two_sets(callback);
+    const auto report = [&](const auto& elements, std::size_t size_a) {
+      internal::report_recursively<CGAL::Sequential_tag>(elements, internal::Two_sets{size_a},
+                                                         traits, callback_of_two, np);
+    };
+    internal::with_two_ranges(sets.a, sets.b, np, report);
+  });
+  check_found(truth, sets.all.size(), one_set, two_sets, "by recursion");
+}
+
+// The box route with many cuts, in another way for each seed.
+template <class Object>
+void check_cuts(const std::vector<Object>& objects, const Object_truth& truth,
+                std::initializer_list<unsigned int> seeds)
 {
   using Traits = CGAL::Thick_object_traits_d<Object>;
   using Elements = internal::Numbered_elements<std::vector<Object>>;
   const Elements elements(objects);
-  const Traits traits(objects);
+  const Traits traits;
   const internal::Traits_boxes<Elements, Traits> boxes(elements, traits);
-  for(unsigned int seed = 0; seed < 4; ++seed) {
+  for(const unsigned int seed : seeds) {
     Generator random(seed);
-    const Pairs_difference by_boxes
-      = compare(expected, pairs_by_boxes<decltype(boxes)::static_dimension>(
-                            boxes, small_tuning(random)));
-    BOOST_CHECK_MESSAGE(by_boxes.empty(), "many cuts, seed " << seed << ": " << by_boxes);
+    const Pairs found = collected([&](const Callback& callback) {
+      internal::Unwatched_progress progress;
+      search_boxes<decltype(boxes)::static_dimension>(boxes, small_tuning(random), std::nullopt,
+                                                      callback, progress);
+    });
+    const Pairs_difference difference = compare(truth.pairs, found);
+    BOOST_CHECK_MESSAGE(difference.empty(), "many cuts, seed " << seed << ": " << difference);
   }
-  Pairs found;
-  const auto callback = [&](std::size_t i, std::size_t j) { found.emplace_back(i, j); };
-  internal::report_recursively<CGAL::Sequential_tag>(elements, internal::One_set(), traits,
-                                                     callback,
-                                                     CGAL::parameters::default_values());
-  const Pairs_difference by_recursion = compare(expected, found);
-  BOOST_CHECK_MESSAGE(by_recursion.empty(), "by recursion: " << by_recursion);
 }
 
-template <class Maker, class... Kernels>
-void check_scenes_of_objects()
+// In parallel, two kernels are enough: one that computes when it is asked, one that does not.
+template <class Maker, class Kernel>
+void check_objects(const std::vector<Numbers>& numbers, Scale scale, const Object_truth& truth)
 {
+  const auto make = [&] { return Object_sets(make_objects<Maker, Kernel>(numbers, scale)); };
+  const auto sets = make();
+  check_search<CGAL::Sequential_tag>(sets, truth, "in sequence");
+  check_recursive_route(sets, truth);
+  if(std::is_same_v<Kernel, Double_kernel>)
+    check_cuts(sets.all, truth, {0, 1, 2, 3});
+  else
+    check_cuts(sets.all, truth, {4});
+  Cgal_boxes<Maker::dimension> boxes;
+  for(std::size_t i = 0; i < sets.all.size(); ++i)
+    boxes.emplace_back(sets.all[i].bbox(), i);
+  check_truth_by_boxes<Maker::dimension>(boxes, truth);
+  if constexpr(std::is_same_v<Kernel, Epeck> || std::is_same_v<Kernel, Double_kernel>)
+    check_search<CGAL::Parallel_tag>(make(), truth, "in parallel");
+}
+
+inline bool are_integers(const std::vector<Numbers>& numbers)
+{
+  return std::all_of(numbers.begin(), numbers.end(), [](const Numbers& c) {
+    return std::all_of(c.begin(), c.end(), [](double x) { return x == std::trunc(x); });
+  });
+}
+
+// The first objects of a scene on the scales that the numbers of a kernel have. Returns the number
+// of pairs.
+template <class Maker, class... Kernels>
+std::size_t check_first(const Object_scene& scene, std::size_t max_size,
+                        std::initializer_list<Scale> scales)
+{
+  const std::size_t size = (std::min)(scene.objects.size(), max_size);
+  const auto end = scene.objects.begin() + static_cast<std::ptrdiff_t>(size);
+  const std::vector<Numbers> numbers(scene.objects.begin(), end);
+  const Object_truth truth = truth_of<Maker>(numbers);
+  const auto check = [&](const auto& kernel, Scale scale) {
+    using Kernel = std::decay_t<decltype(kernel)>;
+    using FT = typename Kernel::FT;
+    if(can_scale<FT>(scale) && (!std::is_integral_v<FT> || are_integers(numbers)))
+      check_objects<Maker, Kernel>(numbers, scale, truth);
+  };
+  for(const Scale scale : scales)
+    BOOST_TEST_CONTEXT(scene.name << ", scale " << static_cast<int>(scale))
+    (check(Kernels(), scale), ...);
+  return truth.pairs.size();
+}
+
+// Every scene on each of the kernels, and the first objects of it on scales where most predicates
+// need exact numbers. Predicates of tetrahedra are the slowest ones.
+template <class Maker, class... Kernels>
+void check_scenes_of_objects(std::size_t max_size = Maker::points == 4 ? 200 : 1000)
+{
+  constexpr bool are_slow = Maker::points == 4;
+  constexpr std::size_t few = are_slow ? 24 : 60;
   std::size_t pairs = 0;
-  for(const Object_scene& scene : object_scenes<Maker>())
-    BOOST_TEST_CONTEXT(scene.name)
-    {
-      const Pairs expected = pairs_by_box_intersection<Maker>(scene.objects);
-      pairs += expected.size();
-      (check_objects<Maker, Kernels>(scene.objects, expected), ...);
-      (check_scales<Maker, Kernels>(scene.objects, expected), ...);
-      check_other_routes(make_objects<Maker, Double_kernel>(scene.objects), expected);
-    }
+  for(const Object_scene& scene : object_scenes(object_kind<Maker>())) {
+    pairs += check_first<Maker, Kernels...>(scene, max_size, {Scale::ONE});
+    check_first<Maker, Kernels...>(scene, are_slow ? few : max_size, {Scale::THIRD});
+    if(are_integers(scene.objects))
+      check_first<Maker, Kernels...>(scene, few, {Scale::HUGE_POWER, Scale::DENORMAL});
+  }
   BOOST_CHECK_GT(pairs, 1800u); // more than those of identical objects
 }
 
