@@ -117,6 +117,29 @@ BOOST_AUTO_TEST_CASE(ties_of_near_coordinates_are_decided)
   BOOST_CHECK_GE(counts.second, 1500);
 }
 
+// The square of the short gap is no double, or is lost beside that of the long one.
+BOOST_AUTO_TEST_CASE(short_gaps_decide_if_long_gaps_are_the_same)
+{
+  for(const double gap : {1e-20, 1e-235}) {
+    const Two_points a = {{2, 5 * gap, 0}, {3, 8 * gap, 0}}, b = {{7, 5 * gap, 0}, {6, 9 * gap, 0}};
+    BOOST_CHECK(distance(a, 0).compare(distance(b, 0)) == -1);
+    BOOST_CHECK(distance(b, 0).compare(distance(a, 0)) == 1);
+  }
+}
+
+// Differences of tiny coordinates are multiplied by a power of two before they are squared.
+BOOST_AUTO_TEST_CASE(distances_are_compared_at_a_scale)
+{
+  const auto scaled = [](double x, double y) {
+    return internal::Twofold_distance([&](int i) { return i == 0 ? x : 0; },
+                                      [&](int i) { return i == 0 ? 0 : y; }, 2, 0x1p1000);
+  };
+  const double unit = 0x1p-1000;
+  BOOST_CHECK(scaled(3 * unit, 4 * unit).compare(scaled(5 * unit, 0)) == std::nullopt);
+  BOOST_CHECK(scaled(3 * unit, 4 * unit).compare(scaled(4 * unit, 3 * unit)) == 0);
+  BOOST_CHECK(scaled(3 * unit, 4 * unit).compare(scaled(5.0000001 * unit, 0)) == -1);
+}
+
 // Both differences are 2^100 in doubles.
 BOOST_AUTO_TEST_CASE(differences_that_are_rounded_are_no_tie)
 {

@@ -161,8 +161,8 @@ private:
   std::optional<int> compare_by_doubles(const Position_pair& candidate) const
   {
     if constexpr(is_held_by_double_v<Coordinate_t<Point>>)
-      if(scale_exponent_ == 0 && min_square_ > min_twofold_square
-         && max_square_ < max_twofold_square && dimension_ <= Twofold_distance::max_dimension) {
+      if(min_square_ > min_twofold_square && max_square_ < max_twofold_square
+         && dimension_ <= Twofold_distance::max_dimension) {
         if(!twofold_)
           twofold_ = twofold_distance(pair_);
         return twofold_distance(candidate).compare(*twofold_);
@@ -177,7 +177,8 @@ private:
         return static_cast<double>(coordinate(point, axis));
       };
     };
-    return Twofold_distance(coordinate_of(pair.first), coordinate_of(pair.second), dimension_);
+    return Twofold_distance(coordinate_of(pair.first), coordinate_of(pair.second), dimension_,
+                            scale_);
   }
 
   // Not inline: few scenes need it.

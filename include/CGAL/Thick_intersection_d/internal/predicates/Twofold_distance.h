@@ -25,14 +25,15 @@ class Twofold_distance
 public:
   static constexpr int max_dimension = 8;
 
-  // The coordinates are the doubles x(i) and y(i), for i < dimension <= max_dimension.
+  // The coordinates are the doubles x(i) and y(i), for i < dimension <= max_dimension. Squares are
+  // those of differences times `scale`, a power of two.
   template <class X, class Y>
-  Twofold_distance(const X& x, const Y& y, int dimension) : dimension_(dimension)
+  Twofold_distance(const X& x, const Y& y, int dimension, double scale = 1)
+    : dimension_(dimension), scale_(scale)
   {
-    const auto difference = [&](int i) { return twofold_sum(x(i), -y(i)); };
-    square_ = sum_of_squares(difference, dimension);
     for(int i = 0; i < dimension; ++i) {
-      gaps_[i] = std::fabs(difference(i).value);
+      differences_[i] = twofold_sum(x(i), -y(i));
+      gaps_[i] = std::fabs(differences_[i].value);
       has_exact_gaps_ = has_exact_gaps_ && is_exact_difference(x(i), y(i));
     }
     std::sort(gaps_.begin(), gaps_.begin() + dimension);
@@ -40,21 +41,42 @@ public:
 
   // Returns a negative number, 0 or a positive number if this distance is less than the other one,
   // equal, or greater. Returns nothing if only exact numbers can tell. For distances of one
-  // dimension with squares in the range of Twofold_filter.
+  // dimension and scale, with scaled squares in the range of Twofold_filter.
   std::optional<int> compare(const Twofold_distance& other) const
   {
-    const double excess = (square_.value - other.square_.value)
-                          + (square_.rest - other.square_.rest);
-    const double slack = 2 * twofold_slack((std::max)(square_.value, other.square_.value),
-                                           dimension_);
+    if(has_exact_gaps_ && other.has_exact_gaps_)
+      if(const std::optional<int> order = compare_gaps(other))
+        return order;
+    const Twofold a = square(), b = other.square();
+    const double excess = (a.value - b.value) + (a.rest - b.rest);
+    const double slack = 2 * twofold_slack((std::max)(a.value, b.value), dimension_);
     if(std::fabs(excess) > slack)
       return excess < 0 ? -1 : 1;
-    if(has_exact_gaps_ && other.has_exact_gaps_ && gaps_ == other.gaps_)
-      return 0;
     return std::nullopt;
   }
 
 private:
+  // Decides if no gap of one distance is longer than that of the other. It takes no squares: those
+  // of short gaps may be lost in doubles.
+  std::optional<int> compare_gaps(const Twofold_distance& other) const
+  {
+    bool is_shorter = false, is_longer = false;
+    for(int i = 0; i < dimension_; ++i) {
+      is_shorter = is_shorter || gaps_[i] < other.gaps_[i];
+      is_longer = is_longer || gaps_[i] > other.gaps_[i];
+    }
+    if(is_shorter && is_longer)
+      return std::nullopt;
+    return is_longer - is_shorter;
+  }
+
+  Twofold square() const
+  {
+    return sum_of_squares([&](int i) {
+      return Twofold{differences_[i].value * scale_, differences_[i].rest * scale_};
+    }, dimension_);
+  }
+
   // By Sterbenz, in every rounding mode.
   static bool is_exact_difference(double x, double y)
   {
@@ -64,7 +86,8 @@ private:
   }
 
   int dimension_;
-  Twofold square_;
+  double scale_;
+  std::array<Twofold, max_dimension> differences_;
   std::array<double, max_dimension> gaps_ = {}; // sorted
   bool has_exact_gaps_ = true;
 };
