@@ -117,8 +117,15 @@ BOOST_AUTO_TEST_CASE(near_pairs_of_crowded_points_are_reported)
     BOOST_CHECK_GT(reports_of_closest_pair<2>(moved(moved_lattice(2, 0), scale, 0)), 0);
     BOOST_CHECK_GT(reports_of_closest_pair<3>(moved(moved_lattice(3, 0), scale, 0)), 0);
   }
-  BOOST_CHECK_EQUAL(reports_of_closest_pair<2>(uniform_points(2, 4000, 0, 1, 5)), 0);
-  BOOST_CHECK_EQUAL(reports_of_closest_pair<3>(uniform_points(3, 4000, 0, 1, 5)), 0);
+}
+
+// Neither are their samples crowded, nor samples of these.
+BOOST_AUTO_TEST_CASE(uniform_points_are_not_crowded)
+{
+  for(const std::size_t size : {4000, 20000, 100000}) {
+    BOOST_CHECK_EQUAL(reports_of_closest_pair<2>(uniform_points(2, size, 0, 1, 5)), 0);
+    BOOST_CHECK_EQUAL(reports_of_closest_pair<3>(uniform_points(3, size, 0, 1, 5)), 0);
+  }
 }
 
 // Once for each coordinate, and for few others in the same place of the hash table.

@@ -132,16 +132,11 @@ private:
   {
     if(is_crowded_)
       return false;
-    // If all points took so many steps, a sample of them would take a share of its size.
-    const double size = static_cast<double>(positions.size());
-    const double steps_per_point
-      = 1 + max_steps_per_point * size / static_cast<double>(points_.size());
     const double distance = minimum.reach();
     progress_.restart(2 * (positions.size() + later));
     const Cell_join<ConcurrencyTag, Dimension, Elements> join(
       points_, distance, join_cell_side(scene_, positions.size(), distance), random_());
-    is_crowded_ = !offer_joined(join, positions, static_cast<std::size_t>(steps_per_point * size),
-                                minimum);
+    is_crowded_ = !offer_joined(join, positions, max_steps_per_point * positions.size(), minimum);
     return !is_crowded_;
   }
 
