@@ -45,20 +45,21 @@ namespace test_support {
 using Double_kernel = CGAL::Simple_cartesian<double>;
 using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
 
-// What numbers are multiplied by, without rounding. The pairs stay the same.
+// What is done to numbers, without rounding. The pairs stay the same.
 enum class Scale {
   ONE,
   HUGE_POWER, // squares of such numbers are no doubles, or no integers
   DENORMAL,
-  THIRD       // few of these are doubles, so boxes of doubles meet whose objects do not touch
+  THIRD,      // few of these are doubles, but objects that touched do so still
+  CLOSE       // no doubles are between these, so all boxes of doubles meet
 };
 
 template <class FT>
 constexpr bool can_scale(Scale scale)
 {
-  return scale == Scale::ONE        ? true
-         : scale == Scale::THIRD    ? CGAL::Algebraic_structure_traits<FT>::Is_exact::value
-                                      && !std::is_integral_v<FT>
+  return scale == Scale::ONE ? true
+         : scale == Scale::THIRD || scale == Scale::CLOSE
+           ? CGAL::Algebraic_structure_traits<FT>::Is_exact::value && !std::is_integral_v<FT>
          : scale == Scale::DENORMAL ? !std::is_same_v<FT, float> && !std::is_integral_v<FT>
                                     : !std::is_same_v<FT, float>;
 }
@@ -73,9 +74,12 @@ FT scaled(double x, Scale scale)
     return FT(numerator, denominator);
   }
   else {
-    if constexpr(can_scale<FT>(Scale::THIRD))
+    if constexpr(can_scale<FT>(Scale::THIRD)) {
       if(scale == Scale::THIRD)
         return FT(FT(x) / FT(3));
+      if(scale == Scale::CLOSE)
+        return FT(FT(1) + FT(std::ldexp(x, -80)));
+    }
     return FT(scale == Scale::HUGE_POWER ? std::ldexp(x, std::is_integral_v<FT> ? 40 : 990)
               : scale == Scale::DENORMAL ? std::ldexp(x, -1074)
                                          : x);
@@ -323,6 +327,7 @@ void check_scenes_of_objects(std::size_t max_size = Maker::points == 4 ? 200 : 1
   for(const Object_scene& scene : object_scenes(object_kind<Maker>())) {
     pairs += check_first<Maker, Kernels...>(scene, max_size, {Scale::ONE});
     check_first<Maker, Kernels...>(scene, are_slow ? few : max_size, {Scale::THIRD});
+    check_first<Maker, Kernels...>(scene, 16, {Scale::CLOSE}); // of which all pairs are tested
     if(are_integers(scene.objects))
       check_first<Maker, Kernels...>(scene, few, {Scale::HUGE_POWER, Scale::DENORMAL});
   }
