@@ -177,7 +177,7 @@ public:
 private:
   // An extent, and the distance of partners in it: at the limits of the integers of a grid, whose
   // extent is at most 2^30 and whose reach is at most 2^24, with squares of 24 bits or more; and at
-  // those of rounded numbers, from where the reach is a 32nd of the extent to where it has 64 steps.
+  // those of rounded numbers, where the reach is a 32nd of the extent down to a few steps.
   std::pair<std::int64_t, std::int64_t> extent_and_distance()
   {
     const int max_bits = range_.digits - 2;

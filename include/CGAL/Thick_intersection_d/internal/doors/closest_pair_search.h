@@ -19,6 +19,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/input/Scene_sample.h>
 #include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 
@@ -30,13 +31,20 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
+// Whether doubles may decide ties on the grid of the scene, or integers ties of a lattice. To read
+// the grid of other scenes takes a seventh of the search for nothing.
+inline bool may_need_grid(const Scene_sample& sample)
+{
+  return sample.may_have_coarse_grid() || sample.is_repetitive();
+}
+
 // Returns the scene of the points. Throws if there are too many points, if points differ in
-// dimension, or if a coordinate is not finite.
+// dimension, or if a coordinate is not finite. Finds the grid of the scene if it may be of use.
 template <class ConcurrencyTag, class Elements>
 Scene scan_checked_points(const Elements& points)
 {
   check_size(points.size());
-  return scan_points<ConcurrencyTag>(points, "point");
+  return scan_points<ConcurrencyTag>(points, "point", may_need_grid(Scene_sample(points)));
 }
 
 // Reports the pairs of points in the plane or in space within a bound.

@@ -51,6 +51,12 @@ public:
   bool may_have_grid() const { return may_have_grid_; }
   int grid_exponent() const { return grid_exponent_; }
 
+  // Whether it may be a grid whose squares of differences doubles hold, if these are small.
+  bool may_have_coarse_grid() const
+  {
+    return may_have_grid_ && std::ldexp(extent_, -grid_exponent_) <= max_coarse_steps;
+  }
+
   // The number of axes along which the points differ; they may differ along more of them.
   int extended_axis_count() const { return extended_axis_count_; }
 
@@ -64,6 +70,7 @@ public:
 private:
   static constexpr std::size_t max_count = 512;
   static constexpr std::ptrdiff_t min_repetitions = 16;
+  static constexpr double max_coarse_steps = 0x1p40; // of the extent
 
   void add(const std::pair<double, double>& bounds, std::vector<double>& coordinates)
   {
@@ -77,6 +84,7 @@ private:
   {
     for(const double x : coordinates)
       grid.add(x);
+    extent_ = (std::max)(extent_, coordinates.back() - coordinates.front());
     const auto end = std::unique(coordinates.begin(), coordinates.end());
     ++extended_axis_count_;
     repetitive_axis_count_ += coordinates.end() - end >= min_repetitions;
@@ -84,6 +92,7 @@ private:
 
   bool may_have_grid_ = true;
   int grid_exponent_ = 0;
+  double extent_ = 0;
   int extended_axis_count_ = 0;
   int repetitive_axis_count_ = 0;
 };
