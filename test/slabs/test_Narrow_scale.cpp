@@ -149,7 +149,7 @@ void check_bounds()
   for(const int mode : rounding_modes) {
     const Rounding_mode rounding(mode);
     for(const double r : {1., 0.1, 0x1p-470 / 3, 0x1p450})
-      for(const double reaches : {0.9, 1.5, 4., 31.99, 32.01, 1000., 0x1p20, 0x1.ffffp23})
+      for(const double reaches : {0.9, 1.5, 4., 31.99, 32.01, 1000., 0x1p18, 0x1.fffep20})
         for(const double offset : {0., -0.5, 7.3, 0x1p20})
           BOOST_TEST_CONTEXT("mode " << mode << ", r = " << r << ", extent " << reaches
                                      << " r, offset " << offset << " extents")
@@ -173,10 +173,10 @@ bool is_usable(double extent, double square)
 BOOST_AUTO_TEST_CASE(rounded_coordinates_have_limits)
 {
   BOOST_CHECK(!internal::Narrow_scale<2>().is_usable());
-  BOOST_CHECK(is_usable<2>(0x1p24 * (1 - 0x1p-16), 1)); // in reaches: 64 units are left of each
-  BOOST_CHECK(!is_usable<2>(0x1p24, 1));
-  BOOST_CHECK(is_usable<3>(0x1p24 * (1 - 0x1p-16) * 0x1p-470, 0x1p-940));
-  BOOST_CHECK(!is_usable<3>(0x1p24 * 0x1p-470, 0x1p-940));
+  BOOST_CHECK(is_usable<2>(0x1p21 * (1 - 0x1p-16), 1)); // in reaches, of which 512 units are left
+  BOOST_CHECK(!is_usable<2>(0x1p21, 1));
+  BOOST_CHECK(is_usable<3>(0x1p21 * (1 - 0x1p-16) * 0x1p-470, 0x1p-940));
+  BOOST_CHECK(!is_usable<3>(0x1p21 * 0x1p-470, 0x1p-940));
   const double infinity = std::numeric_limits<double>::infinity();
   for(const double extent : {0., 5e-324, 1e-310, infinity}) // the scale is no normal number
     BOOST_CHECK(!is_usable<2>(extent, 1));

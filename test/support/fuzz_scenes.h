@@ -177,7 +177,8 @@ public:
 private:
   // An extent, and the distance of partners in it: at the limits of the integers of a grid, whose
   // extent is at most 2^30 and whose reach is at most 2^24, with squares of 24 bits or more; and at
-  // those of rounded numbers, where the reach is a 32nd of the extent down to a few steps.
+  // those of rounded numbers, from where the reach is a 32nd of the extent to where it is too
+  // short.
   std::pair<std::int64_t, std::int64_t> extent_and_distance()
   {
     const int max_bits = range_.digits - 2;
@@ -186,8 +187,8 @@ private:
       = {1, 64, 4096, 1 << 24, std::int64_t(1) << bits, (std::int64_t(1) << bits) * 3 / 2};
     const std::int64_t distance
       = (std::max)(distances[random_.below(6)] + near_zero(2), std::int64_t(1));
-    const std::int64_t ratios[] = {1, 2, 31, 32, 33, 1 << 6, 1 << 20, (1 << 24) - 5, (1 << 24) - 4,
-                                   (1 << 24) - 3, (1 << 24) + 1};
+    const std::int64_t ratios[] = {1, 2, 31, 32, 33, 1 << 6, 1 << 17, (1 << 21) - 4, (1 << 21) - 3,
+                                   (1 << 21) - 2, (1 << 21) + 1};
     const std::int64_t most = std::int64_t(1) << max_bits;
     const std::int64_t extent
       = near_zero(2) + (is_chance(4) ? 1 << 30 : ratios[random_.below(11)] * distance);
