@@ -19,6 +19,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <cfenv>
+#include <string>
 
 using namespace test_support;
 using CGAL::Arithmetic_tier;
@@ -507,18 +508,46 @@ BOOST_AUTO_TEST_CASE(tiers_in_dimension_4)
   }
 }
 
+// Searches by slabs in the plane, and tells how they held coordinates.
+std::string coordinates_of_search(const Points& points, double r)
+{
+  CGAL::Scene_profile profile;
+  pairs_with(profile, make_points<Plane>(points), CGAL::within_distance(r));
+  return std::to_string(profile.coordinate_bits())
+         + (profile.are_coordinates_rounded() ? ", rounded" : "");
+}
+
+BOOST_AUTO_TEST_CASE(the_profile_tells_how_coordinates_were_held)
+{
+  const Points uniform = uniform_points(2, 1000, 0, 1, 1);
+  BOOST_CHECK_EQUAL(coordinates_of_search(lattice_points(2, 30, 1), 5), "32");
+  BOOST_CHECK_EQUAL(coordinates_of_search(uniform, 0.01), "32, rounded");
+  BOOST_CHECK_EQUAL(coordinates_of_search(uniform, 1e-8), "64");
+  BOOST_CHECK_EQUAL(coordinates_of_search(lattice_points(2, 30, 0.1), 0.1), "64"); // many ties
+  CGAL::Scene_profile profile;
+  const double zeros[4] = {};
+  const std::vector<CGAL::Cartesian_d<double>::Point_d> points(2, {4, zeros, zeros + 4});
+  pairs_with(profile, points, CGAL::within_distance(1));
+  BOOST_CHECK_EQUAL(profile.coordinate_bits(), 0); // no slabs
+  BOOST_CHECK(!profile.are_coordinates_rounded());
+}
+
 BOOST_AUTO_TEST_CASE(the_report_ends_in_a_sentence)
 {
   CGAL::Scene_profile profile;
   const auto points = make_points<Plane>({{0, 0}, {3, 4}});
   pairs_with(profile, points, CGAL::within_distance(4096));
-  BOOST_CHECK_MESSAGE(ends_with(text_of(profile), "\narithmetic  double\ndecided     1 by double\n"
+  BOOST_CHECK_MESSAGE(ends_with(text_of(profile), "\narithmetic  double\n"
+                                                  "coordinates 32 bits, exact\n"
+                                                  "decided     1 by double\n"
                                                   "25 bits: double is exact, no filter used.\n"),
                       text_of(profile));
   profile.force_tier(Arithmetic_tier::INT64);
   pairs_with(profile, points, CGAL::within_distance(5));
   BOOST_CHECK_MESSAGE(
-    ends_with(text_of(profile), "\narithmetic  int64, forced\ndecided     1 by int64\n"
+    ends_with(text_of(profile), "\narithmetic  int64, forced\n"
+                                "coordinates 32 bits, rounded\n"
+                                "decided     1 by int64\n"
                                 "6 bits: doubles filter, 64-bit integers decide the rest.\n"),
     text_of(profile));
   BOOST_CHECK(ends_with(text_of(CGAL::Scene_profile()), "double is exact, no filter used.\n"));
