@@ -75,7 +75,8 @@ BOOST_AUTO_TEST_CASE(bad_points_are_passed_over)
   BOOST_CHECK_EQUAL(internal::Scene_sample(plain_points({})).extended_axis_count(), 0);
   const double infinity = std::numeric_limits<double>::infinity();
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto points = plain_points({{1, infinity}, {2, nan}, {4}, {6, -infinity}, {8.5, 1, 3}});
+  const auto points = plain_points(
+    {{1, infinity}, {2, -infinity}, {4}, {6, infinity}, {nan, -infinity}, {8.5, 1, 3}});
   const internal::Scene_sample sample(points);
   BOOST_CHECK_EQUAL(sample.extended_axis_count(), 1);
   BOOST_CHECK_EQUAL(sample.grid_exponent(), 0);
