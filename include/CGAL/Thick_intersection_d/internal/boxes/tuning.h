@@ -77,7 +77,7 @@ struct Box_tuning
   double crowded_share = 1. / 8;
 
   // Crowded boxes of one class go to the tree if they have more candidates than this, per box and
-  // factor 2^(d-1) log2 n. The tree takes 1 us per box in the plane, and 5 us in four dimensions.
+  // factor 2^(d-1) log2 n. The tree takes .5 us per box in the plane.
   double tree_candidates = 16;
 
   // A sweep with more candidates is swept in blocks, which threads share.

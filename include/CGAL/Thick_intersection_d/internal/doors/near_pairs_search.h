@@ -45,6 +45,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -238,8 +239,8 @@ bool report_near_pairs(const Elements& points, const Sets& sets,
                        Scene_profile& profile, const NamedParameters& np)
 {
   Near_pairs_search<ConcurrencyTag, Elements> search(points, bound, true);
-  if(profile.forced_tier())
-    search.profile().force_tier(*profile.forced_tier());
+  if(const std::optional<Arithmetic_tier> forced = profile.forced_tier())
+    search.profile().force_tier(*forced);
   Shared_decision_counts counts;
   const bool is_complete = search.report(sets, callback, np, &counts);
   search.profile().set_counts(counts.total());

@@ -102,7 +102,8 @@ public:
   }
 
   // The first question, for searches that hold the points of the scene as doubles, times a power of
-  // two. Each double is at most its coordinate, and is off by at most the error of the scene.
+  // two. Each double is at most its coordinate, and is off by at most the error of the scene; what
+  // scaled ones lose by underflow besides, the reach and the filter have room for.
   double scale_of_doubles() const { return scale_of_doubles_; }
   double reach_of_doubles() const { return reach_of_doubles_; }
   const Distance_filter& filter_of_doubles() const { return filter_of_doubles_; }
