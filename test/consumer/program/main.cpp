@@ -3,10 +3,16 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Thick_intersection_d/version.h>
+#include <CGAL/config.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
 
 #include <cstddef>
 #include <vector>
+
+#if CGAL_THICK_INTERSECTION_D_VERSION_NR < CGAL_VERSION_NUMBER(0, 2, 0)
+#error "This program needs Thick_intersection_d 0.2.0 or later."
+#endif
 
 int main()
 {
