@@ -184,6 +184,8 @@ int main(int argc, char** argv)
     const near_pairs::Options options = near_pairs::parse_options(argc, argv);
     if(options.help)
       near_pairs::finish(std::cout << near_pairs::help_text(), "the help");
+    else if(options.version)
+      near_pairs::finish(std::cout << near_pairs::version_text(), "the version");
     else
       near_pairs::run(options);
     return 0;

@@ -8,6 +8,9 @@
 #include "decimal.h"
 #include "error.h"
 
+#include <CGAL/Thick_intersection_d/version.h>
+#include <CGAL/version.h>
+
 #include <boost/program_options.hpp>
 
 #include <algorithm>
@@ -62,7 +65,9 @@ void add_search_options(po::options_description& all, Options& options)
     ("explain", po::bool_switch(&options.explain),
      "print what the search found out about the scene")
     ("progress", po::bool_switch(&options.progress), "show a percentage on the standard error")
-    ("help", po::bool_switch(&options.help), "print this text");
+    ("help", po::bool_switch(&options.help), "print this text")
+    ("version", po::bool_switch(&options.version),
+     "print the version of this program, which is that of the package, and the version of CGAL");
   all.add(search).add(output);
 }
 
@@ -147,7 +152,7 @@ Options parse_and_check(int argc, const char* const* argv)
   add_scene_options(visible, options);
   add_search_options(visible, options);
   const po::variables_map map = parse(argc, argv, visible);
-  if(options.help)
+  if(options.help || options.version)
     return options;
   if(!map.count("file") || map["file"].as<std::vector<std::string>>().size() != 1)
     throw Error("give one input file (--help lists the options)");
@@ -183,6 +188,11 @@ std::string help_text()
        << visible << "\nExit status: 0, or 2 with one line on the standard error; "
           "a broken pipe ends the\nprogram by its signal.\n";
   return text.str();
+}
+
+std::string version_text()
+{
+  return "near_pairs " CGAL_THICK_INTERSECTION_D_VERSION ", with CGAL " CGAL_VERSION_STR "\n";
 }
 
 } // namespace near_pairs

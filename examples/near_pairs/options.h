@@ -37,12 +37,15 @@ struct Options
   bool explain = false;
   bool progress = false;
   bool help = false;
+  bool version = false;
 };
 
-// Throws Error if the command line cannot be used. With --help, nothing else is checked.
+// Throws Error if the command line cannot be used. With --help or --version, nothing else is
+// checked.
 Options parse_options(int argc, const char* const* argv);
 
 std::string help_text();
+std::string version_text();
 
 } // namespace near_pairs
 

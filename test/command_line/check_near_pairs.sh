@@ -21,6 +21,8 @@ if [ ! -x "$1" ] || [ ! -d "$2" ]; then
 fi
 binary=$(realpath "$1")
 data=$(realpath "$2")
+version=$(sed -nE 's/^#define CGAL_THICK_INTERSECTION_D_VERSION "(.*)"$/\1/p' \
+            "$(dirname "$0")/../../include/CGAL/Thick_intersection_d/version.h")
 ships=$data/ships_us_2022-01-03.csv
 directory=$(mktemp -d)
 trap 'rm -rf "$directory"' EXIT
@@ -198,6 +200,9 @@ run ties.csv --distance 1 --progress
 verdict "--progress shows a percentage" grep -q '100 %' err
 run --help
 verdict "--help" test "$status" -eq 0 -a -s out -a ! -s err
+run --version
+verdict "--version" test "$status" -eq 0 -a ! -s err
+verdict "  is that of the package" grep -qE "^near_pairs $version, with CGAL [0-9.]+" out
 verdict "no temporary file is left" test -z "$(find . -name '*part*')"
 
 # ---------------------------------------------------------------- errors
@@ -291,7 +296,7 @@ status=$(cat ended)
 true > out
 verdict "a closed pipe is an error for who ignores the signal" is_one_error "near_pairs: -: "
 if [ -w /dev/full ]; then
-  for lost in "ties.csv --distance 1" "ties.csv --closest" --help; do
+  for lost in "ties.csv --distance 1" "ties.csv --closest" --help --version; do
     "$binary" $lost > /dev/full 2> err
     status=$?
     verdict "a full standard output: $lost" is_one_error "cannot be written to its end"
