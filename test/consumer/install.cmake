@@ -10,8 +10,13 @@ execute_process(
   COMMAND ${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${PREFIX} --config "${CONFIG}"
   COMMAND_ERROR_IS_FATAL ANY)
 
-file(GLOB_RECURSE expected RELATIVE ${SOURCE_DIR}/include ${SOURCE_DIR}/include/*.h)
+file(GLOB_RECURSE expected RELATIVE ${SOURCE_DIR}/include
+  ${SOURCE_DIR}/include/*.h ${SOURCE_DIR}/include/*.inc)
 file(GLOB_RECURSE installed RELATIVE ${PREFIX}/${INCLUDE_DIR} ${PREFIX}/${INCLUDE_DIR}/*)
-if(NOT expected OR NOT expected STREQUAL installed)
-  message(FATAL_ERROR "Headers: expected\n  ${expected}\ninstalled\n  ${installed}")
+set(missing ${expected})
+list(REMOVE_ITEM missing ${installed})
+set(unexpected ${installed})
+list(REMOVE_ITEM unexpected ${expected})
+if(NOT expected OR missing OR unexpected)
+  message(FATAL_ERROR "Headers: missing\n  ${missing}\nunexpected\n  ${unexpected}")
 endif()
