@@ -1,5 +1,5 @@
-# What `cmake --install` puts in place: the headers, the licence texts and the files that
-# find_package(Thick_intersection_d) reads.
+# What `cmake --install` puts in place: the headers, the licence texts, and the files that
+# find_package(Thick_intersection_d) and `pkg-config Thick_intersection_d` read.
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 
@@ -36,3 +36,14 @@ install(FILES
   ${PROJECT_BINARY_DIR}/Thick_intersection_dConfig.cmake
   ${PROJECT_BINARY_DIR}/Thick_intersection_dConfigVersion.cmake
   DESTINATION ${package_dir})
+
+# The file finds the headers from its own folder, so that an installation can be moved.
+cmake_path(RELATIVE_PATH CMAKE_INSTALL_FULL_INCLUDEDIR
+  BASE_DIRECTORY ${CMAKE_INSTALL_FULL_DATADIR}/pkgconfig
+  OUTPUT_VARIABLE thick_include_from_pc)
+configure_file(
+  ${CMAKE_CURRENT_LIST_DIR}/Thick_intersection_d.pc.in
+  ${PROJECT_BINARY_DIR}/Thick_intersection_d.pc
+  @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/Thick_intersection_d.pc
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/pkgconfig)

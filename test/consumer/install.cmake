@@ -1,5 +1,6 @@
 # Installs the build in BUILD_DIR to an emptied PREFIX, and fails unless exactly the headers of
-# SOURCE_DIR arrived. Run by ctest: cmake -D ... -P install.cmake
+# SOURCE_DIR arrived, and pkg-config (if PKG_CONFIG names it) finds them there in their VERSION.
+# Run by ctest: cmake -D ... -P install.cmake
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 
@@ -19,4 +20,31 @@ set(unexpected ${installed})
 list(REMOVE_ITEM unexpected ${expected})
 if(NOT expected OR missing OR unexpected)
   message(FATAL_ERROR "Headers: missing\n  ${missing}\nunexpected\n  ${unexpected}")
+endif()
+
+if(NOT PKG_CONFIG)
+  message(STATUS "There is no pkg-config to test with.")
+  return()
+endif()
+
+# Asks only for what is installed in PREFIX.
+set(ENV{PKG_CONFIG_LIBDIR} ${PREFIX}/${DATA_DIR}/pkgconfig)
+function(ask_pkg_config result)
+  execute_process(
+    COMMAND ${PKG_CONFIG} ${ARGN} Thick_intersection_d
+    OUTPUT_VARIABLE answer OUTPUT_STRIP_TRAILING_WHITESPACE
+    COMMAND_ERROR_IS_FATAL ANY)
+  set(${result} ${answer} PARENT_SCOPE)
+endfunction()
+
+ask_pkg_config(version --modversion)
+if(NOT version STREQUAL VERSION)
+  message(FATAL_ERROR "pkg-config finds version ${version} instead of ${VERSION}.")
+endif()
+ask_pkg_config(flags --cflags)
+string(REGEX MATCH "-I([^ ]+)" option "${flags}")
+file(REAL_PATH "${CMAKE_MATCH_1}" folder)
+file(REAL_PATH ${PREFIX}/${INCLUDE_DIR} expected)
+if(NOT folder STREQUAL expected)
+  message(FATAL_ERROR "pkg-config has the flags ${flags}, which do not name ${expected}.")
 endif()
