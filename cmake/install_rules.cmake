@@ -5,20 +5,28 @@
 
 include(CMakePackageConfigHelpers)
 
+# The rules are always written: a project above this one can export libraries that link this package
+# only if an export set has its target. Without THICK_INTERSECTION_INSTALL, nothing is installed
+# unless the component is asked for by name.
+set(in_component COMPONENT Thick_intersection_d)
+if(NOT THICK_INTERSECTION_INSTALL)
+  list(APPEND in_component EXCLUDE_FROM_ALL)
+endif()
+
 # Nothing here depends on the processor, hence share/ and ARCH_INDEPENDENT.
 set(package_dir ${CMAKE_INSTALL_DATADIR}/cmake/Thick_intersection_d)
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/CGAL
-  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} ${in_component}
   FILES_MATCHING PATTERN "*.h" PATTERN "*.inc")
 
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/LICENSE.GPL
-  DESTINATION ${CMAKE_INSTALL_DOCDIR})
+  DESTINATION ${CMAKE_INSTALL_DOCDIR} ${in_component})
 
 install(TARGETS Thick_intersection_d EXPORT Thick_intersection_dTargets)
 install(EXPORT Thick_intersection_dTargets
   NAMESPACE Thick_intersection_d::
-  DESTINATION ${package_dir})
+  DESTINATION ${package_dir} ${in_component})
 
 configure_package_config_file(
   ${CMAKE_CURRENT_LIST_DIR}/Thick_intersection_dConfig.cmake.in
@@ -35,7 +43,7 @@ write_basic_package_version_file(
 install(FILES
   ${PROJECT_BINARY_DIR}/Thick_intersection_dConfig.cmake
   ${PROJECT_BINARY_DIR}/Thick_intersection_dConfigVersion.cmake
-  DESTINATION ${package_dir})
+  DESTINATION ${package_dir} ${in_component})
 
 # The file finds the headers from its own folder, so that an installation can be moved.
 cmake_path(RELATIVE_PATH CMAKE_INSTALL_FULL_INCLUDEDIR
@@ -46,4 +54,4 @@ configure_file(
   ${PROJECT_BINARY_DIR}/Thick_intersection_d.pc
   @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/Thick_intersection_d.pc
-  DESTINATION ${CMAKE_INSTALL_DATADIR}/pkgconfig)
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/pkgconfig ${in_component})
