@@ -20,8 +20,13 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/CGAL
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} ${in_component}
   FILES_MATCHING PATTERN "*.h" PATTERN "*.inc")
 
+# In a subdirectory, CMAKE_INSTALL_DOCDIR may be the folder of the project above, with its license.
+set(doc_dir ${CMAKE_INSTALL_DOCDIR})
+if(NOT PROJECT_IS_TOP_LEVEL)
+  set(doc_dir ${CMAKE_INSTALL_DATAROOTDIR}/doc/Thick_intersection_d)
+endif()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/LICENSE.GPL
-  DESTINATION ${CMAKE_INSTALL_DOCDIR} ${in_component})
+  DESTINATION ${doc_dir} ${in_component})
 
 install(TARGETS Thick_intersection_d EXPORT Thick_intersection_dTargets)
 install(EXPORT Thick_intersection_dTargets

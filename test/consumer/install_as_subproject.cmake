@@ -20,7 +20,10 @@ execute_process(
   COMMAND_ERROR_IS_FATAL ANY)
 file(GLOB_RECURSE found
   ${PREFIX}/version.h ${PREFIX}/Thick_intersection_dTargets.cmake ${PREFIX}/Thick_intersection_d.pc)
+if(EXISTS ${PREFIX}/share/doc/Thick_intersection_d/LICENSE)
+  list(APPEND found LICENSE)
+endif()
 list(LENGTH found count)
-if(NOT count EQUAL 3)
+if(NOT count EQUAL 4)
   message(FATAL_ERROR "Of the component, there is only\n  ${found}")
 endif()
