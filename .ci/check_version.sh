@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Checks that the files that repeat the version have that of CGAL/Thick_intersection_d/version.h: the
-# number beside the string, the manual and CHANGES.md.
+# number beside the string, the manual, CHANGES.md and CITATION.cff.
 #
 # Prints each file that differs; exits with 1 if there is one.
 #
@@ -30,5 +30,6 @@ expect() {  # file, what it is to say, an expression that prints what it says
 expect "$header" "$number" 's/^#define CGAL_THICK_INTERSECTION_D_VERSION_NR ([0-9]+)$/\1/p'
 expect doc/Doxyfile "$version" 's/^PROJECT_NUMBER *= *(.*)$/\1/p'
 expect CHANGES.md "$version" 's/^## ([^ ]*).*$/\1/p'
+expect CITATION.cff "$version" 's/^version: *(.*)$/\1/p'
 
 exit $fail
