@@ -32,11 +32,13 @@
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <mutex>
+#include <optional>
 #include <random>
 #include <utility>
 #include <vector>
@@ -81,7 +83,7 @@ public:
   Closest_pair_search(const Elements& points, const Scene& scene, std::uint64_t seed,
                       Progress& progress, const Report_near& report_near)
     : points_(points), scene_(scene), random_(seed), progress_(progress),
-      report_near_(report_near)
+      report_near_(report_near), grid_exponent_(scene.grid_exponent)
   {}
 
   // Returns the closest pair. If the search is cancelled, returns the closest of the pairs that it
@@ -147,6 +149,8 @@ private:
   {
     const Positions positions = as_vector(some_positions);
     progress_.restart(2 * positions.size() + later);
+    if(!scene_.is_grid_known && !grid_exponent_)
+      grid_exponent_ = grid_exponent_of(points_, scene_);
     if(!do_integers_decide(minimum.reach())) // a longer bound leaves all ties to the minimum
       return offer_reported(positions, within_distance(minimum.reach() * (1 + 0x1p-40)), minimum,
                             &Minimum::offer);
@@ -162,7 +166,7 @@ private:
 
   bool do_integers_decide(double reach) const
   {
-    return first_exact_tier(reach, scene_.grid_exponent, scene_.extended_axis_count())
+    return first_exact_tier(reach, grid_exponent_, scene_.extended_axis_count())
            != Arithmetic_tier::FILTERED_EXACT;
   }
 
@@ -231,6 +235,7 @@ private:
   std::mt19937_64 random_;
   Progress& progress_;
   const Report_near& report_near_;
+  std::optional<int> grid_exponent_; // read when points are crowded, unless the scene has it
   bool is_crowded_ = false; // whether a join was given up
 };
 

@@ -46,6 +46,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <type_traits>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -101,12 +102,23 @@ public:
     return are_finite_doubles() && (scene_.dimension() == 2 || scene_.dimension() == 3);
   }
 
-  // As report(), of one set of points that take the slab route, as a part of a larger search.
+  // As report(), of one set of points that take the slab route, as a part of a larger search. There
+  // may be as many near ties as pairs, so coordinates are not rounded.
   template <class Callback, class Progress>
-  bool report_by_slabs(Callback& callback, Progress& progress)
+  bool report_crowded_points(Callback& callback, Progress& progress)
   {
     const Is_within_distance<Point> is_within = make_predicate(nullptr);
-    return report_by_slabs(is_within, One_set(), callback, progress);
+    const auto report = [&](auto dimension) {
+      constexpr int axes = decltype(dimension)::value;
+      doubles_.keep(searched_axes<axes>(scene_));
+      return report_by_slabs_of(
+        Near_points<axes, Elements>(points_, scene_, doubles_, is_within), One_set(), callback,
+        progress);
+    };
+    if constexpr(dimension_or<Point>(3) == 3)
+      if(scene_.extended_axis_count() == 3)
+        return report(std::integral_constant<int, 3>());
+    return report(std::integral_constant<int, 2>());
   }
 
 private:
