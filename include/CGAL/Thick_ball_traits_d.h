@@ -142,12 +142,19 @@ public:
   /// returns the dimension of the balls, or 0 if there are none.
   int dimension() const { return dimension_; }
 
+  /// returns the comparison of centers along axes.
   Less_coordinate_d less_coordinate_d_object() const { return Less_coordinate_d(); }
+
+  /// returns the test for close centers.
   Is_close_along_axis_d is_close_along_axis_d_object() const
   {
     return Is_close_along_axis_d(2 * largest_radius_);
   }
+
+  /// returns the test for balls that intersect.
   Do_intersect_d do_intersect_d_object() const { return Do_intersect_d(dimension_); }
+
+  /// returns the functor of intervals.
   Interval_d interval_d_object() const { return Interval_d(); }
 
   /// @}

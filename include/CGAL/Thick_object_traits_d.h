@@ -171,12 +171,19 @@ public:
   /// returns the dimension of the objects.
   int dimension() const { return dimension_; }
 
+  /// returns the comparison of lower corners along axes.
   Less_coordinate_d less_coordinate_d_object() const { return Less_coordinate_d(); }
+
+  /// returns the test for close lower corners.
   Is_close_along_axis_d is_close_along_axis_d_object() const
   {
     return Is_close_along_axis_d(reaches_);
   }
+
+  /// returns the test for objects that intersect.
   Do_intersect_d do_intersect_d_object() const { return Do_intersect_d(); }
+
+  /// returns the functor of intervals.
   Interval_d interval_d_object() const { return Interval_d(); }
 
   /// @}

@@ -123,11 +123,16 @@ public:
   /// returns the dimension of the points.
   int dimension() const { return is_within_.dimension(); }
 
+  /// returns the comparison of points along axes.
   Less_coordinate_d less_coordinate_d_object() const { return Less_coordinate_d(); }
+
+  /// returns the test for points that are close along an axis.
   Is_close_along_axis_d is_close_along_axis_d_object() const
   {
     return Is_close_along_axis_d(is_within_.reach());
   }
+
+  /// returns the test for points within the bound.
   Do_intersect_d do_intersect_d_object() const { return is_within_; }
 
   /// @}

@@ -24,10 +24,16 @@ namespace CGAL {
 namespace Thick_box_intersection_d {
 
 /// whether two sequences are one sequence given twice, or two different sequences.
-enum Setting { COMPLETE, BIPARTITE };
+enum Setting {
+  COMPLETE,   ///< One sequence is given twice.
+  BIPARTITE   ///< The two sequences are different.
+};
 
 /// whether the upper ends belong to the boxes.
-enum Topology { HALF_OPEN, CLOSED };
+enum Topology {
+  HALF_OPEN,   ///< Boxes that only touch do not intersect.
+  CLOSED       ///< Boxes that touch intersect.
+};
 
 } // namespace Thick_box_intersection_d
 
