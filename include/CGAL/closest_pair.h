@@ -63,7 +63,7 @@ below
     \cgalParamDescription{the seed of the random numbers, which the time depends on}
     \cgalParamType{unsigned int}
     \cgalParamDefault{a seed that each process draws once, so that no input is made for it}
-    \cgalParamExtra{The result does not depend on the seed, unless the search is cancelled.}
+    \cgalParamExtra{The result does not depend on the seed, unless the search is canceled.}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
     \cgalParamDescription{a functor `bool(double)` that is called with the progress between 0 and 1,
