@@ -275,10 +275,10 @@ returns the profile of the scene of `points` and `bound`, in one pass over the c
 \cgalNamedParamsBegin
   \cgalParamNBegin{point_map}
     \cgalParamDescription{a property map associating points to the elements of `points`}
+    \cgalParamType{a model of `ReadablePropertyMap` from these elements to points}
     \cgalParamDefault{the elements are the points}
   \cgalParamNEnd
 \cgalNamedParamsEnd
-
 \throws std::invalid_argument if a coordinate is NaN or infinite, if the points differ in dimension,
 or if the bound is negative or NaN. The message gives the position of the point.
 \throws std::runtime_error if the processor is set to flush denormal numbers to zero.

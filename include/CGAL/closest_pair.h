@@ -51,10 +51,12 @@ below
 \cgalNamedParamsBegin
   \cgalParamNBegin{point_map}
     \cgalParamDescription{a property map associating points to the elements of the range}
+    \cgalParamType{a model of `ReadablePropertyMap` from these elements to points}
     \cgalParamDefault{the elements are the points}
   \cgalParamNEnd
   \cgalParamNBegin{geom_traits}
     \cgalParamDescription{an instance of the kernel of the points}
+    \cgalParamType{a model of `Kernel` or `Kernel_d`}
     \cgalParamDefault{the kernel deduced from the point type}
     \cgalParamExtra{Accepted as by other functions of \cgal. The type of the points determines the
                     kernel.}
@@ -66,8 +68,9 @@ below
     \cgalParamExtra{The result does not depend on the seed, unless the search is canceled.}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
-    \cgalParamDescription{a functor `bool(double)` that is called with the progress between 0 and 1,
-                          and cancels the search by returning `false`}
+    \cgalParamDescription{a functor that is called with the progress between 0 and 1, and cancels
+                          the search by returning `false`}
+    \cgalParamType{a functor with `bool operator()(double)`}
     \cgalParamDefault{none}
     \cgalParamExtra{In parallel, one thread at a time calls it, but not always the same thread. The
                     last value is 1 unless it cancels. The check of the points comes before the
@@ -131,17 +134,20 @@ below
 \cgalNamedParamsBegin
   \cgalParamNBegin{point_map}
     \cgalParamDescription{a property map associating points to the elements of the range}
+    \cgalParamType{a model of `ReadablePropertyMap` from these elements to points}
     \cgalParamDefault{the elements are the points}
   \cgalParamNEnd
   \cgalParamNBegin{geom_traits}
     \cgalParamDescription{an instance of the kernel of the points}
+    \cgalParamType{a model of `Kernel` or `Kernel_d`}
     \cgalParamDefault{the kernel deduced from the point type}
     \cgalParamExtra{Accepted as by other functions of \cgal. The type of the points determines the
                     kernel.}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
-    \cgalParamDescription{a functor `bool(double)` that is called with the progress between 0 and 1,
-                          and cancels the search by returning `false`}
+    \cgalParamDescription{a functor that is called with the progress between 0 and 1, and cancels
+                          the search by returning `false`}
+    \cgalParamType{a functor with `bool operator()(double)`}
     \cgalParamDefault{none}
     \cgalParamExtra{In parallel, one thread at a time calls it, but not always the same thread. The
                     last value is 1 unless it cancels. The check of the points comes before the

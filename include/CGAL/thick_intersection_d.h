@@ -66,16 +66,18 @@ below
   \cgalParamNBegin{geom_traits}
     \cgalParamDescription{an instance of a traits class, which may have a state}
     \cgalParamType{a model of `ThickIntersectionIntervalTraits_d` or of `ThickIntersectionTraits_d`}
-    \cgalParamExtra{Intervals are used if the class is a model of both.}
     \cgalParamDefault{`Thick_object_traits_d<Object>`, constructed from the range}
+    \cgalParamExtra{Intervals are used if the class is a model of both.}
   \cgalParamNEnd
   \cgalParamNBegin{point_map}
     \cgalParamDescription{a property map associating objects to the elements of the range}
+    \cgalParamType{a model of `ReadablePropertyMap` from these elements to objects}
     \cgalParamDefault{the elements are the objects}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
-    \cgalParamDescription{a functor `bool(double)` that is called with the progress between 0 and 1,
-                          and cancels the search by returning `false`}
+    \cgalParamDescription{a functor that is called with the progress between 0 and 1, and cancels
+                          the search by returning `false`}
+    \cgalParamType{a functor with `bool operator()(double)`}
     \cgalParamDefault{none}
     \cgalParamExtra{In parallel, one thread at a time calls it, but not always the same thread.}
   \cgalParamNEnd
