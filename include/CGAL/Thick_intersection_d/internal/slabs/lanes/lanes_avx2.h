@@ -14,6 +14,7 @@
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_question.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/shuffle.h>
 
 #include <boost/config.hpp>
 
@@ -33,7 +34,6 @@ namespace lanes_avx2 {
 typedef std::int32_t Int_part __attribute__((vector_size(32)));
 typedef float Float_part __attribute__((vector_size(32)));
 typedef double Double_part __attribute__((vector_size(32)));
-typedef long long Quad __attribute__((vector_size(32)));
 
 CGAL_LANES_TARGET inline Float_part to_float(Int_part x)
 {
@@ -78,10 +78,8 @@ CGAL_LANES_TARGET inline Place append_pairs(unsigned int bits, const Ints& p, co
   const Int_part order = Ints::load(lanes_in_order.of[bits]).parts[0];
   const Int_part a = __builtin_ia32_permvarsi256(p.parts[0], order);
   const Int_part b = __builtin_ia32_permvarsi256(q.parts[0], order);
-  const Int_part low = __builtin_ia32_punpckldq256(a, b);  // pairs 0, 1, 4 and 5
-  const Int_part high = __builtin_ia32_punpckhdq256(a, b); // pairs 2, 3, 6 and 7
-  const Int_part first = (Int_part)__builtin_ia32_permti256((Quad)low, (Quad)high, 0x20);
-  const Int_part second = (Int_part)__builtin_ia32_permti256((Quad)low, (Quad)high, 0x31);
+  const Int_part first = CGAL_LANES_SHUFFLE(Int_part, a, b, 0, 8, 1, 9, 2, 10, 3, 11);
+  const Int_part second = CGAL_LANES_SHUFFLE(Int_part, a, b, 4, 12, 5, 13, 6, 14, 7, 15);
   std::memcpy(pairs + count, &first, sizeof(first));
   std::memcpy(pairs + count + 4, &second, sizeof(second));
   return count + static_cast<Place>(__builtin_popcount(bits));

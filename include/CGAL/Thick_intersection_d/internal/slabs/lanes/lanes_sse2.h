@@ -14,6 +14,7 @@
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_question.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/shuffle.h>
 
 #include <boost/config.hpp>
 
@@ -75,8 +76,10 @@ CGAL_LANES_TARGET inline Place append_pairs(unsigned int bits, const Ints& p, co
   if(bits == 0)
     return count;
   for(Place k = 0; k < Ints::part_count; ++k, bits >>= 4) {
-    store_two_pairs(__builtin_ia32_punpckldq128(p.parts[k], q.parts[k]), pairs, count, bits);
-    store_two_pairs(__builtin_ia32_punpckhdq128(p.parts[k], q.parts[k]), pairs, count, bits >> 2);
+    const Int_part a = p.parts[k];
+    const Int_part b = q.parts[k];
+    store_two_pairs(CGAL_LANES_SHUFFLE(Int_part, a, b, 0, 4, 1, 5), pairs, count, bits);
+    store_two_pairs(CGAL_LANES_SHUFFLE(Int_part, a, b, 2, 6, 3, 7), pairs, count, bits >> 2);
   }
   return count;
 }
