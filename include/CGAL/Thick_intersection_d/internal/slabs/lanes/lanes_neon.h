@@ -5,7 +5,7 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_LANES_NEON_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_LANES_NEON_H
 
-// The lanes of NEON, which every processor of AArch64 has.
+// The lanes of NEON, which every processor of AArch64 has. The file is empty for other processors.
 
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Box_run.h>
@@ -22,6 +22,8 @@
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
+
+#if defined(__GNUC__) && defined(__aarch64__)
 
 #include <arm_neon.h>
 
@@ -83,5 +85,7 @@ CGAL_LANES_TARGET inline Place append_pairs(unsigned int bits, const Ints& p, co
 } // namespace CGAL
 
 #undef CGAL_LANES_TARGET
+
+#endif // AArch64
 
 #endif // CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_LANES_NEON_H
