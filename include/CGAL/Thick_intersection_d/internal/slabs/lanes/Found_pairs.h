@@ -30,8 +30,6 @@ struct Found_pairs
   static constexpr Place capacity = 1024;
   static constexpr Place row_capacity = capacity / lanes;
 
-  bool is_full() const { return count >= capacity || row_count == row_capacity; }
-
   Place count = 0;
   Place row_count = 0;
   bool is_any_undecided = false; // whether the filter left a pair undecided

@@ -50,11 +50,17 @@ CGAL_LANES_TARGET inline unsigned int bits_at_most(Float_part a, Float_part b)
 {
   return static_cast<unsigned int>(__builtin_ia32_movmskps256((Float_part)(a <= b)));
 }
-CGAL_LANES_TARGET inline unsigned int bits_at_most(Double_part a, Double_part b)
+// Of the lanes in `bits`: one instruction, which leaves the bits where the next one needs them.
+CGAL_LANES_TARGET inline unsigned char bits_at_most(Double_part a, Double_part b,
+                                                    unsigned char bits)
 {
   constexpr int is_at_most = 18, current_rounding = 4;
-  return static_cast<unsigned char>(
-    __builtin_ia32_cmppd512_mask(a, b, is_at_most, static_cast<char>(-1), current_rounding));
+  return static_cast<unsigned char>(__builtin_ia32_cmppd512_mask(
+    a, b, is_at_most, static_cast<char>(bits), current_rounding));
+}
+CGAL_LANES_TARGET inline unsigned int bits_at_most(Double_part a, Double_part b)
+{
+  return bits_at_most(a, b, 0xff);
 }
 
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/vectors.inc>
