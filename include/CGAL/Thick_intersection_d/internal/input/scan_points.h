@@ -15,9 +15,11 @@
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -81,27 +83,49 @@ public:
   }
 
 private:
+  // An interval per axis: in an array if the type of the points tells how many there are. The
+  // compiler keeps the ends of an array in registers.
+  template <int Dimension>
+  static std::array<Interval, Dimension> intervals(const std::vector<Interval>& box)
+  {
+    std::array<Interval, Dimension> array;
+    std::copy(box.begin(), box.end(), array.begin());
+    return array;
+  }
+  template <class Point>
+  auto intervals_for() const
+  {
+    if constexpr(constexpr int dimension = dimension_or<Point>(0); dimension != 0)
+      return intervals<dimension>(box_);
+    else
+      return box_;
+  }
+
   template <class Elements, class Store>
   void add_points(const Elements& points, std::size_t first, std::size_t last, const Store& store)
   {
-    using Number = Coordinate_t<typename Elements::value_type>;
-    const int dimension = static_cast<int>(box_.size());
+    using Point = typename Elements::value_type;
+    const int dimension = dimension_or<Point>(static_cast<int>(box_.size()));
+    auto box = intervals_for<Point>();
+    double error = error_;
     for(std::size_t position = first; position < last; ++position) {
       const auto& point = points[position];
       bool is_good = point.dimension() == dimension;
       for(int axis = 0; is_good && axis < dimension; ++axis) {
         const std::pair<double, double> x = coordinate_bounds(point, axis);
         is_good = are_bounds_of_finite(x);
-        box_[axis].add(Interval{x.first, x.second});
-        if constexpr(!is_held_by_double_v<Number>)
-          error_ = (std::max)(error_, x.second - x.first);
+        box[axis].add(Interval{x.first, x.second});
+        if constexpr(!is_held_by_double_v<Coordinate_t<Point>>)
+          error = (std::max)(error, x.second - x.first);
         store(position, axis, x.first);
       }
       if(!is_good) {
         first_bad_ = position;
-        return;
+        break;
       }
     }
+    std::copy(box.begin(), box.end(), box_.begin());
+    error_ = error;
   }
 
   std::vector<Interval> box_;
