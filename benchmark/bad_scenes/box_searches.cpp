@@ -10,6 +10,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/boxes/Box_route.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/tuning.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
@@ -50,7 +51,8 @@ Work search_boxes(const Number_objects& objects, std::size_t first_size)
   work.seconds = processor_seconds_of([&] { route.search(piece); });
   if(work.pairs >= limit)
     work.pairs = std::numeric_limits<double>::infinity();
-  work.counted = test.candidates + test.swept;
+  const internal::Box_tuning costs;
+  work.counted = test.swept + test.candidates * costs.candidate_cost / costs.box_cost;
   return work;
 }
 
