@@ -3,6 +3,7 @@
 
 // Strips keep the points that are appended, and borders the points in an interval, in order.
 
+#include "support/instruction_sets.h"
 #include "support/point_source.h"
 
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
@@ -14,6 +15,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -133,9 +135,8 @@ void check_borders()
                   }), strip.end());
     internal::Strips<Point> border;
     border.reset(strips.size(), static_cast<internal::Place>(strips.strips().size()));
-    std::vector<internal::Place> places(20);
     for(const auto& strip : strips.strips())
-      border.append_border(strips, strip, axis, interval, places.data());
+      border.append_border(strips, strip, axis, interval);
     check_strips<Point>(border, kept);
     check_boxes<Point>(border);
   }
@@ -150,6 +151,48 @@ BOOST_AUTO_TEST_CASE(borders_keep_the_points_in_an_interval_3)
 {
   check_borders<Doubles<3>>();
   check_borders<Integers<3>>();
+}
+
+// A point is copied if its coordinate along the axis is in the interval, with all coordinates.
+template <class Point, class Lanes>
+void check_copies(const internal::Strips<Point>& strips, const Lanes& set, Random& random)
+{
+  using Number = typename Point::Number;
+  const std::size_t axis = random.below(Point::dimension);
+  const Number low = static_cast<Number>(random.below(10));
+  const Number high = low + static_cast<Number>(random.below(4));
+  for(const auto& strip : strips.strips()) {
+    const typename Point::Run run = strips.run(strip);
+    std::array<std::vector<Number>, Point::dimension> columns;
+    std::array<Number*, Point::dimension> x;
+    for(std::size_t c = 0; c < columns.size(); ++c) {
+      columns[c].resize(run.size + internal::lanes);
+      x[c] = columns[c].data();
+    }
+    std::vector<internal::Place> positions(run.size + internal::lanes);
+    const internal::Place count
+      = set.copy_between(run, static_cast<int>(axis), low, high, x, positions.data());
+    internal::Place expected = 0;
+    for(internal::Place i = 0; i < run.size; ++i)
+      if(low <= run.x[axis][i] && run.x[axis][i] <= high) {
+        BOOST_CHECK_EQUAL(positions[expected], run.positions[i]);
+        for(std::size_t c = 0; c < columns.size(); ++c)
+          BOOST_CHECK_EQUAL(columns[c][expected], run.x[c][i]);
+        ++expected;
+      }
+    BOOST_CHECK_EQUAL(count, expected);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(lanes_copy_the_points_in_an_interval)
+{
+  with_all_lanes([](auto set) {
+    Random random(3);
+    for(int repetition = 0; repetition < 100; ++repetition) {
+      check_copies(make_strips(random_strips<Doubles<2>>(random)), set, random);
+      check_copies(make_strips(random_strips<Integers<3>>(random)), set, random);
+    }
+  });
 }
 
 BOOST_AUTO_TEST_CASE(strips_are_forgotten_when_room_is_made)

@@ -9,12 +9,10 @@
 // it. The strips of two slabs meet if they are within reach. Each two strips meet once, so no pair
 // is reported twice.
 
-#include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Strips.h>
 
-#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -95,15 +93,11 @@ private:
                       const Interval& interval, Strips<Point>& border)
   {
     Place size = 0;
-    Place longest = 0;
-    for(const Strip_of_points& strip : strips) {
-      size += strip.size();
-      longest = (std::max)(longest, strip.size());
-    }
-    border.reset(size, static_cast<Place>(strips.size()));
-    Place* const places = places_.require(longest);
     for(const Strip_of_points& strip : strips)
-      border.append_border(slab, strip, axis, interval, places);
+      size += strip.size();
+    border.reset(size, static_cast<Place>(strips.size()));
+    for(const Strip_of_points& strip : strips)
+      border.append_border(slab, strip, axis, interval);
   }
 
   // Of two sets, strips of different sets meet. `sides` is zero if there is one set.
@@ -138,7 +132,6 @@ private:
   Sweep& sweep_;
   Strips<Point> slab_border_a_, slab_border_b_;
   Strips<Point> strip_border_a_, strip_border_b_;
-  Buffer<Place> places_;
 };
 
 } // namespace internal

@@ -13,6 +13,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/with_lanes.h>
 
 #include <algorithm>
 #include <array>
@@ -106,27 +107,19 @@ public:
     }
   }
 
-  // Appends the border of a strip of `other`: the points that meet `interval` along `axis`. `kept`
-  // has room for a place per point of the strip.
+  // Appends the border of a strip of `other`: the points that meet `interval` along `axis`.
   void append_border(const Strips& other, const Strip_of_points& strip, int axis,
-                     const Interval& interval, Place* kept)
+                     const Interval& interval)
   {
-    const Number* const x = other.columns_[axis].data();
     const Number low = static_cast<Number>(interval.low); // both ends are numbers of this type
     const Number high = static_cast<Number>(interval.high);
+    std::array<Number*, dimension> x;
+    for(int c = 0; c < dimension; ++c)
+      x[c] = columns_[c].data() + end_;
     Place count = 0;
-    for(Place i = strip.begin; i != strip.end; ++i) {
-      kept[count] = i;
-      count += static_cast<Place>(x[i] >= low) & static_cast<Place>(x[i] <= high);
-    }
-    for(int c = 0; c < dimension; ++c) {
-      const Number* from = other.columns_[c].data();
-      Number* to = columns_[c].data() + end_;
-      for(Place k = 0; k < count; ++k)
-        to[k] = from[kept[k]];
-    }
-    for(Place k = 0; k < count; ++k)
-      positions_.data()[end_ + k] = other.positions_.data()[kept[k]];
+    with_lanes([&](auto set) {
+      count = set.copy_between(other.run(strip), axis, low, high, x, positions_.data() + end_);
+    });
     close({end_, end_ + count, strip.box, strip.sides});
   }
 

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
@@ -83,6 +84,15 @@ CGAL_LANES_TARGET inline Place append_pairs(unsigned int bits, const Ints& p, co
   std::memcpy(pairs + count, &first, sizeof(first));
   std::memcpy(pairs + count + 4, &second, sizeof(second));
   return count + static_cast<Place>(__builtin_popcount(bits));
+}
+
+// As in vectors.inc, by one permutation.
+CGAL_LANES_TARGET inline Place store_lanes(unsigned int bits, const Ints& v, std::int32_t* to)
+{
+  const Int_part order = Ints::load(lanes_in_order.of[bits]).parts[0];
+  const Int_part front = __builtin_ia32_permvarsi256(v.parts[0], order);
+  std::memcpy(to, &front, sizeof(front));
+  return static_cast<Place>(__builtin_popcount(bits));
 }
 
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/loops.inc>

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
@@ -75,6 +76,22 @@ CGAL_LANES_TARGET inline Place append_pairs(unsigned int bits, const Ints& p, co
                                                        static_cast<char>(bits));
   std::memcpy(pairs + count, &near, sizeof(near));
   return count + static_cast<Place>(__builtin_popcount(bits));
+}
+
+// As in vectors.inc: one instruction moves these lanes to the front.
+CGAL_LANES_TARGET inline Place store_lanes(unsigned int bits, const Ints& v, std::int32_t* to)
+{
+  const Int_part front = __builtin_ia32_compresssi256_mask(v.parts[0], Int_part(),
+                                                           static_cast<unsigned char>(bits));
+  std::memcpy(to, &front, sizeof(front));
+  return static_cast<Place>(__builtin_popcount(bits));
+}
+CGAL_LANES_TARGET inline Place store_lanes(unsigned int bits, const Doubles& v, double* to)
+{
+  const Double_part front = __builtin_ia32_compressdf512_mask(v.parts[0], Double_part(),
+                                                              static_cast<unsigned char>(bits));
+  std::memcpy(to, &front, sizeof(front));
+  return static_cast<Place>(__builtin_popcount(bits));
 }
 
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/loops.inc>
