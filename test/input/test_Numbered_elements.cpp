@@ -5,10 +5,14 @@
 
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 
+#include <boost/iterator/counting_iterator.hpp>
+#include <boost/iterator/indirect_iterator.hpp>
+#include <boost/range/iterator_range.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include <cstddef>
 #include <forward_list>
+#include <iterator>
 #include <list>
 #include <type_traits>
 #include <utility>
@@ -60,6 +64,91 @@ BOOST_AUTO_TEST_CASE(elements_may_be_made_for_the_occasion)
   BOOST_CHECK((numbers_of(elements) == std::vector<int>{1, 0, 1}));
 }
 
+// Numbers that live in the iterators, as descriptors do in those of a mesh.
+BOOST_AUTO_TEST_CASE(elements_may_live_in_their_iterators)
+{
+  using Iterator = boost::counting_iterator<int, std::random_access_iterator_tag, std::ptrdiff_t>;
+  const auto range = boost::make_iterator_range(Iterator(5), Iterator(9));
+  const internal::Numbered_elements<std::remove_const_t<decltype(range)>> elements(range);
+  BOOST_CHECK((numbers_of(elements) == std::vector<int>{5, 6, 7, 8}));
+  BOOST_CHECK(&elements[1] == &elements[1]); // is still there
+  static_assert(internal::may_hold_element<Iterator>());
+  BOOST_CHECK(internal::holds_element(Iterator(5)));
+}
+
+BOOST_AUTO_TEST_CASE(elements_of_other_iterators_are_found_without_a_table)
+{
+  const std::vector<int> vector = {3, 1};
+  const std::vector<const int*> pointers = {&vector[1], &vector[0]};
+  using Pointer = std::vector<const int*>::const_iterator;
+  using Iterator = boost::indirect_iterator<Pointer>;
+  static_assert(internal::has_random_access<Iterator>);
+  static_assert(!internal::may_hold_element<Pointer>());
+  static_assert(!internal::may_hold_element<const int*>());
+  struct
+  {
+    int before = 0;
+    boost::indirect_iterator<const int* const*> iterator;
+    int after = 0;
+  } neighbors;
+  const int* const numbers[] = {&vector[0], &neighbors.before, &neighbors.after};
+  for(const int* const& number : numbers) {
+    neighbors.iterator = boost::indirect_iterator<const int* const*>(&number);
+    BOOST_CHECK(!internal::holds_element(neighbors.iterator));
+  }
+  const auto range = boost::make_iterator_range(Iterator(pointers.begin()),
+                                                Iterator(pointers.end()));
+  const internal::Numbered_elements<std::remove_const_t<decltype(range)>> elements(range);
+  BOOST_CHECK((numbers_of(elements) == std::vector<int>{1, 3}));
+  BOOST_CHECK(&elements[1] == &vector[0]);
+}
+
+// A view of C++20 that remembers where it begins, and ends where a number is negative.
+class Until_negative
+{
+public:
+  struct Sentinel
+  {
+    friend bool operator!=(const int* it, Sentinel) { return *it >= 0; }
+  };
+
+  explicit Until_negative(const int* first) : first_(first) {}
+  const int* begin() { return first_; }
+  Sentinel end() { return {}; }
+
+private:
+  const int* first_;
+};
+
+BOOST_AUTO_TEST_CASE(a_range_may_change_when_it_is_read_and_end_in_a_sentinel)
+{
+  const int numbers[] = {3, 1, 4, -1, 5};
+  Until_negative range(numbers);
+  static_assert(!internal::Is_range<const Until_negative>::value);
+  const auto elements = internal::make_elements(range, CGAL::parameters::default_values());
+  BOOST_CHECK((numbers_of(elements) == std::vector<int>{3, 1, 4}));
+  BOOST_CHECK(&elements[1] == &numbers[1]);
+}
+
+// As a Point_set_3, which has indices as elements.
+struct Range_with_map : std::vector<std::pair<int, char>>
+{
+  using std::vector<std::pair<int, char>>::vector;
+  CGAL::First_of_pair_property_map<std::pair<int, char>> point_map() const { return {}; }
+};
+
+BOOST_AUTO_TEST_CASE(a_range_may_bring_its_map)
+{
+  const Range_with_map range = {{3, 'a'}, {1, 'b'}};
+  const auto elements = internal::make_elements(range, CGAL::parameters::default_values());
+  BOOST_CHECK((numbers_of(elements) == std::vector<int>{3, 1}));
+  BOOST_CHECK(&elements.element(1) == &range[1]);
+
+  using Map = CGAL::Second_of_pair_property_map<std::pair<int, char>>;
+  const auto letters = internal::make_elements(range, CGAL::parameters::point_map(Map()));
+  BOOST_CHECK((numbers_of(letters) == std::vector<int>{'a', 'b'}));
+}
+
 BOOST_AUTO_TEST_CASE(a_map_looks_into_the_elements)
 {
   using Item = std::pair<int, char>;
@@ -69,6 +158,7 @@ BOOST_AUTO_TEST_CASE(a_map_looks_into_the_elements)
   static_assert(std::is_same_v<decltype(elements)::value_type, int>);
   BOOST_CHECK((numbers_of(elements) == std::vector<int>{3, 1}));
   BOOST_CHECK(&elements[0] == &items.front().first);
+  BOOST_CHECK(&elements.element(0) == &items.front());
 
   const auto named = internal::make_elements(items, CGAL::parameters::point_map(Map()));
   BOOST_CHECK((numbers_of(named) == std::vector<int>{3, 1}));

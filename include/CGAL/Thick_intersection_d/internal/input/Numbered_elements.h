@@ -6,10 +6,13 @@
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_NUMBERED_ELEMENTS_H
 
 // The elements of the user's range or ranges by their positions. The input is neither copied nor
-// reordered. A range without random access gets a table of iterators.
+// reordered. A range gets a table of its iterators if these have no random access, or if they hold
+// their elements.
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/property_map.h>
+
+#include <CGAL/Thick_intersection_d/internal/input/iterators.h>
 
 #include <cstddef>
 #include <iterator>
@@ -48,11 +51,9 @@ private:
 template <class Range, class Map = No_map>
 class Numbered_elements
 {
-  using Iterator = decltype(std::begin(std::declval<const Range&>()));
-  using Reference = decltype(*std::declval<Iterator&>());
-  static constexpr bool has_random_access
-    = std::is_base_of_v<std::random_access_iterator_tag,
-                        typename std::iterator_traits<Iterator>::iterator_category>;
+  using Readable = Read_range<Range>;
+  using Iterator = Iterator_of<Readable>;
+  using Reference = Reference_of<Iterator>;
 
   static decltype(auto) mapped(Reference element, const Map& map)
   {
@@ -68,14 +69,14 @@ public:
   using value_type = std::decay_t<decltype(mapped(std::declval<Reference>(),
                                                   std::declval<const Map&>()))>;
 
-  explicit Numbered_elements(const Range& range, const Map& map = Map()) : map_(map)
+  explicit Numbered_elements(Readable& range, const Map& map = Map())
+    : first_(std::begin(range)), map_(map)
   {
-    if constexpr(has_random_access) {
-      table_ = std::begin(range);
-      size_ = static_cast<std::size_t>(std::end(range) - std::begin(range));
-    }
+    const auto last = std::end(range);
+    if(has_random_access<Iterator> && !(first_ != last && holds_element(first_)))
+      size_ = count_elements(first_, last);
     else {
-      for(Iterator it = std::begin(range); it != std::end(range); ++it)
+      for(Iterator it = first_; it != last; ++it)
         table_.push_back(it);
       size_ = table_.size();
     }
@@ -85,16 +86,28 @@ public:
   Element_iterator<Numbered_elements> begin() const { return {*this, 0}; }
   Element_iterator<Numbered_elements> end() const { return {*this, size_}; }
 
+  // Returns an element of the range as the map sees it.
   decltype(auto) operator[](std::size_t position) const
   {
-    if constexpr(has_random_access)
-      return mapped(*(table_ + static_cast<std::ptrdiff_t>(position)), map_);
-    else
-      return mapped(*table_[position], map_);
+    return mapped(element(position), map_);
+  }
+
+  // Returns an element of the range itself.
+  decltype(auto) element(std::size_t position) const
+  {
+    if constexpr(!has_random_access<Iterator>)
+      return *table_[position];
+    else {
+      if constexpr(may_hold_element<Iterator>())
+        if(!table_.empty())
+          return *table_[position];
+      return *(first_ + static_cast<std::ptrdiff_t>(position));
+    }
   }
 
 private:
-  std::conditional_t<has_random_access, Iterator, std::vector<Iterator>> table_;
+  Iterator first_;
+  std::vector<Iterator> table_; // empty if `first_` reaches all elements
   std::size_t size_;
   Map map_;
 };
@@ -110,6 +123,9 @@ public:
 
   Joined_elements(const First& first, const Second& second) : first_(first), second_(second) {}
 
+  const First& first() const { return first_; }
+  const Second& second() const { return second_; }
+
   std::size_t size() const { return first_.size() + second_.size(); }
   Element_iterator<Joined_elements> begin() const { return {*this, 0}; }
   Element_iterator<Joined_elements> end() const { return {*this, size()}; }
@@ -124,22 +140,39 @@ private:
   const Second& second_;
 };
 
-// Returns the elements of `range`. Applies the point map of the named parameters, if there is one.
+// Whether a range comes with a map from its elements to points, as a `Point_set_3` does.
+template <class Range, class = void>
+struct Has_point_map : std::false_type {};
+template <class Range>
+struct Has_point_map<Range, std::void_t<decltype(get(std::declval<Range&>().point_map(),
+                                                     *std::begin(std::declval<const Range&>())))>>
+  : std::true_type {};
+
+// Returns the map from the elements of `range` to points or objects: the point map of the named
+// parameters, if there is one, or else the point map of the range.
 template <class Range, class NamedParameters>
-auto make_elements(const Range& range, const NamedParameters& np)
+auto element_map(Range& range, const NamedParameters& np)
 {
-  using Map = typename internal_np::Lookup_named_param_def<internal_np::point_t, NamedParameters,
-                                                           No_map>::type;
-  return Numbered_elements<Range, Map>(
-    range, parameters::choose_parameter<Map>(
-             parameters::get_parameter(np, internal_np::point_map)));
+  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::point_t>::value)
+    return parameters::get_parameter(np, internal_np::point_map);
+  else if constexpr(Has_point_map<Range>::value)
+    return range.point_map();
+  else
+    return No_map();
+}
+
+// Returns the elements of `range`, seen through its map.
+template <class Range, class NamedParameters>
+auto make_elements(Range& range, const NamedParameters& np)
+{
+  using Map = std::decay_t<decltype(element_map(range, np))>;
+  return Numbered_elements<std::remove_const_t<Range>, Map>(range, element_map(range, np));
 }
 
 // Returns task(elements, first_size) for the elements of two ranges in one numbering, and the
 // number of elements of the first range.
 template <class RangeA, class RangeB, class NamedParameters, class Task>
-auto with_two_ranges(const RangeA& range_a, const RangeB& range_b, const NamedParameters& np,
-                     const Task& task)
+auto with_two_ranges(RangeA& range_a, RangeB& range_b, const NamedParameters& np, const Task& task)
 {
   const auto elements_a = make_elements(range_a, np);
   const auto elements_b = make_elements(range_b, np);
