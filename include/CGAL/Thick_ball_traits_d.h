@@ -13,6 +13,7 @@
 #include <CGAL/Thick_intersection_d/internal/doors/ball_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/Ball_centers.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Do_balls_intersect.h>
 
 #include <algorithm>
@@ -108,7 +109,7 @@ public:
   };
 
   /// the dimension of the balls.
-  using Dimension = typename Ambient_dimension<Point>::type;
+  using Dimension = Thick_intersection_d::internal::Point_dimension_t<Point>;
 
   /// @}
   /// \name Creation

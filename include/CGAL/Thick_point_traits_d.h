@@ -14,6 +14,7 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Is_within_distance.h>
 
 #include <cstddef>
@@ -140,7 +141,7 @@ public:
 private:
   static constexpr int static_dimension()
   {
-    using Dimension = typename Ambient_dimension<Point>::type;
+    using Dimension = Thick_intersection_d::internal::Point_dimension_t<Point>;
     static_assert(!std::is_same_v<Dimension, Dynamic_dimension_tag>,
                   "The type of the points has no dimension: give it to the constructor.");
     return Dimension::value;

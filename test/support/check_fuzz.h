@@ -50,15 +50,13 @@ inline CGAL::Exact_rational exact_rational(const Wide_integer& x)
                                          + number);
 }
 
-// Points of a kernel with Cartesian coordinates. The unit is a third of the power of two if numbers
-// are exact, so that no double holds a coordinate.
+// Cartesian coordinates. The unit is a third of the power of two if numbers are exact, so that no
+// double holds a coordinate.
 template <class K, int Dimension, bool is_exact_>
-struct Fuzz_cartesian
+struct Fuzz_coordinates
 {
   using Kernel = K;
   using FT = typename Kernel::FT;
-  using Point = std::conditional_t<Dimension == 2, typename Kernel::Point_2,
-                                   typename Kernel::Point_3>;
   static constexpr int dimension = Dimension;
   static constexpr bool is_exact = is_exact_;
   static constexpr Number_range range
@@ -72,6 +70,14 @@ struct Fuzz_cartesian
     else
       return number;
   }
+};
+
+// Points of a kernel for the plane and for space.
+template <class K, int Dimension, bool is_exact>
+struct Fuzz_cartesian : Fuzz_coordinates<K, Dimension, is_exact>
+{
+  using Fuzz_coordinates<K, Dimension, is_exact>::number;
+  using Point = std::conditional_t<Dimension == 2, typename K::Point_2, typename K::Point_3>;
 
   static Point point(const Lattice_place& p, int exponent)
   {
@@ -79,6 +85,21 @@ struct Fuzz_cartesian
       return Point(number(p[0], exponent), number(p[1], exponent));
     else
       return Point(number(p[0], exponent), number(p[1], exponent), number(p[2], exponent));
+  }
+};
+
+// Points of a kernel for any dimension.
+template <class K, int Dimension, bool is_exact>
+struct Fuzz_points_d : Fuzz_coordinates<K, Dimension, is_exact>
+{
+  using Point = typename K::Point_d;
+
+  static Point point(const Lattice_place& p, int exponent)
+  {
+    std::vector<typename K::FT> coordinates;
+    for(int axis = 0; axis < Dimension; ++axis)
+      coordinates.push_back(Fuzz_points_d::number(p[axis], exponent));
+    return Point(coordinates.begin(), coordinates.end());
   }
 };
 

@@ -15,11 +15,27 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
+// The dimension of points, as a tag. Points of CGAL say it themselves. Their kernel says it as well
+// unless it is `Epeck_d`.
+template <class Point, class = void>
+struct Point_dimension
+{
+  using type = typename Ambient_dimension<Point>::type;
+};
+template <class Point>
+struct Point_dimension<Point, std::void_t<typename Point::Ambient_dimension>>
+{
+  using type = typename Point::Ambient_dimension;
+};
+
+template <class Point>
+using Point_dimension_t = typename Point_dimension<Point>::type;
+
 // Returns the dimension of a type of points, or `fallback` if only the points know their dimension.
 template <class Point>
 constexpr int dimension_or(int fallback)
 {
-  using Dimension = typename Ambient_dimension<Point>::type;
+  using Dimension = Point_dimension_t<Point>;
   if constexpr(std::is_same_v<Dimension, Dynamic_dimension_tag>)
     return fallback;
   else
