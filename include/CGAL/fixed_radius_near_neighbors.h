@@ -8,6 +8,7 @@
 // All pairs of points within a distance, in one range or between two ranges.
 
 #include <CGAL/Distance_bound.h>
+#include <CGAL/Element_callback.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Neighbor_lists.h>
 #include <CGAL/Scene_profile.h>
@@ -15,8 +16,8 @@
 
 #include <CGAL/Thick_intersection_d/internal/doors/near_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/doors/neighbor_lists_search.h>
+#include <CGAL/Thick_intersection_d/internal/doors/pair_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
-#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
 namespace CGAL {
 
@@ -41,18 +42,21 @@ in any order. Several threads call the callback at once, so it must allow this. 
 requires \tbb.
 
 \tparam PointRange is a range of `Point_2`, `Point_3` or `Point_d` of a kernel of \cgal, with
-forward iterators or better. It is neither copied nor reordered.
+forward iterators or better. It is neither copied nor reordered. It may be a view of C++20, or a
+`Point_set_3`.
 
 \tparam NT is a number type as described for `Distance_bound`. It need not be the number type of the
 kernel.
 
 \tparam Callback is callable with `(std::size_t i, std::size_t j)`. It returns `void`, or `bool` to
-stop the search by returning `false`.
+stop the search by returning `false`. Or it is an output iterator for pairs of the type
+`std::pair<std::size_t, std::size_t>`; one thread at a time writes to it. Or `with_elements()` has
+made it, from a functor of two elements of the range or an output iterator for pairs of them.
 
 \param points the points, all of the same dimension.
 \param bound made by `within_distance()` or `within_squared_distance()`.
 \param callback is called for each pair, with the positions \f$ i < j \f$ of the two points in the
-range.
+range, or with the elements at these positions.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
 below
 
@@ -60,7 +64,8 @@ below
   \cgalParamNBegin{point_map}
     \cgalParamDescription{a property map associating points to the elements of the range}
     \cgalParamType{a model of `ReadablePropertyMap` from these elements to points}
-    \cgalParamDefault{the elements are the points}
+    \cgalParamDefault{`points.point_map()` if the range has this function, as `Point_set_3` has;
+                      otherwise the elements are the points}
   \cgalParamNEnd
   \cgalParamNBegin{geom_traits}
     \cgalParamDescription{an instance of the kernel of the points}
@@ -85,18 +90,20 @@ or if the bound is negative or NaN, before anything is reported. The message giv
 the point. Exceptions of the callback pass through.
 \throws std::runtime_error if the processor is set to flush denormal numbers to zero.
 
+\sa `with_elements()`
 \sa `thick_self_intersection_d()`
 */
 template <class ConcurrencyTag = Sequential_tag, class PointRange, class NT, class Callback,
           class NamedParameters = parameters::Default_named_parameters>
-bool fixed_radius_near_neighbors(const PointRange& points, const Distance_bound<NT>& bound,
+bool fixed_radius_near_neighbors(PointRange&& points, const Distance_bound<NT>& bound,
                                  Callback&& callback,
                                  const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
-  const auto elements = internal::make_elements(points, np);
-  return internal::report_near_pairs<ConcurrencyTag>(elements, internal::One_set(), bound, callback,
-                                                     np);
+  const auto search = [&](const auto& elements, const auto& sets, auto& report) {
+    return internal::report_near_pairs<ConcurrencyTag>(elements, sets, bound, report, np);
+  };
+  return internal::search_range<ConcurrencyTag>(points, callback, np, search);
 }
 
 /*!
@@ -119,14 +126,15 @@ scene.
 */
 template <class ConcurrencyTag = Sequential_tag, class PointRange, class NT, class Callback,
           class NamedParameters = parameters::Default_named_parameters>
-bool fixed_radius_near_neighbors(const PointRange& points, const Distance_bound<NT>& bound,
+bool fixed_radius_near_neighbors(PointRange&& points, const Distance_bound<NT>& bound,
                                  Callback&& callback, Scene_profile& profile,
                                  const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
-  const auto elements = internal::make_elements(points, np);
-  return internal::report_near_pairs<ConcurrencyTag>(elements, internal::One_set(), bound, callback,
-                                                     profile, np);
+  const auto search = [&](const auto& elements, const auto& sets, auto& report) {
+    return internal::report_near_pairs<ConcurrencyTag>(elements, sets, bound, report, profile, np);
+  };
+  return internal::search_range<ConcurrencyTag>(points, callback, np, search);
 }
 
 /*!
@@ -142,7 +150,7 @@ close pairs of their union.
 \param points_a, points_b the points, of the same type and dimension in both ranges.
 \param bound made by `within_distance()` or `within_squared_distance()`.
 \param callback is called for each pair with the position \f$ i \f$ of its point in `points_a` and
-the position \f$ j \f$ of its point in `points_b`.
+the position \f$ j \f$ of its point in `points_b`, or with the elements at these positions.
 \param np as for the version for one range; the property map is applied to both ranges.
 
 \return `false` iff the callback or the progress functor stopped the search.
@@ -152,15 +160,15 @@ first range to the second range.
 */
 template <class ConcurrencyTag = Sequential_tag, class PointRangeA, class PointRangeB, class NT,
           class Callback, class NamedParameters = parameters::Default_named_parameters>
-bool fixed_radius_near_neighbors(const PointRangeA& points_a, const PointRangeB& points_b,
+bool fixed_radius_near_neighbors(PointRangeA&& points_a, PointRangeB&& points_b,
                                  const Distance_bound<NT>& bound, Callback&& callback,
                                  const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
-  return internal::with_two_ranges(points_a, points_b, np, [&](const auto& elements, auto size_a) {
-    return internal::report_near_pairs<ConcurrencyTag>(elements, internal::Two_sets{size_a}, bound,
-                                                       callback, np);
-  });
+  const auto search = [&](const auto& elements, const auto& sets, auto& report) {
+    return internal::report_near_pairs<ConcurrencyTag>(elements, sets, bound, report, np);
+  };
+  return internal::search_two_ranges<ConcurrencyTag>(points_a, points_b, callback, np, search);
 }
 
 /*!
@@ -171,16 +179,16 @@ as the version above. The profile is as in the version for one range, for the po
 */
 template <class ConcurrencyTag = Sequential_tag, class PointRangeA, class PointRangeB, class NT,
           class Callback, class NamedParameters = parameters::Default_named_parameters>
-bool fixed_radius_near_neighbors(const PointRangeA& points_a, const PointRangeB& points_b,
+bool fixed_radius_near_neighbors(PointRangeA&& points_a, PointRangeB&& points_b,
                                  const Distance_bound<NT>& bound, Callback&& callback,
                                  Scene_profile& profile,
                                  const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
-  return internal::with_two_ranges(points_a, points_b, np, [&](const auto& elements, auto size_a) {
-    return internal::report_near_pairs<ConcurrencyTag>(elements, internal::Two_sets{size_a}, bound,
-                                                       callback, profile, np);
-  });
+  const auto search = [&](const auto& elements, const auto& sets, auto& report) {
+    return internal::report_near_pairs<ConcurrencyTag>(elements, sets, bound, report, profile, np);
+  };
+  return internal::search_two_ranges<ConcurrencyTag>(points_a, points_b, callback, np, search);
 }
 
 /*!
@@ -192,7 +200,7 @@ The search takes \f$ O(n \log n + k \log k) \f$ time and \f$ O(n + k) \f$ space 
 where \f$ k \f$ is the number of pairs \cgalCite{v-riato-03}. The result does not depend on the
 number of threads.
 
-The parameters are as for `fixed_radius_near_neighbors()`.
+The parameters are as for `fixed_radius_near_neighbors()`. The lists hold positions.
 
 \return the lists. If the progress functor cancels the search, they hold some of the pairs, each in
 both of its lists.
@@ -202,7 +210,7 @@ both of its lists.
 */
 template <class ConcurrencyTag = Sequential_tag, class PointRange, class NT,
           class NamedParameters = parameters::Default_named_parameters>
-Neighbor_lists fixed_radius_neighbor_lists(const PointRange& points,
+Neighbor_lists fixed_radius_neighbor_lists(PointRange&& points,
                                            const Distance_bound<NT>& bound,
                                            const NamedParameters& np = parameters::default_values())
 {

@@ -7,15 +7,13 @@
 
 // All intersecting pairs of objects, in one range or between two ranges.
 
+#include <CGAL/Element_callback.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Thick_object_traits_d.h>
 #include <CGAL/tags.h>
 
 #include <CGAL/Thick_intersection_d/internal/doors/object_pairs_search.h>
-#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
-#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
-
-#include <cstddef>
+#include <CGAL/Thick_intersection_d/internal/doors/pair_search.h>
 
 namespace CGAL {
 
@@ -51,14 +49,16 @@ in any order. Several threads call the callback at once, so it must allow this. 
 requires \tbb.
 
 \tparam ObjectRange is a range whose elements are of the type `Object_d` of the traits, with forward
-iterators or better. It is neither copied nor reordered.
+iterators or better. It is neither copied nor reordered. It may be a view of C++20.
 
 \tparam Callback is callable with `(std::size_t i, std::size_t j)`. It returns `void`, or `bool` to
-stop the search by returning `false`.
+stop the search by returning `false`. Or it is an output iterator for pairs of the type
+`std::pair<std::size_t, std::size_t>`; one thread at a time writes to it. Or `with_elements()` has
+made it, from a functor of two elements of the range or an output iterator for pairs of them.
 
 \param objects the objects.
 \param callback is called for each pair, with the positions \f$ i < j \f$ of the two objects in the
-range.
+range, or with the elements at these positions.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
 below
 
@@ -95,16 +95,19 @@ only.
 \throws std::runtime_error if the processor is set to flush denormal numbers to zero.
 
 \sa `thick_intersection_d()`
+\sa `with_elements()`
 \sa `fixed_radius_near_neighbors()`
 */
 template <class ConcurrencyTag = Sequential_tag, class ObjectRange, class Callback,
           class NamedParameters = parameters::Default_named_parameters>
-bool thick_self_intersection_d(const ObjectRange& objects, Callback&& callback,
+bool thick_self_intersection_d(ObjectRange&& objects, Callback&& callback,
                                const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
-  const auto elements = internal::make_elements(objects, np);
-  return internal::report_object_pairs<ConcurrencyTag>(elements, internal::One_set(), callback, np);
+  const auto search = [&](const auto& elements, const auto& sets, auto& report) {
+    return internal::report_object_pairs<ConcurrencyTag>(elements, sets, report, np);
+  };
+  return internal::search_range<ConcurrencyTag>(objects, callback, np, search);
 }
 
 /*!
@@ -120,7 +123,7 @@ predicates, \f$ k \f$ is the number of intersecting pairs of the union of the ra
 
 \param objects_a, objects_b the objects, of the same type in both ranges.
 \param callback is called for each pair with the position \f$ i \f$ of its object in `objects_a` and
-the position \f$ j \f$ of its object in `objects_b`.
+the position \f$ j \f$ of its object in `objects_b`, or with the elements at these positions.
 \param np as for `thick_self_intersection_d()`; the property map is applied to both ranges.
 
 \return `false` iff the callback or the progress functor stopped the search.
@@ -132,16 +135,15 @@ the first range to the second range.
 */
 template <class ConcurrencyTag = Sequential_tag, class ObjectRangeA, class ObjectRangeB,
           class Callback, class NamedParameters = parameters::Default_named_parameters>
-bool thick_intersection_d(const ObjectRangeA& objects_a, const ObjectRangeB& objects_b,
+bool thick_intersection_d(ObjectRangeA&& objects_a, ObjectRangeB&& objects_b,
                           Callback&& callback,
                           const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
-  const auto report = [&](const auto& elements, std::size_t size_a) {
-    const internal::Two_sets sets = {size_a};
-    return internal::report_object_pairs<ConcurrencyTag>(elements, sets, callback, np);
+  const auto search = [&](const auto& elements, const auto& sets, auto& report) {
+    return internal::report_object_pairs<ConcurrencyTag>(elements, sets, report, np);
   };
-  return internal::with_two_ranges(objects_a, objects_b, np, report);
+  return internal::search_two_ranges<ConcurrencyTag>(objects_a, objects_b, callback, np, search);
 }
 
 } // namespace CGAL

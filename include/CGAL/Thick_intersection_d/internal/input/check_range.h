@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_CHECK_RANGE_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_CHECK_RANGE_H
+
+// Checks the types of the user's ranges, when a program is compiled. A mistake gives one sentence:
+// a function that checks returns false as well, and then its caller compiles nothing else.
+
+#include <CGAL/property_map.h>
+
+#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
+#include <CGAL/Thick_intersection_d/internal/input/iterators.h>
+#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+template <class ConcurrencyTag>
+constexpr bool check_concurrency()
+{
+  constexpr bool is_possible = has_tbb || !is_parallel_v<ConcurrencyTag>;
+  static_assert(is_possible, "Parallel_tag is enabled but TBB is unavailable.");
+  return is_possible;
+}
+
+// The map of the named parameters, which may not fit the range.
+template <class Map, class Element, class = void>
+struct Maps_element : std::is_same<Map, No_map> {};
+template <class Map, class Element>
+struct Maps_element<Map, Element,
+                    std::void_t<decltype(get(std::declval<const Map&>(), std::declval<Element>()))>>
+  : std::true_type {};
+
+// `Range` is const if the range is.
+template <class ConcurrencyTag, class Range, class NamedParameters>
+constexpr bool check_range()
+{
+  if constexpr(!check_concurrency<ConcurrencyTag>())
+    return false;
+  else if constexpr(!Is_range<Range>::value) {
+    static_assert(Is_range<Range>::value, "The argument is to be a range with forward iterators.");
+    return false;
+  }
+  else {
+    using Map
+      = decltype(element_map(std::declval<Range&>(), std::declval<const NamedParameters&>()));
+    using Element = Reference_of<Iterator_of<Read_range<Range>>>;
+    static_assert(Maps_element<Map, Element>::value,
+                  "The property map point_map is to take the elements of the range.");
+    return Maps_element<Map, Element>::value;
+  }
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_CHECK_RANGE_H

@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Callbacks of positions and of elements, and output iterators of both.
+
+#include "support/pairs.h"
+
+#include <CGAL/Element_callback.h>
+#include <CGAL/tags.h>
+
+#include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cstddef>
+#include <iterator>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(Pair_output)
+
+namespace internal = CGAL::Thick_intersection_d::internal;
+using namespace test_support;
+
+// As Numbered_elements, with elements that exist and elements that are made.
+struct Names
+{
+  std::vector<std::string> names;
+  const std::string& element(std::size_t position) const { return names[position]; }
+};
+struct Squares
+{
+  std::size_t element(std::size_t position) const { return position * position; }
+};
+
+const Names names = {{"a", "b", "c"}};
+const Squares squares;
+
+template <class Callback>
+decltype(auto) output_to(Callback& callback)
+{
+  static_assert(internal::check_callback<Callback, Names, Squares>());
+  return internal::pair_output<CGAL::Sequential_tag>(names, squares, callback);
+}
+
+BOOST_AUTO_TEST_CASE(callback_of_positions_is_called_itself)
+{
+  const auto callback = [](std::size_t, std::size_t) {};
+  const auto& output = output_to(callback);
+  BOOST_CHECK(&output == &callback);
+}
+
+BOOST_AUTO_TEST_CASE(callback_of_elements_gets_those_of_its_ranges)
+{
+  std::vector<std::pair<const std::string*, std::size_t>> calls;
+  auto callback = CGAL::with_elements([&](const std::string& name, std::size_t square) {
+    calls.emplace_back(&name, square);
+    return square < 9;
+  });
+  auto&& output = output_to(callback);
+  BOOST_CHECK(output(0, 2));
+  BOOST_CHECK(!output(2, 3));
+  BOOST_REQUIRE_EQUAL(calls.size(), 2u);
+  BOOST_CHECK(calls[0] == std::make_pair(&names.names[0], std::size_t(4)));
+  BOOST_CHECK(calls[1] == std::make_pair(&names.names[2], std::size_t(9)));
+}
+
+BOOST_AUTO_TEST_CASE(callback_that_is_an_lvalue_is_not_copied)
+{
+  struct Counter
+  {
+    Counter() = default;
+    Counter(const Counter&) = delete;
+    void operator()(const std::string&, std::size_t) { ++calls; }
+    int calls = 0;
+  };
+  Counter counter;
+  const auto callback = CGAL::with_elements(counter);
+  auto&& output = output_to(callback);
+  static_assert(std::is_void_v<decltype(output(0, 0))>);
+  output(1, 1);
+  BOOST_CHECK_EQUAL(counter.calls, 1);
+}
+
+BOOST_AUTO_TEST_CASE(output_iterators_take_pairs)
+{
+  Pairs positions;
+  auto out = std::back_inserter(positions);
+  output_to(out)(1, 2);
+  BOOST_CHECK(positions == (Pairs{{1, 2}}));
+
+  std::vector<std::pair<std::string, std::size_t>> elements;
+  auto callback = CGAL::with_elements(std::back_inserter(elements));
+  auto&& output = output_to(callback);
+  output(1, 2);
+  output(2, 0);
+  BOOST_REQUIRE_EQUAL(elements.size(), 2u);
+  BOOST_CHECK(elements[0] == std::make_pair(std::string("b"), std::size_t(4)));
+  BOOST_CHECK(elements[1] == std::make_pair(std::string("c"), std::size_t(0)));
+}
+
+BOOST_AUTO_TEST_CASE(an_output_iterator_that_is_an_lvalue_advances)
+{
+  Pairs room(2);
+  auto out = room.begin();
+  auto&& output = output_to(out);
+  output(1, 2);
+  output(0, 1);
+  BOOST_CHECK(out == room.end());
+  BOOST_CHECK(room == (Pairs{{1, 2}, {0, 1}}));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
