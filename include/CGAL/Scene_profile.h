@@ -284,7 +284,7 @@ or if the bound is negative or NaN. The message gives the position of the point.
 \throws std::runtime_error if the processor is set to flush denormal numbers to zero.
 */
 template <class PointRange, class NT, class NamedParameters = parameters::Default_named_parameters>
-Scene_profile profile_scene(const PointRange& points, const Distance_bound<NT>& bound,
+Scene_profile profile_scene(PointRange&& points, const Distance_bound<NT>& bound,
                             const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;

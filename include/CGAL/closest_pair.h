@@ -13,9 +13,11 @@
 
 #include <CGAL/Thick_intersection_d/internal/doors/closest_pair_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
+#include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 
 #include <cstddef>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
@@ -41,7 +43,8 @@ uses \f$ O(n) \f$ space. The algebraic degree is 2.
 `Parallel_tag` requires \tbb.
 
 \tparam PointRange is a range of `Point_2`, `Point_3` or `Point_d` of a kernel of \cgal, with
-forward iterators or better. It is neither copied nor reordered.
+forward iterators or better. It is neither copied nor reordered. It may be a view of C++20, or a
+`Point_set_3`.
 
 \param points the points, all of the same dimension, at least two and less than
 \f$ 2^{32} - 1 \f$ points.
@@ -92,10 +95,14 @@ Exceptions of the progress functor pass through.
 template <class ConcurrencyTag = Sequential_tag, class PointRange,
           class NamedParameters = parameters::Default_named_parameters>
 std::pair<std::size_t, std::size_t>
-closest_pair(const PointRange& points, const NamedParameters& np = parameters::default_values())
+closest_pair(PointRange&& points, const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
-  return internal::find_closest_pair<ConcurrencyTag>(internal::make_elements(points, np), np);
+  using Range = std::remove_reference_t<PointRange>;
+  if constexpr(internal::check_range_of_points<ConcurrencyTag, Range, NamedParameters>())
+    return internal::find_closest_pair<ConcurrencyTag>(internal::make_elements(points, np), np);
+  else
+    return {};
 }
 
 /*!
@@ -170,12 +177,16 @@ progress functor pass through.
 template <class ConcurrencyTag = Sequential_tag, class PointRange, class NT,
           class NamedParameters = parameters::Default_named_parameters>
 std::optional<std::pair<std::size_t, std::size_t>>
-find_close_pair(const PointRange& points, const Distance_bound<NT>& bound,
+find_close_pair(PointRange&& points, const Distance_bound<NT>& bound,
                 const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
-  return internal::find_pair_within<ConcurrencyTag>(internal::make_elements(points, np), bound,
-                                                    np);
+  using Range = std::remove_reference_t<PointRange>;
+  if constexpr(internal::check_range_of_points<ConcurrencyTag, Range, NamedParameters>())
+    return internal::find_pair_within<ConcurrencyTag>(internal::make_elements(points, np), bound,
+                                                      np);
+  else
+    return {};
 }
 
 /*!
@@ -188,11 +199,29 @@ otherwise.
 */
 template <class ConcurrencyTag = Sequential_tag, class PointRange, class NT,
           class NamedParameters = parameters::Default_named_parameters>
-bool has_close_pair(const PointRange& points, const Distance_bound<NT>& bound,
+bool has_close_pair(PointRange&& points, const Distance_bound<NT>& bound,
                     const NamedParameters& np = parameters::default_values())
 {
   return find_close_pair<ConcurrencyTag>(points, bound, np).has_value();
 }
+
+#ifndef DOXYGEN_RUNNING
+// Bare numbers as bounds: each call that has one stops with a sentence that says so.
+template <class ConcurrencyTag = Sequential_tag, class PointRange, class Number, class... Arguments>
+std::enable_if_t<Thick_intersection_d::internal::is_number_v<Number>,
+                 std::optional<std::pair<std::size_t, std::size_t>>>
+find_close_pair(PointRange&&, const Number&, Arguments&&...)
+{
+  Thick_intersection_d::internal::check_bound<Number>();
+  return {};
+}
+template <class ConcurrencyTag = Sequential_tag, class PointRange, class Number, class... Arguments>
+std::enable_if_t<Thick_intersection_d::internal::is_number_v<Number>, bool>
+has_close_pair(PointRange&&, const Number&, Arguments&&...)
+{
+  return Thick_intersection_d::internal::check_bound<Number>();
+}
+#endif
 
 } // namespace CGAL
 

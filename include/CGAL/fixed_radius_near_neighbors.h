@@ -17,7 +17,9 @@
 #include <CGAL/Thick_intersection_d/internal/doors/near_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/doors/neighbor_lists_search.h>
 #include <CGAL/Thick_intersection_d/internal/doors/pair_search.h>
-#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
+#include <CGAL/Thick_intersection_d/internal/input/check_range.h>
+
+#include <type_traits>
 
 namespace CGAL {
 
@@ -214,10 +216,32 @@ Neighbor_lists fixed_radius_neighbor_lists(PointRange&& points,
                                            const Distance_bound<NT>& bound,
                                            const NamedParameters& np = parameters::default_values())
 {
-  namespace internal = Thick_intersection_d::internal;
-  const auto elements = internal::make_elements(points, np);
-  return internal::collect_neighbors<ConcurrencyTag>(elements, bound, np);
+  return Thick_intersection_d::internal::collect_neighbors<ConcurrencyTag>(points, bound, np);
 }
+
+#ifndef DOXYGEN_RUNNING
+// Bare numbers as bounds: each call that has one stops with a sentence that says so.
+template <class ConcurrencyTag = Sequential_tag, class PointRange, class Number, class... Arguments>
+std::enable_if_t<Thick_intersection_d::internal::is_number_v<Number>, bool>
+fixed_radius_near_neighbors(PointRange&&, const Number&, Arguments&&...)
+{
+  return Thick_intersection_d::internal::check_bound<Number>();
+}
+template <class ConcurrencyTag = Sequential_tag, class PointRangeA, class PointRangeB, class Number,
+          class... Arguments>
+std::enable_if_t<Thick_intersection_d::internal::is_number_v<Number>, bool>
+fixed_radius_near_neighbors(PointRangeA&&, PointRangeB&&, const Number&, Arguments&&...)
+{
+  return Thick_intersection_d::internal::check_bound<Number>();
+}
+template <class ConcurrencyTag = Sequential_tag, class PointRange, class Number, class... Arguments>
+std::enable_if_t<Thick_intersection_d::internal::is_number_v<Number>, Neighbor_lists>
+fixed_radius_neighbor_lists(PointRange&&, const Number&, Arguments&&...)
+{
+  Thick_intersection_d::internal::check_bound<Number>();
+  return Neighbor_lists();
+}
+#endif
 
 } // namespace CGAL
 

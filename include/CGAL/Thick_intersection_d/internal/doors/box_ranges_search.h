@@ -13,6 +13,7 @@
 #include <CGAL/Thick_intersection_d/internal/doors/box_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_boxes.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
+#include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Meeting_boxes.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
@@ -86,10 +87,20 @@ template <class Traits>
 struct Static_dimension<Traits, std::void_t<std::integral_constant<int, Traits::dimension()>>>
   : std::integral_constant<int, Traits::dimension()> {};
 
-// Checks the boxes, and reports the pairs. Returns false iff the search was stopped.
+template <class ConcurrencyTag, class First, class Second, class Callback>
+constexpr bool check_box_search()
+{
+  using A = decltype(std::declval<const First&>().element(0));
+  using B = decltype(std::declval<const Second&>().element(0));
+  constexpr bool takes_boxes = std::is_invocable_v<Callback&, A, B>;
+  static_assert(takes_boxes, "The callback is to take two boxes, as the iterators give them.");
+  return check_concurrency<ConcurrencyTag>() && takes_boxes;
+}
+
+// Reports the pairs of boxes. Returns false iff the search was stopped.
 template <class ConcurrencyTag, class Sets, class First, class Second, class Traits, class Callback>
-bool report_box_pairs(const First& first, const Second& second, const Traits& traits,
-                      const Box_rules& rules, Callback& callback)
+bool report_numbered_boxes(const First& first, const Second& second, const Traits& traits,
+                           const Box_rules& rules, Callback& callback)
 {
   check_denormals();
   using Boxes = Numbered_boxes<First, Second, Traits>;
@@ -101,6 +112,17 @@ bool report_box_pairs(const First& first, const Second& second, const Traits& tr
   if constexpr(Sets::are_two)
     sets.first_size = boxes.first_size();
   return report_meeting_boxes<ConcurrencyTag>(meeting, sets, report);
+}
+
+// Checks the boxes, and reports the pairs. Returns false iff the search was stopped.
+template <class ConcurrencyTag, class Sets, class First, class Second, class Traits, class Callback>
+bool report_box_pairs(const First& first, const Second& second, const Traits& traits,
+                      const Box_rules& rules, Callback& callback)
+{
+  if constexpr(check_box_search<ConcurrencyTag, First, Second, Callback>())
+    return report_numbered_boxes<ConcurrencyTag, Sets>(first, second, traits, rules, callback);
+  else
+    return false;
 }
 
 template <class Iterator>

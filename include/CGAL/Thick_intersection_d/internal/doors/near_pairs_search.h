@@ -23,6 +23,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/Point_doubles.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene_sample.h>
+#include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
@@ -239,8 +240,12 @@ bool report_near_pairs(const Elements& points, const Sets& sets,
                        const Distance_bound<NT>& bound, Callback& callback,
                        const NamedParameters& np)
 {
-  Near_pairs_search<ConcurrencyTag, Elements> search(points, bound, false);
-  return search.report(sets, callback, np, nullptr);
+  if constexpr(check_points<Elements>()) {
+    Near_pairs_search<ConcurrencyTag, Elements> search(points, bound, false);
+    return search.report(sets, callback, np, nullptr);
+  }
+  else
+    return false;
 }
 
 // Takes the tier that is forced in `profile`, and sets `profile` to the profile of the scene.
@@ -250,14 +255,18 @@ bool report_near_pairs(const Elements& points, const Sets& sets,
                        const Distance_bound<NT>& bound, Callback& callback,
                        Scene_profile& profile, const NamedParameters& np)
 {
-  Near_pairs_search<ConcurrencyTag, Elements> search(points, bound, true);
-  if(const std::optional<Arithmetic_tier> forced = profile.forced_tier())
-    search.profile().force_tier(*forced);
-  Shared_decision_counts counts;
-  const bool is_complete = search.report(sets, callback, np, &counts);
-  search.profile().set_counts(counts.total());
-  profile = search.profile();
-  return is_complete;
+  if constexpr(check_points<Elements>()) {
+    Near_pairs_search<ConcurrencyTag, Elements> search(points, bound, true);
+    if(const std::optional<Arithmetic_tier> forced = profile.forced_tier())
+      search.profile().force_tier(*forced);
+    Shared_decision_counts counts;
+    const bool is_complete = search.report(sets, callback, np, &counts);
+    search.profile().set_counts(counts.total());
+    profile = search.profile();
+    return is_complete;
+  }
+  else
+    return false;
 }
 
 } // namespace internal

@@ -11,10 +11,13 @@
 #include <CGAL/Neighbor_lists.h>
 
 #include <CGAL/Thick_intersection_d/internal/doors/near_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
+#include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Neighbor_collector.h>
 #include <CGAL/Thick_intersection_d/internal/reports/mutual_neighbors.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
+#include <cstddef>
 #include <limits>
 #include <stdexcept>
 
@@ -22,16 +25,27 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-template <class ConcurrencyTag, class Elements, class NT, class NamedParameters>
-Neighbor_lists collect_neighbors(const Elements& points, const Distance_bound<NT>& bound,
+// Throws if there are too many points for the positions in lists.
+inline void check_list_size(std::size_t size)
+{
+  if(size > (std::numeric_limits<Neighbor_lists::Position>::max)())
+    throw std::length_error("There are more points than lists of neighbors have positions for.");
+}
+
+template <class ConcurrencyTag, class Range, class NT, class NamedParameters>
+Neighbor_lists collect_neighbors(Range& range, const Distance_bound<NT>& bound,
                                  const NamedParameters& np)
 {
-  if(points.size() > (std::numeric_limits<Neighbor_lists::Position>::max)())
-    throw std::length_error("There are more points than lists of neighbors have positions for.");
-  Neighbor_collector<ConcurrencyTag> collector(points.size());
-  if(report_near_pairs<ConcurrencyTag>(points, One_set(), bound, collector, np))
+  if constexpr(check_range<ConcurrencyTag, Range, NamedParameters>()) {
+    const auto points = make_elements(range, np);
+    check_list_size(points.size());
+    Neighbor_collector<ConcurrencyTag> collector(points.size());
+    if(!report_near_pairs<ConcurrencyTag>(points, One_set(), bound, collector, np))
+      return mutual_neighbors(collector.lists());
     return collector.lists();
-  return mutual_neighbors(collector.lists());
+  }
+  else
+    return Neighbor_lists();
 }
 
 } // namespace internal

@@ -13,6 +13,7 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/check_denormals.h>
 #include <CGAL/Thick_intersection_d/internal/doors/Object_route.h>
 #include <CGAL/Thick_intersection_d/internal/doors/box_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/doors/check_traits.h>
 
 #include <type_traits>
 
@@ -39,10 +40,14 @@ template <class ConcurrencyTag, class Elements, class Sets, class Callback, clas
 bool report_object_pairs(const Elements& objects, const Sets& sets, Callback& callback,
                          const NamedParameters& np)
 {
-  check_denormals();
-  const auto& traits = object_traits(objects, np);
-  using Route = Object_route<std::decay_t<decltype(traits)>>;
-  return Route::template report<ConcurrencyTag>(objects, sets, traits, callback, np);
+  if constexpr(check_objects_and_traits<typename Elements::value_type, NamedParameters>()) {
+    check_denormals();
+    const auto& traits = object_traits(objects, np);
+    using Route = Object_route<std::decay_t<decltype(traits)>>;
+    return Route::template report<ConcurrencyTag>(objects, sets, traits, callback, np);
+  }
+  else
+    return false;
 }
 
 } // namespace internal

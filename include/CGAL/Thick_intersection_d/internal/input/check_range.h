@@ -8,9 +8,11 @@
 // Checks the types of the user's ranges, when a program is compiled. A mistake gives one sentence:
 // a function that checks returns false as well, and then its caller compiles nothing else.
 
+#include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/property_map.h>
 
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
+#include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/input/iterators.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 
@@ -55,6 +57,57 @@ constexpr bool check_range()
                   "The property map point_map is to take the elements of the range.");
     return Maps_element<Map, Element>::value;
   }
+}
+
+template <class T, class = void>
+struct Is_weighted_point : std::false_type {};
+template <class T>
+struct Is_weighted_point<T, std::void_t<typename T::Weight, typename T::Point>> : std::true_type {};
+
+template <class T, class = void>
+struct Is_point : std::false_type {};
+template <class T>
+struct Is_point<T, std::void_t<decltype(std::declval<const T&>().cartesian(0)),
+                               decltype(std::declval<const T&>().dimension()),
+                               Point_dimension_t<T>>>
+  : std::true_type {};
+
+template <class Elements>
+constexpr bool check_points()
+{
+  using Point = typename Elements::value_type;
+  constexpr bool has_weight = Is_weighted_point<Point>::value;
+  constexpr bool is_point = Is_point<Point>::value || has_weight;
+  static_assert(!has_weight, "Weighted points have no distance here: pass a point_map to their "
+                             "points, or balls to thick_self_intersection_d().");
+  static_assert(is_point, "The elements of the range are to be points of a kernel of CGAL: pass a "
+                          "property map to such points as point_map.");
+  return is_point && !has_weight;
+}
+
+template <class ConcurrencyTag, class Range, class NamedParameters>
+constexpr bool check_range_of_points()
+{
+  if constexpr(!check_range<ConcurrencyTag, Range, NamedParameters>())
+    return false;
+  else
+    return check_points<decltype(make_elements(std::declval<Range&>(),
+                                               std::declval<const NamedParameters&>()))>();
+}
+
+// Whether a type is that of a number, which a bound is made of. A range is none.
+template <class T>
+inline constexpr bool is_number_v
+  = std::is_arithmetic_v<T>
+    || !std::is_same_v<typename Algebraic_structure_traits<T>::Algebraic_category, Null_tag>;
+
+// Refuses a bare number as a bound.
+template <class Number>
+constexpr bool check_bound()
+{
+  static_assert(!is_number_v<Number>, "The bound is to be within_distance(r) or "
+                                      "within_squared_distance(r2), not a bare number.");
+  return false;
 }
 
 } // namespace internal

@@ -1,0 +1,101 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Calls that do not compile. For each of them the compiler says one sentence, and nothing else. The
+// sentence is in the comment above the call; check_mistakes.sh compares.
+
+#include <CGAL/Box_intersection_d/Box_d.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Thick_ball_traits_d.h>
+#include <CGAL/closest_pair.h>
+#include <CGAL/fixed_radius_near_neighbors.h>
+#include <CGAL/thick_box_intersection_d.h>
+#include <CGAL/thick_intersection_d.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_2;
+using Ball = std::pair<Point, double>;
+
+const std::vector<Point> points;
+const std::vector<std::array<double, 2>> arrays;
+const std::vector<Kernel::Weighted_point_2> weighted_points;
+const std::vector<Ball> balls;
+const std::vector<std::string> strings;
+const std::vector<CGAL::Bbox_2> boxes;
+const std::vector<CGAL::Box_intersection_d::Box_d<double, 2>> boxes_with_ids;
+const auto bound = CGAL::within_distance(1);
+const auto report = [](std::size_t, std::size_t) {};
+
+void make_mistakes()
+{
+  // error: The callback is to take two positions (std::size_t i, std::size_t j). For one that
+  // takes two elements of the range, pass CGAL::with_elements(callback).
+  CGAL::fixed_radius_near_neighbors(points, bound, [](const Point&, const Point&) {});
+
+  // error: The callback in with_elements() is to take two elements of the range.
+  CGAL::fixed_radius_near_neighbors(points, bound, CGAL::with_elements([](const std::string&) {}));
+
+  // error: The callback is to return void, or bool to tell whether the search goes on.
+  CGAL::thick_self_intersection_d(boxes, [](std::size_t, std::size_t) { return std::string(); });
+
+  // error: Parallel_tag is enabled but TBB is unavailable.
+  CGAL::fixed_radius_near_neighbors<CGAL::Parallel_tag>(points, bound, report);
+
+  // error: The argument is to be a range with forward iterators.
+  CGAL::fixed_radius_near_neighbors(7, bound, report);
+
+  // error: The elements of the range are to be points of a kernel of CGAL: pass a property map
+  // to such points as point_map.
+  CGAL::fixed_radius_near_neighbors(arrays, bound, report);
+
+  // error: The elements of the range are to be points of a kernel of CGAL: pass a property map
+  // to such points as point_map.
+  CGAL::closest_pair(balls);
+
+  // error: The property map point_map is to take the elements of the range.
+  CGAL::fixed_radius_near_neighbors(
+    points, bound, report,
+    CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Ball>()));
+
+  // error: Weighted points have no distance here: pass a point_map to their points, or balls
+  // to thick_self_intersection_d().
+  CGAL::fixed_radius_neighbor_lists(weighted_points, bound);
+
+  // error: The bound is to be within_distance(r) or within_squared_distance(r2), not a bare
+  // number.
+  CGAL::fixed_radius_near_neighbors(points, 1.0, report);
+
+  // error: The bound is to be within_distance(r) or within_squared_distance(r2), not a bare
+  // number.
+  CGAL::fixed_radius_near_neighbors(points, points, 1, report);
+
+  // error: The bound is to be within_distance(r) or within_squared_distance(r2), not a bare
+  // number.
+  CGAL::has_close_pair(points, 1.f);
+
+  // error: Balls need traits: make them pairs of a center and a radius, and pass
+  // Thick_ball_traits_d as geom_traits.
+  CGAL::thick_self_intersection_d(balls, report);
+
+  // error: The elements of the range are to be objects with bbox() and do_intersect(): pass a
+  // property map to such objects as point_map, or traits as geom_traits.
+  CGAL::thick_intersection_d(strings, strings, report);
+
+  // error: geom_traits is to be a model of ThickIntersectionIntervalTraits_d or of
+  // ThickIntersectionTraits_d.
+  CGAL::thick_self_intersection_d(points, report, CGAL::parameters::geom_traits(Kernel()));
+
+  // error: The elements of the range are to be of the type Object_d of geom_traits: pass a
+  // property map to such objects as point_map.
+  CGAL::thick_self_intersection_d(
+    points, report, CGAL::parameters::geom_traits(CGAL::Thick_ball_traits_d<Point>(balls)));
+
+  // error: The callback is to take two boxes, as the iterators give them.
+  CGAL::thick_box_self_intersection_d(boxes_with_ids.begin(), boxes_with_ids.end(), [](int) {});
+}
