@@ -7,10 +7,12 @@
 
 // The neighbors of all points of a range, in compressed rows.
 
+#include <boost/iterator/iterator_facade.hpp>
 #include <boost/range/iterator_range.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -19,11 +21,13 @@ namespace CGAL {
 /*!
 \ingroup PkgThickIntersectionDRef
 
-holds a list of neighbors for each point of a range, as positions in the range, in ascending order.
+holds a list of neighbors for each point of a range, as positions in ascending order. The neighbors
+are points of the same range, or of a second one.
 
 `fixed_radius_neighbor_lists()` makes the lists. They do not refer to the points. The lists are
 stored one after another, in \f$ 8 (n + 1) \f$ bytes for \f$ n \f$ points and 4 bytes for each
-neighbor. Several threads may read them at once.
+neighbor. Positions have 32 bits, so ranges have less than \f$ 2^{32} \f$ points. Several threads
+may read the lists at once.
 */
 class Neighbor_lists
 {
@@ -33,17 +37,52 @@ public:
   /// a range of positions with random access.
   using Neighbors = boost::iterator_range<const Position*>;
 
+#ifdef DOXYGEN_RUNNING
+  /// iterates over the lists, from point to point. It has random access, and makes `Neighbors`. It
+  /// stays valid if the lists are moved.
+  using const_iterator = unspecified_type;
+#else
+  class const_iterator
+    : public boost::iterator_facade<const_iterator, const Neighbors,
+                                    std::random_access_iterator_tag, const Neighbors>
+  {
+  public:
+    const_iterator() = default;
+    Neighbors operator[](std::ptrdiff_t n) const { return *(*this + n); }
+
+  private:
+    friend class boost::iterator_core_access;
+    friend class Neighbor_lists;
+    const_iterator(const std::size_t* begin, const Position* positions)
+      : begin_(begin), positions_(positions)
+    {}
+
+    Neighbors dereference() const { return {positions_ + begin_[0], positions_ + begin_[1]}; }
+    bool equal(const const_iterator& other) const { return begin_ == other.begin_; }
+    void increment() { ++begin_; }
+    void decrement() { --begin_; }
+    void advance(std::ptrdiff_t n) { begin_ += n; }
+    std::ptrdiff_t distance_to(const const_iterator& other) const { return other.begin_ - begin_; }
+
+    const std::size_t* begin_ = nullptr;
+    const Position* positions_ = nullptr;
+  };
+#endif
+
   /// constructs the lists of no points.
   Neighbor_lists() : begins_(1, 0) {}
 
   /// constructs lists from compressed rows: the neighbors of point `i` are `positions[begins[i]]`
-  /// up to but excluding `positions[begins[i + 1]]`. \pre `begins` is ascending, begins with 0 and
-  /// ends with the size of `positions`.
-  Neighbor_lists(std::vector<std::size_t> begins, std::vector<Position> positions)
-    : begins_(std::move(begins)), positions_(std::move(positions))
+  /// up to but excluding `positions[begins[i + 1]]`. If the neighbors are points of the same range,
+  /// each pair is in two lists. \pre `begins` is ascending, begins with 0 and ends with the size of
+  /// `positions`.
+  Neighbor_lists(std::vector<std::size_t> begins, std::vector<Position> positions,
+                 bool are_of_one_range = true)
+    : begins_(std::move(begins)), positions_(std::move(positions)),
+      are_of_one_range_(are_of_one_range)
   {}
 
-  /// returns the number of points.
+  /// returns the number of points that have a list.
   std::size_t size() const { return begins_.size() - 1; }
 
   /// returns the neighbors of the point at position `i`, in ascending order.
@@ -52,15 +91,29 @@ public:
     return {positions_.data() + begins_[i], positions_.data() + begins_[i + 1]};
   }
 
+  /// returns an iterator to the list of the first point.
+  const_iterator begin() const { return {begins_.data(), positions_.data()}; }
+
+  /// returns the end of the lists.
+  const_iterator end() const { return begin() + static_cast<std::ptrdiff_t>(size()); }
+
   /// returns the number of pairs of neighbors, each counted once.
-  std::size_t number_of_pairs() const { return positions_.size() / 2; }
+  std::size_t number_of_pairs() const { return positions_.size() / (are_of_one_range_ ? 2 : 1); }
 
   /// returns where the neighbors of each point begin in `positions()`. The last value is where the
   /// neighbors of the last point end.
-  const std::vector<std::size_t>& begins() const { return begins_; }
+  const std::vector<std::size_t>& begins() const& { return begins_; }
+
+  /// moves the array out: `std::move(lists).begins()`. The lists can then only be assigned to or
+  /// destroyed, and the other array be moved out.
+  std::vector<std::size_t> begins() && { return std::move(begins_); }
 
   /// returns the neighbors of all points, one list after another.
-  const std::vector<Position>& positions() const { return positions_; }
+  const std::vector<Position>& positions() const& { return positions_; }
+
+  /// moves the array out: `std::move(lists).positions()`. The lists can then only be assigned to or
+  /// destroyed, and the other array be moved out.
+  std::vector<Position> positions() && { return std::move(positions_); }
 
   /// returns whether `a` and `b` hold the same lists.
   friend bool operator==(const Neighbor_lists& a, const Neighbor_lists& b)
@@ -71,6 +124,7 @@ public:
 private:
   std::vector<std::size_t> begins_;
   std::vector<Position> positions_;
+  bool are_of_one_range_ = true;
 };
 
 } // namespace CGAL

@@ -219,6 +219,30 @@ Neighbor_lists fixed_radius_neighbor_lists(PointRange&& points,
   return Thick_intersection_d::internal::collect_neighbors<ConcurrencyTag>(points, bound, np);
 }
 
+/*!
+\ingroup PkgThickIntersectionDRef
+
+returns for each point of a range all points of another range whose distance is within a bound.
+
+The lists are those of the points of `points_a`, and hold positions in `points_b`. Otherwise the
+function is as the version for one range, where \f$ n \f$ is the number of points of both ranges and
+\f$ k \f$ is the number of close pairs of their union.
+
+\return the lists. If the progress functor cancels the search, they hold some of the pairs.
+
+\throws std::invalid_argument as `fixed_radius_near_neighbors()`.
+\throws std::length_error if both ranges together have \f$ 2^{32} \f$ points or more.
+*/
+template <class ConcurrencyTag = Sequential_tag, class PointRangeA, class PointRangeB, class NT,
+          class NamedParameters = parameters::Default_named_parameters>
+Neighbor_lists fixed_radius_neighbor_lists(PointRangeA&& points_a, PointRangeB&& points_b,
+                                           const Distance_bound<NT>& bound,
+                                           const NamedParameters& np = parameters::default_values())
+{
+  namespace internal = Thick_intersection_d::internal;
+  return internal::collect_neighbors<ConcurrencyTag>(points_a, points_b, bound, np);
+}
+
 #ifndef DOXYGEN_RUNNING
 // Bare numbers as bounds: each call that has one stops with a sentence that says so.
 template <class ConcurrencyTag = Sequential_tag, class PointRange, class Number, class... Arguments>
@@ -237,6 +261,14 @@ fixed_radius_near_neighbors(PointRangeA&&, PointRangeB&&, const Number&, Argumen
 template <class ConcurrencyTag = Sequential_tag, class PointRange, class Number, class... Arguments>
 std::enable_if_t<Thick_intersection_d::internal::is_number_v<Number>, Neighbor_lists>
 fixed_radius_neighbor_lists(PointRange&&, const Number&, Arguments&&...)
+{
+  Thick_intersection_d::internal::check_bound<Number>();
+  return Neighbor_lists();
+}
+template <class ConcurrencyTag = Sequential_tag, class PointRangeA, class PointRangeB, class Number,
+          class... Arguments>
+std::enable_if_t<Thick_intersection_d::internal::is_number_v<Number>, Neighbor_lists>
+fixed_radius_neighbor_lists(PointRangeA&&, PointRangeB&&, const Number&, Arguments&&...)
 {
   Thick_intersection_d::internal::check_bound<Number>();
   return Neighbor_lists();

@@ -122,6 +122,57 @@ BOOST_AUTO_TEST_CASE(lists_of_few_points_and_bad_ones)
   BOOST_CHECK_THROW(CGAL::fixed_radius_neighbor_lists(bad, bound), std::invalid_argument);
 }
 
+BOOST_AUTO_TEST_CASE(lists_are_a_range_of_lists)
+{
+  const Points points = uniform_points(2, 300, 0, 1, 8);
+  const CGAL::Neighbor_lists lists = CGAL::fixed_radius_neighbor_lists(
+    make_points<Cartesian_points<Kernel, 2>>(points), CGAL::within_distance(0.1));
+  BOOST_REQUIRE_EQUAL(lists.end() - lists.begin(), 300);
+  std::size_t i = 0;
+  for(const auto neighbors : lists) {
+    BOOST_CHECK(neighbors == lists[i]);
+    ++i;
+  }
+  BOOST_CHECK_EQUAL(i, 300u);
+  BOOST_CHECK(lists.begin()[7] == lists[7]);
+  const CGAL::Neighbor_lists none;
+  BOOST_CHECK(none.begin() == none.end());
+}
+
+BOOST_AUTO_TEST_CASE(arrays_can_be_moved_out)
+{
+  CGAL::Neighbor_lists lists({0, 1, 2}, {1, 0});
+  const std::size_t* const begins = lists.begins().data();
+  const CGAL::Neighbor_lists::Position* const positions = lists.positions().data();
+  const std::vector<CGAL::Neighbor_lists::Position> moved = std::move(lists).positions();
+  const std::vector<std::size_t> moved_begins = std::move(lists).begins();
+  BOOST_CHECK(moved.data() == positions);
+  BOOST_CHECK(moved_begins.data() == begins);
+  BOOST_CHECK((moved_begins == std::vector<std::size_t>{0, 1, 2}));
+}
+
+BOOST_AUTO_TEST_CASE(lists_of_two_ranges_hold_positions_in_the_second)
+{
+  const Points a = uniform_points(2, 200, 0, 1, 9), b = uniform_points(2, 20000, 0, 1, 10);
+  const auto points_a = make_points<Cartesian_points<Kernel, 2>>(a);
+  const auto points_b = make_points<Cartesian_points<Kernel, 2>>(b);
+  const auto bound = CGAL::within_distance(0.05);
+  const auto check = [&](const auto& first, const auto& second) {
+    const CGAL::Neighbor_lists lists = CGAL::fixed_radius_neighbor_lists(first, second, bound);
+    const Pairs expected = sorted(near_pairs(first, second, bound));
+    Pairs found;
+    for(std::size_t i = 0; i < lists.size(); ++i)
+      for(const std::size_t j : lists[i])
+        found.emplace_back(i, j);
+    BOOST_CHECK_EQUAL(lists.size(), first.size());
+    BOOST_CHECK_EQUAL(lists.number_of_pairs(), expected.size());
+    BOOST_CHECK(found == expected);
+  };
+  check(points_a, points_b);
+  check(points_b, points_a);
+  check(points_a, std::vector<Kernel::Point_2>());
+}
+
 // What was found until the progress functor cancels.
 BOOST_AUTO_TEST_CASE(lists_of_a_cancelled_search)
 {

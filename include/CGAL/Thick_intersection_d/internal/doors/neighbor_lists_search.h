@@ -25,7 +25,7 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Throws if there are too many points for the positions in lists.
+// Throws if there are too many points, of one range or two, for the positions in lists.
 inline void check_list_size(std::size_t size)
 {
   if(size > (std::numeric_limits<Neighbor_lists::Position>::max)())
@@ -46,6 +46,25 @@ Neighbor_lists collect_neighbors(Range& range, const Distance_bound<NT>& bound,
   }
   else
     return Neighbor_lists();
+}
+
+// The lists have positions in the second range, for each point of the first.
+template <class ConcurrencyTag, class RangeA, class RangeB, class NT, class NamedParameters>
+Neighbor_lists collect_neighbors(RangeA& range_a, RangeB& range_b, const Distance_bound<NT>& bound,
+                                 const NamedParameters& np)
+{
+  if constexpr(!check_range<ConcurrencyTag, RangeA, NamedParameters>())
+    return Neighbor_lists();
+  else if constexpr(!check_range<ConcurrencyTag, RangeB, NamedParameters>())
+    return Neighbor_lists();
+  else
+    return with_two_ranges(range_a, range_b, np, [&](const auto& points, std::size_t size_a) {
+      check_list_size(points.size());
+      Neighbor_collector<ConcurrencyTag> collector(size_a);
+      const auto add = [&](std::size_t i, std::size_t j) { collector.add(i, j); };
+      report_near_pairs<ConcurrencyTag>(points, Two_sets{size_a}, bound, add, np);
+      return collector.lists(false);
+    });
 }
 
 } // namespace internal

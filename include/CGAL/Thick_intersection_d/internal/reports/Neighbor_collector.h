@@ -43,7 +43,13 @@ public:
     : size_(size), pairs_(Neighbor_bins(size)), lists_(List_bins(size))
   {}
 
-  // Makes the points at two positions neighbors of each other.
+  // Makes the point at position `j`, of another set, a neighbor of the point at position `i`.
+  void add(std::size_t i, std::size_t j)
+  {
+    pairs_.local().add(static_cast<Position>(i), static_cast<Position>(j));
+  }
+
+  // Makes the points at two positions of one set neighbors of each other.
   void operator()(std::size_t i, std::size_t j)
   {
     Neighbor_bins& bins = pairs_.local();
@@ -59,7 +65,10 @@ public:
     return lists_.local();
   }
 
-  Neighbor_lists lists() { return has_lists_ ? lists_of(lists_) : lists_of(pairs_); }
+  Neighbor_lists lists(bool are_of_one_set = true)
+  {
+    return has_lists_ ? lists_of(lists_, true) : lists_of(pairs_, are_of_one_set);
+  }
 
 private:
   // The bins of all threads.
@@ -67,7 +76,7 @@ private:
   using All_bins = Per_thread<ConcurrencyTag, Bins>;
 
   template <class Bins>
-  Neighbor_lists lists_of(All_bins<Bins>& bins)
+  Neighbor_lists lists_of(All_bins<Bins>& bins, bool are_of_one_set)
   {
     std::vector<std::size_t> begins(size_ + 1, 0);
     Positions positions;
@@ -90,7 +99,7 @@ private:
           positions.insert(positions.end(), first, first + (end - begin));
       }
     });
-    return Neighbor_lists(std::move(begins), std::move(positions));
+    return Neighbor_lists(std::move(begins), std::move(positions), are_of_one_set);
   }
 
   template <class Bins>
