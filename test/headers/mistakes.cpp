@@ -26,6 +26,7 @@ const std::vector<Point> points;
 const std::vector<std::array<double, 2>> arrays;
 const std::vector<Kernel::Weighted_point_2> weighted_points;
 const std::vector<Ball> balls;
+const std::vector<Kernel::Circle_2> circles;
 const std::vector<std::string> strings;
 const std::vector<CGAL::Bbox_2> boxes;
 const std::vector<CGAL::Box_intersection_d::Box_d<double, 2>> boxes_with_ids;
@@ -82,6 +83,10 @@ void make_mistakes()
   // error: Balls need traits: make them pairs of a center and a radius, and pass
   // Thick_ball_traits_d as geom_traits.
   CGAL::thick_self_intersection_d(balls, report);
+
+  // error: do_intersect() takes circles and spheres as curves and surfaces: use
+  // Thick_ball_traits_d.
+  CGAL::thick_self_intersection_d(circles, report);
 
   // error: The elements of the range are to be objects with bbox() and do_intersect(): pass a
   // property map to such objects as point_map, or traits as geom_traits.
