@@ -13,7 +13,10 @@
 
 #if defined(__GNUC__) && defined(__x86_64__)
 
-#include <immintrin.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/shuffle.h>
+
+#include <cstdint>
+#include <cstring>
 
 #define CGAL_THICK_INTERSECTION_D_AVX512 __attribute__((target("avx512f")))
 #define CGAL_THICK_INTERSECTION_D_INLINE \
@@ -25,6 +28,8 @@ namespace internal {
 
 static_assert(Short_list::capacity == 32 && sizeof(Place) == 4, "Two registers hold a list.");
 
+// The compilers have these instructions without <immintrin.h>, whose 90 headers take longer to read
+// than all headers of this package.
 struct Short_lists_avx512
 {
   static bool is_supported()
@@ -38,38 +43,68 @@ struct Short_lists_avx512
   CGAL_THICK_INTERSECTION_D_AVX512 static void sort(const Short_list& list, Place size,
                                                     Place* sorted)
   {
-    const __m512i largest = _mm512_set1_epi32(-1);
-    const unsigned int rest = size % lane_count;
-    const __mmask16 last = static_cast<__mmask16>((1u << rest) - 1);
     const Place* const positions = list.positions.data();
     if(size < lane_count)
-      _mm512_storeu_si512(sorted, sorted_16(_mm512_mask_loadu_epi32(largest, last, positions)));
+      store(sorted_16(load(positions, size)), sorted);
     else {
-      const __mmask16 second = size == 2 * lane_count ? all : last;
-      const __m512i a = sorted_16(_mm512_loadu_si512(positions));
-      const __m512i b
-        = sorted_16(_mm512_mask_loadu_epi32(largest, second, positions + lane_count));
-      const __m512i b_reversed = from_lanes<15>(b);
-      _mm512_storeu_si512(sorted, merged(least(a, b_reversed)));
-      _mm512_storeu_si512(sorted + lane_count,
-                          merged(_mm512_maskz_max_epu32(all, a, b_reversed)));
+      const Register a = sorted_16(load(positions, lane_count));
+      const Register b = sorted_16(load(positions + lane_count, size - lane_count));
+      const Register b_reversed = from_lanes<15>(b);
+      store(merged(least(a, b_reversed)), sorted);
+      store(merged(greatest<all>(a, b_reversed, a)), sorted + lane_count);
     }
   }
 
 private:
   static constexpr Place lane_count = 16;
+  static constexpr int all = 0xffff;
 
-  // Instructions with this mask are those without a mask. GCC 12 warns of the latter.
-  static constexpr __mmask16 all = 0xffff;
+  typedef std::uint32_t Register __attribute__((vector_size(64)));
+  typedef std::int32_t Signed_register __attribute__((vector_size(64)));
 
-  CGAL_THICK_INTERSECTION_D_INLINE static __m512i least(__m512i x, __m512i y)
+  // Reads as many positions as there are lanes, and keeps the first `size`.
+  CGAL_THICK_INTERSECTION_D_INLINE static Register load(const Place* positions, Place size)
   {
-    return _mm512_maskz_min_epu32(all, x, y);
+    const Register lane = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+    const Register largest = max_place - Register();
+    Register x;
+    std::memcpy(&x, positions, sizeof(x));
+    return lane < size - Register() ? x : largest;
+  }
+
+  CGAL_THICK_INTERSECTION_D_INLINE static void store(Register x, Place* positions)
+  {
+    std::memcpy(positions, &x, sizeof(x));
+  }
+
+  CGAL_THICK_INTERSECTION_D_INLINE static Register least(Register x, Register y)
+  {
+#ifdef __clang__
+    return x < y ? x : y;
+#else // two instructions otherwise
+    return (Register)__builtin_ia32_pminud512_mask((Signed_register)x, (Signed_register)y,
+                                                   (Signed_register)x, static_cast<short>(all));
+#endif
+  }
+
+  // Returns the larger numbers in the lanes of `mask`, and `others` in the other lanes.
+  template <int mask>
+  CGAL_THICK_INTERSECTION_D_INLINE static Register greatest(Register x, Register y, Register others)
+  {
+#ifdef __clang__
+    const Register lane = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+    const Register bits = static_cast<std::uint32_t>(mask) - Register();
+    return ((bits >> lane) & 1 - Register()) != Register() ? (x < y ? y : x) : others;
+#else
+    return (Register)__builtin_ia32_pmaxud512_mask((Signed_register)x, (Signed_register)y,
+                                                   (Signed_register)others,
+                                                   static_cast<short>(mask));
+#endif
   }
 
   // Sorts by merging sorted halves of 2, 4, 8 and 16 lanes. To merge, compare the first half with
   // the reverse of the second one, and then lanes that are nearer and nearer.
-  CGAL_THICK_INTERSECTION_D_INLINE static __m512i sorted_16(__m512i x)
+  CGAL_THICK_INTERSECTION_D_INLINE static Register sorted_16(Register x)
   {
     x = compared<1, 0xaaaa>(x);
     x = compared<3, 0xcccc>(x);
@@ -82,12 +117,12 @@ private:
   }
 
   // Sorts numbers that rise and then fall, or fall and then rise.
-  CGAL_THICK_INTERSECTION_D_INLINE static __m512i merged(__m512i x)
+  CGAL_THICK_INTERSECTION_D_INLINE static Register merged(Register x)
   {
     return merged_8(compared<8, 0xff00>(x));
   }
 
-  CGAL_THICK_INTERSECTION_D_INLINE static __m512i merged_8(__m512i x)
+  CGAL_THICK_INTERSECTION_D_INLINE static Register merged_8(Register x)
   {
     x = compared<4, 0xf0f0>(x);
     x = compared<2, 0xcccc>(x);
@@ -97,19 +132,19 @@ private:
   // Compares each lane with the lane whose number differs in the bits of `bits`. The lanes of
   // `upper` take the larger number, the others the smaller one.
   template <int bits, int upper>
-  CGAL_THICK_INTERSECTION_D_INLINE static __m512i compared(__m512i x)
+  CGAL_THICK_INTERSECTION_D_INLINE static Register compared(Register x)
   {
-    const __m512i y = from_lanes<bits>(x);
-    return _mm512_mask_max_epu32(least(x, y), static_cast<__mmask16>(upper), x, y);
+    const Register y = from_lanes<bits>(x);
+    return greatest<upper>(x, y, least(x, y));
   }
 
   // Moves to each lane what is in the lane whose number differs in the bits of `bits`.
   template <int bits>
-  CGAL_THICK_INTERSECTION_D_INLINE static __m512i from_lanes(__m512i x)
+  CGAL_THICK_INTERSECTION_D_INLINE static Register from_lanes(Register x)
   {
-    const __m512i lane
-      = _mm512_set_epi32(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0);
-    return _mm512_maskz_permutexvar_epi32(all, _mm512_xor_si512(lane, _mm512_set1_epi32(bits)), x);
+    return CGAL_LANES_SHUFFLE(Register, x, x, 0 ^ bits, 1 ^ bits, 2 ^ bits, 3 ^ bits, 4 ^ bits,
+                              5 ^ bits, 6 ^ bits, 7 ^ bits, 8 ^ bits, 9 ^ bits, 10 ^ bits,
+                              11 ^ bits, 12 ^ bits, 13 ^ bits, 14 ^ bits, 15 ^ bits);
   }
 };
 
