@@ -15,8 +15,8 @@
 #include <CGAL/Thick_intersection_d/internal/slabs/tuning.h>
 
 #include <cstddef>
-#include <deque>
-#include <utility>
+#include <iterator>
+#include <list>
 #include <vector>
 
 namespace CGAL {
@@ -53,12 +53,15 @@ public:
 
   // Returns the number of the slab that strips in the window belong to. `index` counts from the
   // first ones, and is that of strips that were made ready.
-  Place slab(std::size_t index) const { return ready_[index].slab; }
+  Place slab(std::size_t index) const
+  {
+    return std::next(ready_.begin(), static_cast<std::ptrdiff_t>(index))->slab;
+  }
 
   void pop()
   {
-    spare_ = std::move(ready_.front());
-    ready_.pop_front();
+    spare_.clear();
+    spare_.splice(spare_.begin(), ready_, ready_.begin());
   }
 
   // Sets `slabs` to the slabs in the window that are not beyond reach above `high`. Slabs follow
@@ -86,23 +89,25 @@ private:
   const Strips<Point>* at(std::size_t index)
   {
     while(index >= ready_.size()) {
-      ready_.push_back(std::move(spare_));
-      if(!stream_.next(ready_.back().strips)) {
-        ready_.pop_back();
+      if(spare_.empty())
+        spare_.emplace_back();
+      Ready_slab& next = spare_.front();
+      if(!stream_.next(next.strips))
         return nullptr;
-      }
-      ready_.back().slab = stream_.slab();
-      number_(ready_.back().strips);
+      next.slab = stream_.slab();
+      number_(next.strips);
+      ready_.splice(ready_.end(), spare_, spare_.begin());
     }
-    return &ready_[index].strips;
+    return &std::next(ready_.begin(), static_cast<std::ptrdiff_t>(index))->strips;
   }
 
   Slab_stream<Point> stream_;
   const double reach_;
   const Place end_;
   const Number number_;
-  std::deque<Ready_slab> ready_;
-  Ready_slab spare_; // its memory is used again
+  // Lists, because strips stay where they are while others come and go.
+  std::list<Ready_slab> ready_;
+  std::list<Ready_slab> spare_; // at most one, whose memory is used again
 };
 
 } // namespace internal
