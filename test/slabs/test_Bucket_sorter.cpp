@@ -45,7 +45,7 @@ BOOST_AUTO_TEST_CASE(buckets_sort)
       for(const auto& p : points)
         expected.push_back(p.x[1]);
       std::sort(expected.begin(), expected.end());
-      sorter.sort<1>(points.data(), points.data() + n);
+      sorter.sort(points.data(), points.data() + n, 1);
       std::vector<double> sorted;
       std::vector<bool> is_there(n, false);
       for(const auto& p : points) {

@@ -99,8 +99,8 @@ BOOST_AUTO_TEST_CASE(sorted_pieces_are_short_or_few)
   for(const double length : {0., 1., 7.5, 1000.})
     for(const internal::Place few : {1u, 3u, 40u, 1000u}) {
       const Point* end = points.data();
-      internal::for_each_sorted_piece<0>(
-        points.data(), points.data() + points.size(), length, few,
+      internal::for_each_sorted_piece(
+        points.data(), points.data() + points.size(), 0, length, few,
         [&](const Point* first, const Point* last) {
           BOOST_CHECK(first == end && first < last);
           BOOST_CHECK(last[-1].x[0] - first->x[0] <= length || last - first <= few);

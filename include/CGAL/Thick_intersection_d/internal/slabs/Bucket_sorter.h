@@ -15,6 +15,8 @@
 #include <CGAL/Thick_intersection_d/internal/slabs/Equal_cut.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/tuning.h>
 
+#include <boost/config.hpp> // BOOST_NOINLINE
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -23,9 +25,11 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
+// The axis is no template parameter: functions for all axes take long to compile.
+
 // Sorts points that are nearly in order.
-template <int axis, class Point>
-void insertion_sort(Point* first, Point* last)
+template <class Point>
+void insertion_sort(Point* first, Point* last, std::size_t axis)
 {
   // Invariant: the points before p are in order.
   for(Point* p = first; p < last; ++p) {
@@ -40,16 +44,20 @@ void insertion_sort(Point* first, Point* last)
 }
 
 // Sorts a few points without branches. The rank of a point is the number of points before it.
-template <int axis, class Point>
-void rank_sort(Point* first, Point* last)
+template <class Point>
+BOOST_NOINLINE void rank_sort(Point* first, Point* last, std::size_t axis)
 {
   Point points[few_points];
+  typename Point::Number x[few_points];
   std::ptrdiff_t rank[few_points] = {};
   const std::ptrdiff_t size = last - first;
-  std::copy(first, last, points);
+  for(std::ptrdiff_t i = 0; i < size; ++i) {
+    points[i] = first[i];
+    x[i] = first[i].x[axis];
+  }
   for(std::ptrdiff_t i = 1; i < size; ++i)
     for(std::ptrdiff_t j = 0; j < i; ++j) {
-      const bool is_behind = !(points[i].x[axis] < points[j].x[axis]);
+      const bool is_behind = !(x[i] < x[j]);
       rank[i] += is_behind;
       rank[j] += !is_behind;
     }
@@ -57,10 +65,9 @@ void rank_sort(Point* first, Point* last)
     first[rank[i]] = points[i];
 }
 
-// Sorts points that are too crowded for buckets. The axis is no template parameter, because
-// std::sort takes long to compile.
+// Sorts points that are too crowded for buckets.
 template <class Point>
-void comparison_sort(Point* first, Point* last, int axis)
+void comparison_sort(Point* first, Point* last, std::size_t axis)
 {
   std::sort(first, last, [axis](const Point& p, const Point& q) { return p.x[axis] < q.x[axis]; });
 }
@@ -72,19 +79,14 @@ public:
   // Whether `count` points are so few that they need no buckets.
   static bool are_few(std::ptrdiff_t count) { return count <= few_points; }
 
-  template <int axis>
-  void sort(Point* first, Point* last)
-  {
-    sort<axis>(first, last, 0);
-  }
+  void sort(Point* first, Point* last, std::size_t axis) { sort(first, last, axis, 0); }
 
 private:
   // Sorts points into as many buckets as there are points. Sorts buckets with many points again.
-  template <int axis>
-  void sort(Point* first, Point* last, int depth)
+  void sort(Point* first, Point* last, std::size_t axis, std::size_t depth)
   {
     if(are_few(last - first)) {
-      rank_sort<axis>(first, last);
+      rank_sort(first, last, axis);
       return;
     }
     Interval interval;
@@ -96,16 +98,15 @@ private:
       return;
     }
     Place* const ends = ends_[depth].require(cut.count());
-    distribute<axis>(first, last, cut, ends);
+    distribute(first, last, axis, cut, ends);
     for(Place b = 0, begin = 0; b < cut.count(); begin = ends[b++])
       if(!are_few(ends[b] - begin))
-        sort<axis>(first + begin, first + ends[b], depth + 1);
-    insertion_sort<axis>(first, last);
+        sort(first + begin, first + ends[b], axis, depth + 1);
+    insertion_sort(first, last, axis);
   }
 
   // Moves points to their buckets. Sets `ends` to the places where the buckets end.
-  template <int axis>
-  void distribute(Point* first, Point* last, const Equal_cut& cut, Place* ends)
+  void distribute(Point* first, Point* last, std::size_t axis, const Equal_cut& cut, Place* ends)
   {
     std::fill(ends, ends + cut.count(), 0);
     for(const Point* p = first; p != last; ++p)

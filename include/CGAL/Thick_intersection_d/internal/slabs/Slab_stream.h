@@ -117,13 +117,13 @@ private:
   {
     Point* const points = scratch_[slab.cuts].require(slab.size());
     std::copy(slab.first, slab.last, points);
-    sorter_.template sort<axis>(points, points + slab.size());
+    sorter_.sort(points, points + slab.size(), axis);
     const auto bottom = static_cast<std::ptrdiff_t>(pending_.size());
-    for_each_sorted_piece<axis>(points, points + slab.size(), usual_height * reach_,
-                                tuning_.points_per_sorted_strip,
-                                [&](const Point* first, const Point* last) {
-                                  pending_.push_back({first, last, max_cut_depth + 1});
-                                });
+    for_each_sorted_piece(points, points + slab.size(), axis, usual_height * reach_,
+                          tuning_.points_per_sorted_strip,
+                          [&](const Point* first, const Point* last) {
+                            pending_.push_back({first, last, max_cut_depth + 1});
+                          });
     std::reverse(pending_.begin() + bottom, pending_.end());
   }
 

@@ -28,8 +28,9 @@ namespace internal {
 
 // Divides points that are sorted along an axis into pieces, and calls task(first, last) for each
 // piece. A piece is at most `length` long, or has at most `few` points.
-template <int axis, class Point, class Task>
-void for_each_sorted_piece(Point* first, Point* last, double length, Place few, const Task& task)
+template <class Point, class Task>
+void for_each_sorted_piece(Point* first, Point* last, std::size_t axis, double length, Place few,
+                           const Task& task)
 {
   while(first != last) {
     const double limit = first->x[axis] + length;
@@ -70,11 +71,15 @@ public:
   // Makes strips of the points that were counted.
   void make(Strips<Point>& strips)
   {
-    if(!is_in_plane && are_strips_high() && size() > tuning_.points_per_sorted_strip
-       && (is_crowded() || longest_strip() > tuning_.max_high_strip_size))
-      make_sorted_strips(strips);
-    else
+    if constexpr(is_in_plane)
       make_counted_strips(strips);
+    else {
+      if(are_strips_high() && size() > tuning_.points_per_sorted_strip
+         && (is_crowded() || longest_strip() > tuning_.max_high_strip_size))
+        make_sorted_strips(strips);
+      else
+        make_counted_strips(strips);
+    }
     const bool are_many = candidates_ > tuning_.candidates_per_block;
     strips.set_candidates(are_many ? strips.count_candidates(reach_) : candidates_);
   }
@@ -151,12 +156,12 @@ private:
     if(!sorter_.are_few(longest_))
       for(Place b = 0, begin = 0; b < bucket_count(); begin = ends[b++])
         if(!sorter_.are_few(ends[b] - begin))
-          sorter_.template sort<0>(sorted + begin, sorted + ends[b]);
+          sorter_.sort(sorted + begin, sorted + ends[b], 0);
 
     strips.reset(size(), across_.count() * sets_.count());
     for(Place s = 0, begin = 0; s < across_.count(); ++s) {
       const Place end = ends[(s + 1) * along_.count() - 1];
-      insertion_sort<0>(sorted + begin, sorted + end);
+      insertion_sort(sorted + begin, sorted + end, 0);
       strips.append(sorted + begin, sorted + end, sets_);
       begin = end;
     }
@@ -167,16 +172,16 @@ private:
   {
     Point* const sorted = sorted_.require(size());
     std::copy(first_, last_, sorted);
-    sorter_.template sort<1>(sorted, sorted + size());
+    sorter_.sort(sorted, sorted + size(), 1);
     const auto for_each_strip = [&](const auto& task) {
-      for_each_sorted_piece<1>(sorted, sorted + size(), usual_height * reach_,
-                               tuning_.points_per_sorted_strip, task);
+      for_each_sorted_piece(sorted, sorted + size(), 1, usual_height * reach_,
+                            tuning_.points_per_sorted_strip, task);
     };
     Place count = 0;
     for_each_strip([&](Point*, Point*) { ++count; });
     strips.reset(size(), count * sets_.count());
     for_each_strip([&](Point* begin, Point* end) {
-      sorter_.template sort<0>(begin, end);
+      sorter_.sort(begin, end, 0);
       strips.append(begin, end, sets_);
     });
   }
