@@ -208,9 +208,8 @@ Work work_of(const Points& points, double reach, const internal::Point_sets& set
   const internal::Slabs<Point> slabs(CGAL::Sequential_tag(), test, points.size(), reach, sets);
   const auto ignore = [](std::size_t, std::size_t) {};
   internal::Pair_reporter<decltype(ignore)> report(ignore);
-  using Near_sweep = internal::Near_sweep<Test, decltype(report)>;
-  Near_sweep near_sweep(test, report);
-  internal::Slab_sweep<Point, Near_sweep> sweep(reach, near_sweep);
+  internal::Near_sweep<Test, decltype(report)> near_sweep(test, report);
+  internal::Slab_sweep<Point> sweep(reach, near_sweep);
   internal::Slab_window<Point> window(slabs, reach, 0, tuning);
   typename internal::Slab_window<Point>::Slabs_nearby nearby;
   Work work;

@@ -104,7 +104,7 @@ private:
     Lists lists(report);
     const Numbered_test<Test, Lists> test(test_, lists);
     Sweep near_sweep(test, lists);
-    Slab_sweep<Point, Sweep> sweep(reach_, near_sweep);
+    Slab_sweep<Point> sweep(reach_, near_sweep);
     const auto number = [&](Strips<Point>& slab) { lists.number(slab); };
     Slab_window<Point, decltype(number)> window(slabs, reach_, first == 0 ? 0 : first - 1, tuning_,
                                                 number);
@@ -129,9 +129,10 @@ private:
 
   // Sweeps a slab with the slabs nearby, in blocks if there are very many candidates. The search
   // can stop after each block.
-  template <class Sweep, class Blocks, class Report, class Progress>
-  void sweep_slab(const Strips<Point>& slab, const Slabs_nearby& nearby, Sweep& sweep,
-                  Blocks& blocks, Report& report, Progress& progress) const
+  template <class Report, class Progress>
+  void sweep_slab(const Strips<Point>& slab, const Slabs_nearby& nearby, Slab_sweep<Point>& sweep,
+                  typename Slab_sweep<Point>::Sweep_of_runs& blocks, Report& report,
+                  Progress& progress) const
   {
     const std::size_t count = route_.sweep_block_count(slab, nearby);
     for(std::size_t block = 0; block < count && !report.is_stopped(); ++block) {

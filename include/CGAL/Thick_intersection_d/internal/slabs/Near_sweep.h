@@ -5,19 +5,16 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_NEAR_SWEEP_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_NEAR_SWEEP_H
 
-// Sweeps one or two sorted runs of points: lanes find near pairs, the test decides those that lanes
-// left undecided, and the report gets them. It does not know where the runs come from.
-
-#include <CGAL/Thick_intersection_d/internal/input/positions.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Flush.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_pairs.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/with_lanes.h>
+// Sweeps one or two sorted runs of points: the test decides those pairs that lanes left undecided,
+// and the report gets the pairs.
 
 #include <CGAL/Arithmetic_tier.h>
 
-#include <boost/config.hpp>
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Run_sweep.h>
+
+#include <boost/config.hpp> // BOOST_NOINLINE
 
 #include <type_traits>
 #include <utility>
@@ -44,59 +41,26 @@ inline constexpr bool
 //
 // `Report` takes two positions, returns false to stop, and has is_stopped().
 template <class Test, class Report>
-class Near_sweep
+class Near_sweep final : public Run_sweep<typename Test::Run>
 {
   using Run = typename Test::Run;
+  using Base = Run_sweep<Run>;
+  using Base::found_;
+  using Base::is_stopped_;
 
 public:
-  Near_sweep(const Test& test, Report& report) : test_(test), report_(report) {}
-
-  // From now on, starts from the points of one of `count` blocks of each run only.
-  void take_block(Place index, Place count)
-  {
-    block_index_ = index;
-    block_count_ = count;
-  }
-
-  bool is_stopped() const { return is_stopped_; }
+  Near_sweep(const Test& test, Report& report) : Base(test.question()), test_(test), report_(report)
+  {}
 
   // How many pairs each arithmetic has decided so far.
   const Decision_counts& counts() const { return counts_; }
-
-  // Reports the pairs of a run.
-  void within(const Run& run)
-  {
-    const Run a = block_of(run);
-    const auto flush = [&] { return report_found(a, a); };
-    with_lanes([&](auto set) {
-      set.collect_within(a, test_.question(), found_, Flush(flush));
-    });
-    flush();
-  }
-
-  // Reports the pairs of a point of one run and a point of another.
-  void between(const Run& run, const Run& b)
-  {
-    const Run a = block_of(run);
-    const auto flush = [&] { return report_found(a, b); };
-    with_lanes([&](auto set) {
-      set.collect_between(a, b, test_.question(), found_, Flush(flush));
-    });
-    flush();
-  }
 
 private:
   // How many undecided pairs ahead the memory of a pair is asked for.
   static constexpr Place prefetch_distance = 12;
 
-  Run block_of(const Run& run) const
-  {
-    return block_count_ == 1 ? run : run.block(block_index_, block_count_);
-  }
-
-  // Reports the found pairs that are pairs. Returns false to stop. Lanes call this function once
-  // per thousand found pairs.
-  BOOST_NOINLINE bool report_found(const Run& a, const Run& b)
+  // Reports the found pairs that are pairs.
+  bool report_found(const Run& a, const Run& b) override
   {
     const Place count = std::exchange(found_.count, 0);
     const Place undecided_count = std::exchange(found_.undecided_count, 0);
@@ -138,11 +102,7 @@ private:
 
   const Test& test_;
   Report& report_;
-  Place block_index_ = 0;
-  Place block_count_ = 1;
-  bool is_stopped_ = false;
   Decision_counts counts_;
-  Near_pairs found_;
 };
 
 } // namespace internal

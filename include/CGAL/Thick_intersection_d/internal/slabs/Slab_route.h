@@ -98,7 +98,7 @@ private:
   {
     Window window(slabs, reach_, first, tuning_);
     Near_sweep<Test, Report> near_sweep(test_, report);
-    Slab_sweep<Point, Near_sweep<Test, Report>> sweep(reach_, near_sweep);
+    Slab_sweep<Point> sweep(reach_, near_sweep);
     Slabs_nearby nearby;
     for(; window.slab() < last && !report.is_stopped(); window.pop()) {
       window.find_within_reach(window.front()->interval(axis).high, nearby);
@@ -109,8 +109,8 @@ private:
 
   // Sweeps a slab with the slabs nearby. If there are very many candidates, it sweeps in blocks.
   // Threads may sweep the blocks at the same time. The search can stop after each block.
-  template <class Sweep, class Report, class Progress>
-  void sweep_slab(const Strips<Point>& slab, const Slabs_nearby& nearby, Sweep& sweep,
+  template <class Report, class Progress>
+  void sweep_slab(const Strips<Point>& slab, const Slabs_nearby& nearby, Slab_sweep<Point>& sweep,
                   Report& report, Progress& progress) const
   {
     const Place count = sweep_block_count(slab, nearby);
@@ -121,7 +121,7 @@ private:
     }
     for_each_block<ConcurrencyTag>(count, [&](std::size_t block, std::size_t last) {
       Near_sweep<Test, Report> near_sweep(test_, report);
-      Sweep sweep_of_block(reach_, near_sweep);
+      Slab_sweep<Point> sweep_of_block(reach_, near_sweep);
       for(; block != last && !report.is_stopped(); ++block) {
         near_sweep.take_block(static_cast<Place>(block), count);
         sweep_of_block.between(slab, nearby);

@@ -11,24 +11,26 @@
 
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Run_sweep.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Strips.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
 
-#include <array>
 #include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// `Sweep` has the functions within(run), between(a, b) and is_stopped() of Near_sweep.
-template <class Point, class Sweep>
+template <class Point>
 class Slab_sweep
 {
   static constexpr int dimension = Point::dimension;
   using Strip_of_points = Strip<dimension>;
 
 public:
-  Slab_sweep(double reach, Sweep& sweep) : reach_(reach), sweep_(sweep) {}
+  using Sweep_of_runs = Run_sweep<typename Point::Run>;
+
+  Slab_sweep(double reach, Sweep_of_runs& sweep) : reach_(reach), sweep_(sweep) {}
 
   // Sweeps a slab with some slabs, which may include itself.
   void between(const Strips<Point>& a, const std::vector<const Strips<Point>*>& slabs)
@@ -64,8 +66,8 @@ public:
   // within reach of the other slab.
   void between(const Strips<Point>& a, const Strips<Point>& b)
   {
-    collect_border(a, a.strips(), slab_axis, reachable(b.interval(slab_axis)), slab_border_a_);
-    collect_border(b, b.strips(), slab_axis, reachable(a.interval(slab_axis)), slab_border_b_);
+    collect_slab_border(a, reachable(b.interval(slab_axis)), slab_border_a_);
+    collect_slab_border(b, reachable(a.interval(slab_axis)), slab_border_b_);
     auto first = slab_border_b_.strips().begin(); // strips before it are too low for later p
     const auto last = slab_border_b_.strips().end();
     for(const Strip_of_points& p : slab_border_a_.strips()) {
@@ -87,17 +89,25 @@ private:
     return {interval.low - reach_, interval.high + reach_};
   }
 
-  // Sets `border` to the points of `strips` whose coordinate along `axis` is in `interval`.
-  template <class Some_strips>
-  void collect_border(const Strips<Point>& slab, const Some_strips& strips, int axis,
-                      const Interval& interval, Strips<Point>& border)
+  void collect_slab_border(const Strips<Point>& slab, const Interval& interval,
+                           Strips<Point>& border)
+  {
+    const Strip_of_points* const strips = slab.strips().data();
+    collect_border(slab, strips, strips + slab.strips().size(), slab_axis, interval, border);
+  }
+
+  // Sets `border` to the points of the strips [first, last) whose coordinate along `axis` is in
+  // `interval`.
+  void collect_border(const Strips<Point>& slab, const Strip_of_points* first,
+                      const Strip_of_points* last, int axis, const Interval& interval,
+                      Strips<Point>& border)
   {
     Place size = 0;
-    for(const Strip_of_points& strip : strips)
-      size += strip.size();
-    border.reset(size, static_cast<Place>(strips.size()));
-    for(const Strip_of_points& strip : strips)
-      border.append_border(slab, strip, axis, interval);
+    for(const Strip_of_points* strip = first; strip != last; ++strip)
+      size += strip->size();
+    border.reset(size, static_cast<Place>(last - first));
+    for(; first != last; ++first)
+      border.append_border(slab, *first, axis, interval);
   }
 
   // Of two sets, strips of different sets meet. `sides` is zero if there is one set.
@@ -120,16 +130,15 @@ private:
   void sweep_borders(const Strips<Point>& a, const Strip_of_points& p, const Strips<Point>& b,
                      const Strip_of_points& q)
   {
-    using One_strip = std::array<Strip_of_points, 1>;
-    collect_border(a, One_strip{p}, 1, reachable(q.box[1]), strip_border_a_);
-    collect_border(b, One_strip{q}, 1, reachable(p.box[1]), strip_border_b_);
+    collect_border(a, &p, &p + 1, 1, reachable(q.box[1]), strip_border_a_);
+    collect_border(b, &q, &q + 1, 1, reachable(p.box[1]), strip_border_b_);
     if(!strip_border_a_.strips().empty() && !strip_border_b_.strips().empty())
       sweep_.between(strip_border_a_.run(strip_border_a_.strips().front()),
                      strip_border_b_.run(strip_border_b_.strips().front()));
   }
 
   const double reach_;
-  Sweep& sweep_;
+  Sweep_of_runs& sweep_;
   Strips<Point> slab_border_a_, slab_border_b_;
   Strips<Point> strip_border_a_, strip_border_b_;
 };

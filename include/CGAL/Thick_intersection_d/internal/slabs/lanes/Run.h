@@ -26,6 +26,8 @@ inline constexpr Place lanes = 8;
 template <int Dimension, class Number>
 struct Run
 {
+  using Coordinate = Number;
+
   std::array<const Number*, Dimension> x;
   const Place* positions;
   Place size;
