@@ -7,6 +7,7 @@
 
 // How boxes lie along an axis, estimated from a sample of them.
 
+#include <CGAL/Thick_intersection_d/internal/arrays/Random_numbers.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/prefix_sums.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/tuning.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
@@ -15,7 +16,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <random>
 #include <vector>
 
 namespace CGAL {
@@ -139,7 +139,7 @@ private:
   template <class Box>
   void see_common_places(const std::vector<const Box*>& sample, int axis)
   {
-    std::minstd_rand random;
+    Random_numbers random;
     const std::size_t step = sample.size() / common_place_sample;
     part_.clear();
     for(std::size_t i = 0; i + step <= sample.size(); i += step) {

@@ -7,6 +7,7 @@
 
 // Orders the boxes of a piece along the sweep axis, and finds the candidates of each box.
 
+#include <CGAL/Thick_intersection_d/internal/arrays/Random_numbers.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Box_columns.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/tuning.h>
@@ -20,7 +21,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <random>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -62,11 +62,11 @@ public:
   // quadratic time.
   double share_of_pairs() const
   {
-    std::minstd_rand random(seed());
+    Random_numbers random(seed());
     const double step = static_cast<double>(candidate_count_) / crowd_sample;
     Place steps = 0;
     double next = 0;
-    const auto take_step = [&] { next = step * (steps++ + double(random()) / random.max()); };
+    const auto take_step = [&] { next = step * (steps++ + double(random()) / random.largest()); };
     take_step();
     double passed = 0;
     Place pairs = 0;

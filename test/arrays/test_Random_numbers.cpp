@@ -1,0 +1,29 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Random numbers, against the standard library.
+
+#include <CGAL/Thick_intersection_d/internal/arrays/Random_numbers.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cstdint>
+#include <random>
+
+BOOST_AUTO_TEST_SUITE(Random_numbers)
+
+namespace internal = CGAL::Thick_intersection_d::internal;
+
+BOOST_AUTO_TEST_CASE(numbers_are_those_of_minstd_rand)
+{
+  BOOST_CHECK_EQUAL(internal::Random_numbers::largest(), std::minstd_rand::max());
+  for(const std::uint32_t seed : {0u, 1u, 2u, 12345u, 2147483646u, 2147483647u, 4294967295u}) {
+    internal::Random_numbers numbers(seed);
+    std::minstd_rand expected(seed);
+    for(int i = 0; i < 1000; ++i)
+      BOOST_REQUIRE_EQUAL(numbers(), expected());
+  }
+  BOOST_CHECK_EQUAL(internal::Random_numbers()(), std::minstd_rand()());
+}
+
+BOOST_AUTO_TEST_SUITE_END()
