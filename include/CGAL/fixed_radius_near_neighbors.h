@@ -90,6 +90,8 @@ below
 \throws std::invalid_argument if a coordinate is NaN or infinite, if the points differ in dimension,
 or if the bound is negative or NaN, before anything is reported. The message gives the position of
 the point. Exceptions of the callback pass through.
+\throws std::length_error if there are 2<sup>31</sup> - 1 points or more, their coordinates are
+`double` or `float`, and their type tells their dimension.
 \throws std::runtime_error if the processor is set to flush denormal numbers to zero.
 
 \sa `with_elements()`

@@ -47,6 +47,8 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <stdexcept>
+#include <string>
 #include <type_traits>
 
 namespace CGAL {
@@ -58,6 +60,11 @@ class Near_pairs_search
 {
   using Point = typename Elements::value_type;
   using Bound = Squared_bound<Exact_number_t<Coordinate_t<Point>>>;
+
+  // Whether slabs or boxes take all points that were checked, by their type. Then the recursive
+  // route is not compiled.
+  static constexpr bool are_doubles
+    = is_held_by_double_v<Coordinate_t<Point>> && dimension_or<Point>(0) != 0;
 
 public:
   // Checks the bound and the points. Finds the grid of the scene if `needs_grid`, or if the grid
@@ -93,8 +100,12 @@ public:
         return report_meeting_boxes<ConcurrencyTag>(Near_point_boxes(points_, is_within), sets,
                                                     callback, progress);
       }
-    const Thick_point_traits_d<Point> traits(is_within);
-    return report_recursively<ConcurrencyTag>(points_, sets, traits, callback, np);
+    if constexpr(are_doubles) // and finite, so there are too many of them
+      throw std::length_error("There are too many points: " + std::to_string(points_.size()) + ".");
+    else {
+      const Thick_point_traits_d<Point> traits(is_within);
+      return report_recursively<ConcurrencyTag>(points_, sets, traits, callback, np);
+    }
   }
 
   // Whether report() takes the slab route.
