@@ -13,6 +13,7 @@
 #include <CGAL/Fraction_traits.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +51,7 @@ class Squared_bound
 public:
   // Throws std::invalid_argument if the bound is negative or NaN.
   template <class NT>
-  explicit Squared_bound(const Distance_bound<NT>& bound)
+  CGAL_RARELY_CALLED explicit Squared_bound(const Distance_bound<NT>& bound)
     : open_(bound.is_open()), unbounded_(!is_finite_number(bound.value()))
   {
     if(!(bound.value() >= NT(0)))
@@ -98,13 +99,13 @@ public:
 
   // Returns r^2 - x, rounded a few times. x is to be a double near r^2, and the conversion of Exact
   // to double is to be precise. The conversion of lazy types is not.
-  double excess(double x) const
+  CGAL_RARELY_CALLED double excess(double x) const
   {
     return CGAL::to_double(numerator_ - Exact(x) * denominator_) / CGAL::to_double(denominator_);
   }
 
   // Returns the largest squared distance within the bound that is a double.
-  double largest_double() const
+  CGAL_RARELY_CALLED double largest_double() const
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     double threshold = (std::min)(squared_.first, (std::numeric_limits<double>::max)());
@@ -119,7 +120,7 @@ public:
   // Returns the least integer s, below 2^bits, such that the squared distance s 4^e is not within
   // the bound. Divides r^2 by 4^e, bit by bit.
   template <class Integer>
-  Integer first_beyond(int e, int bits) const
+  CGAL_RARELY_CALLED Integer first_beyond(int e, int bits) const
   {
     const Exact unit(std::ldexp(1., e));
     const Exact divisor(unit * unit * denominator_);
@@ -159,7 +160,7 @@ private:
   }
 
   // Sets the reach from r^2, which may be beyond the range of doubles while r is not.
-  void set_reach()
+  CGAL_RARELY_CALLED void set_reach()
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     constexpr int step = 256;

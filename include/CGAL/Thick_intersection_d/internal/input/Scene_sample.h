@@ -40,7 +40,7 @@ public:
         if(point.dimension() == dimension)
           add(coordinate_bounds(point, axis), coordinates);
       }
-      std::sort(coordinates.begin(), coordinates.end());
+      std::sort(coordinates.data(), coordinates.data() + coordinates.size()); // as in Slabs.h
       if(!coordinates.empty() && coordinates.front() < coordinates.back())
         add_axis(coordinates, grid);
     }

@@ -16,6 +16,7 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_tier.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Near_tie_predicate.h>
@@ -40,7 +41,7 @@ class Is_within_distance
 
 public:
   // For points of any coordinates.
-  Is_within_distance(const Bound& bound, int dimension)
+  CGAL_RARELY_CALLED Is_within_distance(const Bound& bound, int dimension)
     : bound_(bound), dimension_(dimension), filter_(make_distance_filter(bound, dimension)),
       filter_of_doubles_(filter_), reach_of_doubles_(bound.reach())
   {
@@ -49,6 +50,7 @@ public:
   }
 
   // For the points of a scene whose grid is not known.
+  CGAL_RARELY_CALLED
   Is_within_distance(const Bound& bound, const Scene& scene, const Near_ties_on_demand& near_ties,
                      Shared_decision_counts* counts)
     : Is_within_distance(bound, scene, Arithmetic_tier::FILTERED_EXACT, counts)
@@ -58,6 +60,7 @@ public:
 
   // For the points of a scene, and no other points. Uses the arithmetic of `tier`, which is to be
   // exact for the scene. Counts in `counts` which arithmetic decides, unless `counts` is null.
+  CGAL_RARELY_CALLED
   Is_within_distance(const Bound& bound, const Scene& scene, Arithmetic_tier tier,
                      Shared_decision_counts* counts = nullptr)
     : bound_(bound), dimension_(scene.dimension()),

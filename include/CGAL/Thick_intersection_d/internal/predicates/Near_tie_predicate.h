@@ -14,6 +14,7 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_tier.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Integer_distance.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Scaled_filter.h>
@@ -33,12 +34,13 @@ public:
 
   // For points of any coordinates, if doubles hold their type.
   template <class Exact>
-  Near_tie_predicate(const Squared_bound<Exact>& bound, int dimension)
+  CGAL_RARELY_CALLED Near_tie_predicate(const Squared_bound<Exact>& bound, int dimension)
     : twofold_(bound, dimension), scaled_(bound, dimension)
   {}
 
   // For the points of a scene, and no other points. Decides nothing if the scene has no grid.
   template <class Exact>
+  CGAL_RARELY_CALLED
   Near_tie_predicate(const Squared_bound<Exact>& bound, const Scene& scene, Arithmetic_tier tier)
   {
     if(!scene.grid_exponent)

@@ -10,6 +10,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/squared_sums.h>
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
 
 #include <algorithm>
@@ -34,6 +35,7 @@ public:
 
   // For numbers up to `largest`, which do not overflow when they are scaled.
   template <class Exact>
+  CGAL_RARELY_CALLED
   Scaled_filter(const Squared_bound<Exact>& bound, int dimension, double largest)
   {
     const double high = bound.reach();

@@ -9,6 +9,7 @@
 // of two doubles. It decides pairs that look like ties but are none, as in a lattice of step 0.1.
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 
 #include <cmath>
 
@@ -67,7 +68,7 @@ public:
   Twofold_filter() = default; // decides nothing
 
   template <class Exact>
-  Twofold_filter(const Squared_bound<Exact>& bound, int dimension)
+  CGAL_RARELY_CALLED Twofold_filter(const Squared_bound<Exact>& bound, int dimension)
   {
     const auto& [low, high] = bound.squared();
     if(low > min_twofold_square && high < max_twofold_square) {

@@ -13,6 +13,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Equal_cut.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/tuning.h>
@@ -108,7 +109,7 @@ private:
   // Returns the interval of the coordinates. Leaves out ends that hold hardly any points, if the
   // interval is much shorter without them.
   template <class Source>
-  static Interval trim(const Source& source, Place size)
+  CGAL_RARELY_CALLED static Interval trim(const Source& source, Place size)
   {
     const Interval all = source.interval(axis);
     if(size < 4 * sample_size)
