@@ -7,6 +7,7 @@
 
 // The boxes of a piece in the order of their lower ends, as columns.
 
+#include <CGAL/Thick_intersection_d/internal/arrays/radix_sort.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
@@ -19,6 +20,7 @@
 #include <cstdint>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -66,12 +68,12 @@ public:
   {
     is_sorted_ = true;
     require_columns();
-    std::pair<double, Place>* const order = order_.require(size());
+    order_.clear();
     for(Place i = 0; i < size(); ++i)
-      order[i] = {boxes_.first[i].low[axis_], i};
-    std::sort(order, order + size());
+      order_.push_back({radix_key(boxes_.first[i].low[axis_]), i});
+    radix_sort(order_);
     for(Place i = 0; i < size(); ++i)
-      put(boxes_.first[order[i].second], i);
+      put(boxes_.first[order_[i].value], i);
   }
 
   Place size() const { return boxes_.size(); }
@@ -151,7 +153,7 @@ private:
   Equal_cut cut_;
   bool is_sorted_ = false;
   Buffer<Place> ends_; // of the buckets
-  Buffer<std::pair<double, Place>> order_;
+  std::vector<Keyed_value> order_;
   std::array<Buffer<double>, Axes> lows_;
   std::array<Buffer<double>, Axes> highs_;
   Buffer<Place> positions_;

@@ -9,6 +9,7 @@
 // evenly. It takes linear time for evenly spread points, and O(n log n) time in the worst case.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/prefix_sums.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/radix_sort.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
@@ -20,6 +21,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -65,13 +67,6 @@ BOOST_NOINLINE void rank_sort(Point* first, Point* last, std::size_t axis)
     first[rank[i]] = points[i];
 }
 
-// Sorts points that are too crowded for buckets.
-template <class Point>
-void comparison_sort(Point* first, Point* last, std::size_t axis)
-{
-  std::sort(first, last, [axis](const Point& p, const Point& q) { return p.x[axis] < q.x[axis]; });
-}
-
 template <class Point>
 class Bucket_sorter
 {
@@ -94,7 +89,7 @@ private:
       interval.add(p->x[axis]);
     const Equal_cut cut(interval, static_cast<double>(last - first));
     if(depth == max_cut_depth || cut.count() == 1) {
-      comparison_sort(first, last, axis);
+      sort_by_digits(first, last, axis);
       return;
     }
     Place* const ends = ends_[depth].require(cut.count());
@@ -118,8 +113,22 @@ private:
       first[ends[cut(p->x[axis])]++] = *p;
   }
 
+  // Sorts points that are too crowded for buckets: digits show what equal pieces do not.
+  void sort_by_digits(Point* first, Point* last, std::size_t axis)
+  {
+    order_.clear();
+    for(const Point* p = first; p != last; ++p)
+      order_.push_back({radix_key(p->x[axis]), static_cast<Place>(p - first)});
+    radix_sort(order_);
+    Point* const points = points_.require(order_.size());
+    std::copy(first, last, points);
+    for(const Keyed_value& item : order_)
+      *first++ = points[item.value];
+  }
+
   std::array<Buffer<Place>, max_cut_depth> ends_;
   Buffer<Point> points_;
+  std::vector<Keyed_value> order_;
 };
 
 } // namespace internal

@@ -21,14 +21,15 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-template <class Point>
+// `Sweep` has the functions within(run), between(a, b) and is_stopped().
+template <class Point, class Sweep = Run_sweep<typename Point::Run>>
 class Slab_sweep
 {
   static constexpr int dimension = Point::dimension;
   using Strip_of_points = Strip<dimension>;
 
 public:
-  using Sweep_of_runs = Run_sweep<typename Point::Run>;
+  using Sweep_of_runs = Sweep;
 
   Slab_sweep(double reach, Sweep_of_runs& sweep) : reach_(reach), sweep_(sweep) {}
 
