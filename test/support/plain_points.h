@@ -9,6 +9,8 @@
 
 #include "point_scene.h"
 
+#include <CGAL/Dimension.h>
+
 #include <vector>
 
 namespace test_support {
@@ -16,6 +18,8 @@ namespace test_support {
 template <class Number>
 struct Plain_point
 {
+  using Ambient_dimension = CGAL::Dynamic_dimension_tag;
+
   std::vector<Number> coordinates;
 
   int dimension() const { return static_cast<int>(coordinates.size()); }
