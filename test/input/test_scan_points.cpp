@@ -7,6 +7,7 @@
 #include "support/point_generators.h"
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/tags.h>
 
 #include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
@@ -160,6 +161,15 @@ BOOST_AUTO_TEST_CASE(the_first_bad_point_is_named)
   BOOST_CHECK_EQUAL(refusal(points), "point 9 has dimension 3 instead of 2.");
   points[4].coordinates[1] = std::nan("");
   BOOST_CHECK_EQUAL(refusal(points), "Coordinate 1 of point 4 is NaN or infinite.");
+}
+
+// The type of the points tells a dimension that the scene does not have.
+BOOST_AUTO_TEST_CASE(no_points_of_the_plane_make_an_empty_scene)
+{
+  const std::vector<CGAL::Simple_cartesian<double>::Point_2> none;
+  const internal::Scene scene = internal::scan_points<CGAL::Sequential_tag>(none, "point");
+  BOOST_CHECK_EQUAL(scene.size, 0u);
+  BOOST_CHECK_EQUAL(scene.dimension(), 0);
 }
 
 BOOST_AUTO_TEST_CASE(no_points_make_an_empty_scene)

@@ -124,7 +124,7 @@ private:
         break;
       }
     }
-    std::copy(box.begin(), box.end(), box_.begin());
+    std::copy_n(box.begin(), box_.size(), box_.begin()); // none if there are no points
     error_ = error;
   }
 
