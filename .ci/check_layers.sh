@@ -92,7 +92,7 @@ forbid 'only machine/ names oneTBB and calls an operating system' < <(
   find_lines '(tbb::|include *[<"](oneapi/)?tbb|CGAL_LINKED_WITH_TBB|madvise|include *<sys/|unistd)' |
     grep -v "^$internal/machine/")
 forbid 'only slabs/lanes/ has processor instructions' < <(
-  find_lines '(_mm[0-9]*_|__m[0-9]+|immintrin|arm_neon|__builtin_(ia32|cpu)|target *\()' |
+  find_lines '(_mm[0-9]*_|__m[0-9]+|immintrin|arm_neon|__builtin_(ia32|cpu)|target *\(")' |
     grep -v "^$internal/slabs/lanes/")
 forbid 'the recursion knows no number, kernel or named parameter' < <(
   find_lines '(Named_function|parameters::|coordinate\(|cartesian|Exact_)' |

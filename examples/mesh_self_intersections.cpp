@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Self-intersections of a mesh: pairs of faces that intersect and have no vertex in common. Rounded
-// coordinates, as in compressed files, bring some into a mesh that has none.
+// Self-intersections of a mesh, as CGAL::Polygon_mesh_processing::self_intersections() finds them.
+// Rounded coordinates, as in compressed files, bring some into a mesh that has none.
 //
 //   mesh_self_intersections [FILE OF A TRIANGLE MESH]
 
@@ -10,60 +10,27 @@
 #include <CGAL/Surface_mesh.h> // under the GPL, unlike the package
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/helpers.h>
-#include <CGAL/thick_intersection_d.h>
+#include <CGAL/thick_mesh_self_intersections.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <iostream>
+#include <iterator>
+#include <utility>
 #include <vector>
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Face = Mesh::Face_index;
-using Vertices = std::array<Mesh::Vertex_index, 3>;
-
-Vertices vertices_of(const Mesh& mesh, Face face)
-{
-  const auto edge = mesh.halfedge(face);
-  return {mesh.source(edge), mesh.target(edge), mesh.target(mesh.next(edge))};
-}
-
-// A property map: the triangles are made when the search asks for them.
-struct Triangle_map
-{
-  using key_type = Face;
-  using value_type = Kernel::Triangle_3;
-  using reference = value_type;
-  using category = boost::readable_property_map_tag;
-
-  const Mesh& mesh;
-
-  friend value_type get(const Triangle_map& map, Face face)
-  {
-    const Vertices v = vertices_of(map.mesh, face);
-    return {map.mesh.point(v[0]), map.mesh.point(v[1]), map.mesh.point(v[2])};
-  }
-};
-
-bool have_common_vertex(const Vertices& a, const Vertices& b)
-{
-  return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
-}
 
 void print_self_intersections(const Mesh& mesh)
 {
-  const Triangle_map triangle_of = {mesh};
-  std::vector<Face> faces;
-  for(const Face face : mesh.faces())
-    if(!get(triangle_of, face).is_degenerate()) // do_intersect() does not take these
-      faces.push_back(face);
-  std::size_t count = 0;
-  const auto report = [&](std::size_t i, std::size_t j) {
-    count += !have_common_vertex(vertices_of(mesh, faces[i]), vertices_of(mesh, faces[j]));
-  };
-  CGAL::thick_self_intersection_d(faces, report, CGAL::parameters::point_map(triangle_of));
-  std::cout << faces.size() << " faces, " << count << " pairs intersect\n";
+  std::vector<std::pair<Face, Face>> pairs;
+  CGAL::thick_mesh_self_intersections(mesh, std::back_inserter(pairs));
+  std::size_t degenerate = 0; // such a face is a pair with itself
+  for(const auto& [f, g] : pairs)
+    degenerate += f == g;
+  std::cout << mesh.number_of_faces() << " faces, " << degenerate << " degenerate, "
+            << pairs.size() - degenerate << " pairs intersect\n";
 }
 
 double rounded(double x)
