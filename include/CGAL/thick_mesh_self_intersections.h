@@ -21,12 +21,13 @@ namespace CGAL {
 writes all pairs of faces of a range that intersect, each exactly once.
 
 The function takes the arguments of `CGAL::Polygon_mesh_processing::self_intersections()` and writes
-the same pairs, in another order:
+the same pairs, with one exception, in another order:
 
 - Two faces intersect if their triangles have more in common than an edge or a vertex of the mesh
   that is incident to both faces. So neighbors intersect if one is folded onto the other. Triangles
   that touch are a pair if the mesh does not join them where they touch, as at two vertices at one
   point.
+- Two faces with the same three vertices are a pair, as in \cgal 5.5. \cgal 6.1 does not write it.
 - A face whose three points are on a line is degenerate. The pair of the face with itself is written
   for it, before all other pairs. It is in no other pair.
 

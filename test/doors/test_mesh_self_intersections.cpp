@@ -189,6 +189,7 @@ BOOST_AUTO_TEST_CASE(random_meshes_on_a_lattice_have_the_pairs_of_cgal)
   BOOST_CHECK_GT(pairs, 20000u);
 }
 
+// CGAL 5.5 reports them, too. CGAL 6.1 does not.
 BOOST_AUTO_TEST_CASE(two_faces_with_the_same_vertices_are_a_pair)
 {
   Surface mesh;
@@ -196,7 +197,7 @@ BOOST_AUTO_TEST_CASE(two_faces_with_the_same_vertices_are_a_pair)
                c = mesh.add_vertex(Point(0, 1, 0));
   mesh.add_face(a, b, c);
   mesh.add_face(a, c, b);
-  BOOST_CHECK_EQUAL(check_mesh(mesh, "pillow"), 1u);
+  BOOST_CHECK(pairs_of(mesh) == Pairs({{0, 1}}));
 }
 
 BOOST_AUTO_TEST_CASE(two_edges_between_two_vertices_are_not_one_edge)
