@@ -64,7 +64,8 @@ int main(int argc, char** argv)
   const std::vector<Face> faces = faces_of(mesh), other_faces = faces_of(other);
   std::set<Mesh::Face_index> touched;
   CGAL::thick_intersection_d(
-    faces, other_faces, [&](std::size_t i, std::size_t) { touched.insert(faces[i].second); },
+    faces, other_faces,
+    CGAL::with_elements([&](const Face& face, const Face&) { touched.insert(face.second); }),
     CGAL::parameters::point_map(Triangle_map()));
   std::cout << touched.size() << " of " << faces.size() << " faces meet the other mesh\n";
 }

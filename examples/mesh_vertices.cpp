@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Vertices of a mesh that are close to each other, before and after some of them are removed. The
-// callback gets positions in the range of vertices. As long as nothing was removed, they are the
-// numbers of the vertices. After that, a vector of vertices tells which vertex is where.
+// Vertices of a mesh that are close to each other, before and after some of them are removed. By
+// with_elements(), the search hands over the vertices themselves. Their positions in the range are
+// their numbers only as long as nothing is removed.
 //
 //   mesh_vertices [FILE OF A MESH]
 
@@ -15,11 +15,24 @@
 
 #include <algorithm>
 #include <iostream>
+#include <iterator>
+#include <utility>
 #include <vector>
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Vertex = Mesh::Vertex_index;
+using Vertex_pairs = std::vector<std::pair<Vertex, Vertex>>;
+
+Vertex_pairs find_close_vertices(const Mesh& mesh)
+{
+  Vertex_pairs pairs;
+  CGAL::fixed_radius_near_neighbors(
+    mesh.vertices(), CGAL::within_distance(0.01), CGAL::with_elements(std::back_inserter(pairs)),
+    CGAL::parameters::point_map(mesh.points()));
+  std::cout << pairs.size() << " close pairs of " << mesh.number_of_vertices() << " vertices\n";
+  return pairs;
+}
 
 int main(int argc, char** argv)
 {
@@ -28,27 +41,14 @@ int main(int argc, char** argv)
     std::cerr << "There is no mesh in the file.\n";
     return 1;
   }
-  const auto bound = CGAL::within_distance(0.01);
-  const auto np = CGAL::parameters::point_map(mesh.points());
+  const Vertex_pairs close = find_close_vertices(mesh);
+  for(std::size_t i = 0; i < close.size() / 2; ++i)
+    if(const Vertex v = close[i].first; !mesh.is_removed(v))
+      CGAL::Euler::remove_center_vertex(mesh.halfedge(v), mesh); // leaves a larger face
 
-  std::vector<Vertex> close; // in each pair of close vertices, the one with the lower number
-  CGAL::fixed_radius_near_neighbors(
-    mesh.vertices(), bound, [&](std::size_t i, std::size_t) { close.emplace_back(i); }, np);
-  std::cout << close.size() << " close pairs of " << mesh.number_of_vertices() << " vertices\n";
-
-  for(std::size_t i = 0; i < close.size(); i += 2)
-    if(!mesh.is_removed(close[i]))
-      CGAL::Euler::remove_center_vertex(mesh.halfedge(close[i]), mesh); // leaves a larger face
-  const std::vector<Vertex> vertices(mesh.vertices().begin(), mesh.vertices().end());
-  std::size_t count = 0;
-  Vertex last(0);
-  CGAL::fixed_radius_near_neighbors(
-    vertices, bound,
-    [&](std::size_t i, std::size_t j) {
-      ++count;
-      last = (std::max)({last, vertices[i], vertices[j]});
-    },
-    np);
-  std::cout << count << " close pairs of " << vertices.size() << " vertices, up to " << last
-            << '\n';
+  const Vertex_pairs left = find_close_vertices(mesh);
+  const bool are_there = std::none_of(left.begin(), left.end(), [&](const auto& pair) {
+    return mesh.is_removed(pair.first) || mesh.is_removed(pair.second);
+  });
+  std::cout << (are_there ? "all of them are there\n" : "some of them are removed\n");
 }

@@ -1,9 +1,8 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Points of a Point_set_3 that have few neighbors, as noise in a scan has. The range is the point
-// set, whose elements are indices, and its point map reads their points. Lists of neighbors go by
-// the position in the range.
+// Points of a Point_set_3 that have few neighbors, as noise in a scan has. The elements of a point
+// set are indices, and lists of neighbors go by the position in the range.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Point_set_3.h> // under the GPL, unlike the package
@@ -18,8 +17,8 @@ using Point_set = CGAL::Point_set_3<Kernel::Point_3>;
 // Removes the points with fewer neighbors than `least`.
 void remove_outliers(Point_set& points, double distance, std::size_t least)
 {
-  const auto neighbors = CGAL::fixed_radius_neighbor_lists(
-    points, CGAL::within_distance(distance), CGAL::parameters::point_map(points.point_map()));
+  const auto neighbors
+    = CGAL::fixed_radius_neighbor_lists(points, CGAL::within_distance(distance));
   std::vector<Point_set::Index> outliers;
   std::size_t position = 0;
   for(const Point_set::Index& index : points)

@@ -36,15 +36,14 @@ int main()
   const std::vector<Place> ports = {{"North", {0, 50}}, {"South", {0, -15}}, {"East", {24, 32}}};
   const auto np = CGAL::parameters::point_map(Position_of_place());
 
-  // The first position is one of the first range, and the second is one of the second range.
   CGAL::fixed_radius_near_neighbors(
     ships, ports, CGAL::within_distance(25),
-    [&](std::size_t i, std::size_t j) {
-      std::cout << ships[i].name << " is near " << ports[j].name << '\n';
-    },
+    CGAL::with_elements([](const Place& ship, const Place& port) {
+      std::cout << ship.name << " is near " << port.name << '\n';
+    }),
     np);
 
-  // One range: a callback that returns false stops the search.
+  // A callback that returns false stops the search. This one takes positions.
   const bool is_clear = CGAL::fixed_radius_near_neighbors(
     ships, CGAL::within_distance(15).open(), [](std::size_t, std::size_t) { return false; }, np);
   std::cout << (is_clear ? "no ships are closer than 15 km\n" : "ships are too close\n");
