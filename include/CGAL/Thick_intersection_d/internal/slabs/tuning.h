@@ -40,7 +40,7 @@ inline constexpr double max_slab_count = 1024;
 inline constexpr double usual_candidates = 8;
 
 // How often a crowded slab, or a crowded bucket, is cut into equal pieces before it is sorted. Two
-// levels of buckets resolve clusters in clusters; beyond them comparisons take O(n log n).
+// levels of buckets resolve clusters in clusters; beyond them digits do.
 inline constexpr int max_cut_depth = 2;
 
 // So few points are sorted by rank rather than by buckets. Levy flights in space: 1.10 with 8;
