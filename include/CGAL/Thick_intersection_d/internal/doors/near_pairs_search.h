@@ -28,6 +28,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Is_within_distance.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Near_tie_predicate.h>
@@ -142,7 +143,7 @@ private:
                                sample_.extended_axis_count()) == Arithmetic_tier::DOUBLE;
   }
 
-  Is_within_distance<Point> make_predicate(Shared_decision_counts* counts) const
+  CGAL_RARELY_CALLED Is_within_distance<Point> make_predicate(Shared_decision_counts* counts) const
   {
     if(scene_.is_grid_known)
       return {bound_, scene_, profile_.tier(), counts};
@@ -151,7 +152,7 @@ private:
 
   // Reads the grid. Integers decide near ties where doubles could, because the filter of the search
   // is that of a scene without a grid.
-  Near_tie_predicate make_near_ties() const
+  CGAL_RARELY_CALLED Near_tie_predicate make_near_ties() const
   {
     Scene scene = scene_;
     scene.grid_exponent = grid_exponent_of(points_, scene_);
@@ -199,6 +200,7 @@ private:
 
   // Returns a scale without ties, or one that leaves few of them; none if there are many.
   template <int Dimension, class Points>
+  CGAL_RARELY_CALLED
   Narrow_scale<Dimension> narrow_scale(const Points& points,
                                        const Is_within_distance<Point>& is_within) const
   {

@@ -15,6 +15,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Is_within_distance.h>
@@ -120,9 +121,9 @@ public:
                   b.positions[pair.j], counts);
   }
 
-  // The same of points at positions.
+  // The same of points at positions, which 32-bit integers leave undecided (Narrow_points.h).
   void ask_for(Place position) const { doubles_.ask_for(position); }
-  bool is_pair(Place p, Place q, Decision_counts& counts) const
+  CGAL_RARELY_CALLED bool is_pair(Place p, Place q, Decision_counts& counts) const
   {
     return decide([&](int axis) { return coordinate(p, axis); },
                   [&](int axis) { return coordinate(q, axis); }, p, q, counts);
