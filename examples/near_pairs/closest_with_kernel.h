@@ -29,7 +29,7 @@ inline CGAL::Exact_rational exact_squared_distance(const Scene& scene, std::size
 
 template <class Point>
 Closest_result closest_of_points(const std::vector<Point>& points, const Scene& scene,
-                                 const Options& options)
+                                 const Search_options& options)
 {
   Closest_result result;
   const auto start = std::chrono::steady_clock::now();
@@ -45,11 +45,9 @@ Closest_result closest_of_points(const std::vector<Point>& points, const Scene& 
 }
 
 template <class Kernel>
-Closest_result closest_with_kernel(const Scene& scene, const Options& options)
+Closest_result closest_with_kernel(const Scene& scene, const Search_options& options)
 {
-  if(scene.dimension == 2)
-    return closest_of_points(points_of<Kernel, 2>(scene), scene, options);
-  return closest_of_points(points_of<Kernel, 3>(scene), scene, options);
+  return closest_of_points(points_of<Kernel>(scene), scene, options);
 }
 
 } // namespace near_pairs

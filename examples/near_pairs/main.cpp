@@ -28,10 +28,6 @@ namespace {
 
 Search_result search(const Scene& scene, const Options& options, const Pair_sink& sink)
 {
-  if(options.kernel == "double")
-    return search_double(scene, options, sink);
-  if(options.kernel == "epeck")
-    return search_epeck(scene, options, sink);
   if(options.kernel == "exact")
     return search_exact(scene, options, sink);
   return search_epick(scene, options, sink);
@@ -39,10 +35,6 @@ Search_result search(const Scene& scene, const Options& options, const Pair_sink
 
 Closest_result find_closest(const Scene& scene, const Options& options)
 {
-  if(options.kernel == "double")
-    return closest_double(scene, options);
-  if(options.kernel == "epeck")
-    return closest_epeck(scene, options);
   if(options.kernel == "exact")
     return closest_exact(scene, options);
   return closest_epick(scene, options);

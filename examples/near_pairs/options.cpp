@@ -13,8 +13,6 @@
 
 #include <boost/program_options.hpp>
 
-#include <algorithm>
-#include <initializer_list>
 #include <sstream>
 
 namespace near_pairs {
@@ -54,7 +52,7 @@ void add_search_options(po::options_description& all, Options& options)
   po::options_description search("How the pairs are searched");
   search.add_options()
     ("kernel", po::value<std::string>(&options.kernel)->value_name("NAME"),
-     "double, epick (default), epeck, or exact: the CGAL kernel of the points")
+     "epick (default), or exact: the CGAL kernel of the points")
     ("parallel", po::bool_switch(&options.parallel), "use all cores");
   po::options_description output("What is written");
   output.add_options()
@@ -124,9 +122,8 @@ void read_columns(const po::variables_map& map, Options& options)
 
 void check_choices(const po::variables_map& map, const Options& options)
 {
-  const std::initializer_list<const char*> kernels = {"double", "epick", "epeck", "exact"};
-  if(std::find(kernels.begin(), kernels.end(), options.kernel) == kernels.end())
-    throw Error("--kernel: '" + options.kernel + "' is none of double, epick, epeck, exact");
+  if(options.kernel != "epick" && options.kernel != "exact")
+    throw Error("--kernel: '" + options.kernel + "' is neither epick nor exact");
   if(map.count("dimension") && options.dimension != 2 && options.dimension != 3)
     throw Error("--dimension: 2 or 3");
   if(options.geographic && options.dimension == 2)

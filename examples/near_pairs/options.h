@@ -7,22 +7,19 @@
 #ifndef NEAR_PAIRS_OPTIONS_H
 #define NEAR_PAIRS_OPTIONS_H
 
-#include <CGAL/Exact_rational.h>
+#include "search_options.h"
 
 #include <string>
 #include <vector>
 
 namespace near_pairs {
 
-struct Options
+struct Options : Search_options
 {
   std::string file;
 
-  std::string distance_text;     // as typed
-  CGAL::Exact_rational distance; // its exact value: the distance, or its square if `squared`
-  bool squared = false;
-  bool open = false;
-  bool closest = false;          // the closest pair instead; there is no distance then
+  std::string distance_text; // as typed
+  bool closest = false;      // the closest pair instead; there is no distance then
 
   int dimension = 0; // 0: what the file has
   bool geographic = false;
@@ -30,12 +27,10 @@ struct Options
   bool decimal = false;
 
   std::string kernel = "epick";
-  bool parallel = false;
 
   std::string pairs;   // file name, "-" for the standard output, or empty
   std::string picture; // file name, or empty
   bool explain = false;
-  bool progress = false;
   bool help = false;
   bool version = false;
 };

@@ -6,7 +6,7 @@
 #ifndef NEAR_PAIRS_OUTPUTS_H
 #define NEAR_PAIRS_OUTPUTS_H
 
-#include "point_file.h"
+#include "scene.h"
 
 #include <cstddef>
 #include <filesystem>

@@ -8,7 +8,7 @@
 #define NEAR_PAIRS_PICTURE_H
 
 #include "options.h"
-#include "point_file.h"
+#include "scene.h"
 #include "svg.h"
 
 #include <cstddef>

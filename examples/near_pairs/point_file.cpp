@@ -9,8 +9,6 @@
 #include "error.h"
 #include "row_reader.h"
 
-#include <CGAL/number_utils.h> // to_double
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -133,7 +131,7 @@ Scene read_decimals(const Options& options)
       // The search of numbers that no double encloses looks at all pairs.
       if(!std::isfinite(nearest_double(row.coordinates[axis])))
         throw bad_coordinate(options, *reader, row, axis);
-      if(options.kernel == "double" || options.kernel == "epick")
+      if(options.kernel != "exact")
         throw Error(options.file, row.line, "--decimal: " + row.coordinates[axis] + " times 10^"
                     + std::to_string(scale) + " exceeds 53 bits; use --kernel exact");
       if(scene.exact.empty())
@@ -144,28 +142,6 @@ Scene read_decimals(const Options& options)
 }
 
 } // namespace
-
-std::size_t Scene::size() const
-{
-  return std::max(doubles.size(), exact.size()) / dimension;
-}
-
-double Scene::coordinate(std::size_t point, int axis) const
-{
-  const std::size_t at = point * dimension + axis;
-  return exact.empty() ? doubles[at] / std::pow(10., scale) : CGAL::to_double(exact[at]);
-}
-
-double Scene::distance(std::size_t i, std::size_t j) const
-{
-  std::array<double, 3> difference = {0, 0, 0};
-  for(int axis = 0; axis < dimension; ++axis) {
-    const std::size_t a = i * dimension + axis, b = j * dimension + axis;
-    difference[axis] = exact.empty() ? (doubles[a] - doubles[b]) / std::pow(10., scale)
-                                     : CGAL::to_double(CGAL::Exact_rational(exact[a] - exact[b]));
-  }
-  return std::hypot(std::hypot(difference[0], difference[1]), difference[2]);
-}
 
 Scene read_scene(const Options& options)
 {

@@ -1,14 +1,14 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The search, one function per kernel. Each is compiled in a file of its own from the template in
-// search_with_kernel.h.
+// The search, a function per kernel. Each is compiled in a file of its own from the templates in
+// search_with_kernel.h and closest_with_kernel.h.
 
 #ifndef NEAR_PAIRS_SEARCH_H
 #define NEAR_PAIRS_SEARCH_H
 
-#include "options.h"
-#include "point_file.h"
+#include "scene.h"
+#include "search_options.h"
 
 #include <CGAL/Exact_rational.h>
 
@@ -42,16 +42,14 @@ inline std::atomic<bool> stop_requested = false;
 // Receives each pair once, i < j. It is never called by two threads at once.
 using Pair_sink = std::function<void(std::size_t i, std::size_t j)>;
 
-Search_result search_double(const Scene& scene, const Options& options, const Pair_sink& sink);
-Search_result search_epick(const Scene& scene, const Options& options, const Pair_sink& sink);
-Search_result search_epeck(const Scene& scene, const Options& options, const Pair_sink& sink);
-Search_result search_exact(const Scene& scene, const Options& options, const Pair_sink& sink);
+Search_result search_epick(const Scene& scene, const Search_options& options,
+                           const Pair_sink& sink);
+Search_result search_exact(const Scene& scene, const Search_options& options,
+                           const Pair_sink& sink);
 
 // The closest pair. Throws std::invalid_argument if there are fewer than two points.
-Closest_result closest_double(const Scene& scene, const Options& options);
-Closest_result closest_epick(const Scene& scene, const Options& options);
-Closest_result closest_epeck(const Scene& scene, const Options& options);
-Closest_result closest_exact(const Scene& scene, const Options& options);
+Closest_result closest_epick(const Scene& scene, const Search_options& options);
+Closest_result closest_exact(const Scene& scene, const Search_options& options);
 
 } // namespace near_pairs
 

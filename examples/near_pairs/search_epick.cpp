@@ -3,23 +3,17 @@
 
 // The search with CGAL's usual kernel, EPICK.
 
-#include "closest_with_kernel.h"
 #include "search_with_kernel.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 namespace near_pairs {
 
-Search_result search_epick(const Scene& scene, const Options& options, const Pair_sink& sink)
+Search_result search_epick(const Scene& scene, const Search_options& options,
+                           const Pair_sink& sink)
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   return search_with_kernel<Kernel>(scene, options, sink);
-}
-
-Closest_result closest_epick(const Scene& scene, const Options& options)
-{
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  return closest_with_kernel<Kernel>(scene, options);
 }
 
 } // namespace near_pairs

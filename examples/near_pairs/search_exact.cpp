@@ -3,7 +3,6 @@
 
 // The search with exact rational numbers in the points.
 
-#include "closest_with_kernel.h"
 #include "search_with_kernel.h"
 
 #include <CGAL/Exact_rational.h>
@@ -11,14 +10,11 @@
 
 namespace near_pairs {
 
-Search_result search_exact(const Scene& scene, const Options& options, const Pair_sink& sink)
+Search_result search_exact(const Scene& scene, const Search_options& options,
+                           const Pair_sink& sink)
 {
-  return search_with_kernel<CGAL::Simple_cartesian<CGAL::Exact_rational>>(scene, options, sink);
-}
-
-Closest_result closest_exact(const Scene& scene, const Options& options)
-{
-  return closest_with_kernel<CGAL::Simple_cartesian<CGAL::Exact_rational>>(scene, options);
+  using Kernel = CGAL::Simple_cartesian<CGAL::Exact_rational>;
+  return search_with_kernel<Kernel>(scene, options, sink);
 }
 
 } // namespace near_pairs

@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The search of search.h for any CGAL kernel, in the plane and in space: this is where the library
-// is used.
+// The search of search.h for any CGAL kernel: this is where the library is used.
 
 #ifndef NEAR_PAIRS_SEARCH_WITH_KERNEL_H
 #define NEAR_PAIRS_SEARCH_WITH_KERNEL_H
@@ -35,27 +34,25 @@ FT coordinate_as(const Scene& scene, std::size_t at)
   return FT(scene.doubles[at]);
 }
 
-template <class Kernel, int dimension>
-auto points_of(const Scene& scene)
+// Points in the plane get z = 0: the library neither stores nor searches an axis along which all
+// points have the same coordinate. So each kernel is compiled for space only.
+template <class Kernel>
+std::vector<typename Kernel::Point_3> points_of(const Scene& scene)
 {
   using FT = typename Kernel::FT;
-  using Point = std::conditional_t<dimension == 2, typename Kernel::Point_2,
-                                                   typename Kernel::Point_3>;
-  std::vector<Point> points;
+  std::vector<typename Kernel::Point_3> points;
   points.reserve(scene.size());
-  for(std::size_t at = 0; at < scene.size() * dimension; at += dimension) {
-    const FT x = coordinate_as<FT>(scene, at), y = coordinate_as<FT>(scene, at + 1);
-    if constexpr(dimension == 2)
-      points.emplace_back(x, y);
-    else
-      points.emplace_back(x, y, coordinate_as<FT>(scene, at + 2));
+  for(std::size_t i = 0; i < scene.size(); ++i) {
+    const std::size_t at = i * scene.dimension;
+    points.emplace_back(coordinate_as<FT>(scene, at), coordinate_as<FT>(scene, at + 1),
+                        scene.dimension == 3 ? coordinate_as<FT>(scene, at + 2) : FT(0));
   }
   return points;
 }
 
 // The bound that the user typed, in the unit of the coordinates of the scene.
 inline CGAL::Distance_bound<CGAL::Exact_rational> bound_of(const Scene& scene,
-                                                           const Options& options)
+                                                           const Search_options& options)
 {
   const int exponent = options.squared ? 2 * scene.scale : scene.scale;
   const CGAL::Exact_rational value = options.distance * power_of_ten(exponent);
@@ -73,7 +70,7 @@ inline void show_progress(double done)
 
 // Describes the scene in `profile`. Returns false iff the search was stopped.
 template <class Points, class Bound, class Callback>
-bool report_pairs(const Points& points, const Bound& bound, const Options& options,
+bool report_pairs(const Points& points, const Bound& bound, const Search_options& options,
                   Callback& callback, CGAL::Scene_profile& profile)
 {
   const std::function<bool(double)> go_on = [&](double done) {
@@ -95,7 +92,7 @@ bool report_pairs(const Points& points, const Bound& bound, const Options& optio
 
 template <class Point>
 Search_result search_points(const std::vector<Point>& points, const Scene& scene,
-                            const Options& options, const Pair_sink& sink)
+                            const Search_options& options, const Pair_sink& sink)
 {
   Search_result result;
   const auto bound = bound_of(scene, options);
@@ -125,11 +122,10 @@ Search_result search_points(const std::vector<Point>& points, const Scene& scene
 }
 
 template <class Kernel>
-Search_result search_with_kernel(const Scene& scene, const Options& options, const Pair_sink& sink)
+Search_result search_with_kernel(const Scene& scene, const Search_options& options,
+                                 const Pair_sink& sink)
 {
-  if(scene.dimension == 2)
-    return search_points(points_of<Kernel, 2>(scene), scene, options, sink);
-  return search_points(points_of<Kernel, 3>(scene), scene, options, sink);
+  return search_points(points_of<Kernel>(scene), scene, options, sink);
 }
 
 } // namespace near_pairs

@@ -1,0 +1,18 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The closest pair with CGAL's usual kernel, EPICK.
+
+#include "closest_with_kernel.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+namespace near_pairs {
+
+Closest_result closest_epick(const Scene& scene, const Search_options& options)
+{
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  return closest_with_kernel<Kernel>(scene, options);
+}
+
+} // namespace near_pairs

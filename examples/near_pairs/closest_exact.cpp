@@ -1,0 +1,19 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The closest pair with exact rational numbers in the points.
+
+#include "closest_with_kernel.h"
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Simple_cartesian.h>
+
+namespace near_pairs {
+
+Closest_result closest_exact(const Scene& scene, const Search_options& options)
+{
+  using Kernel = CGAL::Simple_cartesian<CGAL::Exact_rational>;
+  return closest_with_kernel<Kernel>(scene, options);
+}
+
+} // namespace near_pairs

@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// What a scene tells of its points; see scene.h.
+
+#include "scene.h"
+
+#include <CGAL/number_utils.h> // to_double
+
+#include <algorithm>
+#include <cmath>
+
+namespace near_pairs {
+
+std::size_t Scene::size() const
+{
+  return std::max(doubles.size(), exact.size()) / dimension;
+}
+
+double Scene::coordinate(std::size_t point, int axis) const
+{
+  const std::size_t at = point * dimension + axis;
+  return exact.empty() ? doubles[at] / std::pow(10., scale) : CGAL::to_double(exact[at]);
+}
+
+double Scene::distance(std::size_t i, std::size_t j) const
+{
+  std::array<double, 3> difference = {0, 0, 0};
+  for(int axis = 0; axis < dimension; ++axis) {
+    const std::size_t a = i * dimension + axis, b = j * dimension + axis;
+    difference[axis] = exact.empty() ? (doubles[a] - doubles[b]) / std::pow(10., scale)
+                                     : CGAL::to_double(CGAL::Exact_rational(exact[a] - exact[b]));
+  }
+  return std::hypot(std::hypot(difference[0], difference[1]), difference[2]);
+}
+
+} // namespace near_pairs

@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The points of the input as numbers, checked: what is searched, drawn and written.
+
+#ifndef NEAR_PAIRS_SCENE_H
+#define NEAR_PAIRS_SCENE_H
+
+#include <CGAL/Exact_rational.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace near_pairs {
+
+// Coordinates are held once, point after point: as doubles where these are the values to search
+// with, which is nearly always, or as exact numbers where --decimal met integers beyond 53 bits.
+// With --decimal the doubles are the coordinates of the file times 10^scale, all of them integers;
+// exact numbers are the coordinates as they are, and the scale is 0.
+struct Scene
+{
+  int dimension = 0;
+  std::vector<double> doubles;
+  std::vector<CGAL::Exact_rational> exact; // in use iff not empty
+  int scale = 0;
+
+  std::vector<std::string> ids; // of the points, if pairs are to be named and the file has ids
+  std::array<std::string, 3> names;
+  std::string unit; // of the distance; empty if the file does not tell
+
+  std::size_t size() const;
+
+  // In the unit of the file, rounded.
+  double coordinate(std::size_t point, int axis) const;
+  double distance(std::size_t i, std::size_t j) const;
+};
+
+// The radius of the sphere of --geographic, in meters.
+constexpr double earth_radius = 6371008.8;
+
+} // namespace near_pairs
+
+#endif // NEAR_PAIRS_SCENE_H

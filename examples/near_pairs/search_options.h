@@ -1,0 +1,25 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// What the search wants to know of the command line. The files that call the library include this
+// and not options.h, because they take long to compile.
+
+#ifndef NEAR_PAIRS_SEARCH_OPTIONS_H
+#define NEAR_PAIRS_SEARCH_OPTIONS_H
+
+#include <CGAL/Exact_rational.h>
+
+namespace near_pairs {
+
+struct Search_options
+{
+  CGAL::Exact_rational distance; // exactly as typed: the distance, or its square if `squared`
+  bool squared = false;
+  bool open = false;
+  bool parallel = false;
+  bool progress = false;
+};
+
+} // namespace near_pairs
+
+#endif // NEAR_PAIRS_SEARCH_OPTIONS_H
