@@ -155,7 +155,8 @@ void run(const Options& options)
   }
   if(pairs_file)
     pairs_file->commit();
-  std::ostream& out = options.pairs == "-" ? std::cerr : std::cout;
+  const bool is_output_taken = options.pairs == "-" || options.picture == "-";
+  std::ostream& out = is_output_taken ? std::cerr : std::cout;
   if(closest)
     print_summary(out, scene, options, *closest);
   else {

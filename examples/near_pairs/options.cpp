@@ -7,6 +7,7 @@
 
 #include "decimal.h"
 #include "error.h"
+#include "row_reader.h"
 
 #include <CGAL/Thick_intersection_d/version.h>
 #include <CGAL/version.h>
@@ -59,7 +60,7 @@ void add_search_options(po::options_description& all, Options& options)
     ("pairs", po::value<std::string>(&options.pairs)->value_name("FILE"),
      "CSV of the pairs; - for the standard output")
     ("picture", po::value<std::string>(&options.picture)->value_name("FILE.svg"),
-     "drawing of the scene and its pairs")
+     "drawing of the scene and its pairs; - for the standard output")
     ("explain", po::bool_switch(&options.explain),
      "print what the search found out about the scene")
     ("progress", po::bool_switch(&options.progress), "show a percentage on the standard error")
@@ -130,15 +131,23 @@ void check_choices(const po::variables_map& map, const Options& options)
     throw Error("--geographic is always in dimension 3");
   if(options.geographic && options.decimal)
     throw Error("--decimal is for coordinates in the file; those of --geographic are computed");
+#ifndef CGAL_LINKED_WITH_TBB
+  if(options.parallel)
+    throw Error("--parallel: this program was built without TBB");
+#endif
+}
+
+void check_outputs(const po::variables_map& map, const Options& options)
+{
   if((map.count("pairs") && options.pairs.empty()) ||
      (map.count("picture") && options.picture.empty()))
     throw Error("empty name of an output file");
   if(!options.pairs.empty() && options.pairs == options.picture)
     throw Error("--pairs and --picture name the same file");
-#ifndef CGAL_LINKED_WITH_TBB
-  if(options.parallel)
-    throw Error("--parallel: this program was built without TBB");
-#endif
+  const std::string format = extension(options.picture);
+  if(!format.empty() && format != ".svg")
+    throw Error("--picture: the picture is an SVG file, so name it .svg (rsvg-convert makes a "
+                + format + " file of it)");
 }
 
 // Boost's messages in one line each are good enough for what it finds by itself.
@@ -156,6 +165,7 @@ Options parse_and_check(int argc, const char* const* argv)
   options.file = map["file"].as<std::vector<std::string>>().front();
   read_distance(map, options);
   check_choices(map, options);
+  check_outputs(map, options);
   read_columns(map, options);
   return options;
 }

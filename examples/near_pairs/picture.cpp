@@ -22,7 +22,9 @@ const char* const inset_color = "#0072B2";
 const char* const point_color = "#555555";
 
 constexpr double main_left = 96, main_top = 64, main_width = 600, main_height = 520;
-constexpr double caption_width = 500, legend_width = 330, inset_side = 300;
+constexpr double least_main_width = 500, legend_width = 330, inset_side = 300, row_height = 24;
+constexpr double title_size = 19;
+constexpr std::size_t longest_title = 60, longest_distance = 40, longest_axis_name = 30; // letters
 constexpr double shortest_line = 6;           // pixels: a shorter pair is a mark
 constexpr std::size_t most_lines = 20000;     // more cannot be told apart anyway
 constexpr std::ptrdiff_t most_inset_points = 250;
@@ -41,8 +43,9 @@ Position position_of(const Scene& scene, std::size_t i, bool geographic)
 } // namespace
 
 Picture::Picture(const Scene& scene, const Options& options, const std::string& distance)
-  : title_("Pairs of points of " + std::filesystem::path(options.file).filename().string()),
-    caption_("distance " + distance), unit_(scene.unit), geographic_(options.geographic),
+  : title_(shortened("Pairs of points of "
+                     + std::filesystem::path(options.file).filename().string(), longest_title)),
+    caption_("distance " + shortened(distance, longest_distance)), unit_(scene.unit), geographic_(options.geographic),
     reach_(CGAL::to_double(options.distance)), units_per_position_(1)
 {
   if(options.squared)
@@ -55,8 +58,8 @@ Picture::Picture(const Scene& scene, const Options& options, const std::string& 
   for(std::size_t i = 0; i < scene.size(); ++i)
     positions_.push_back(position_of(scene, i, geographic_));
   const bool is_map = geographic_ || unit_ == "deg";
-  axis_names_[0] = is_map ? "longitude (deg)" : scene.names[0];
-  axis_names_[1] = is_map ? "latitude (deg)" : scene.names[1];
+  axis_names_[0] = is_map ? "longitude (deg)" : shortened(scene.names[0], longest_axis_name);
+  axis_names_[1] = is_map ? "latitude (deg)" : shortened(scene.names[1], longest_axis_name);
   if(scene.dimension == 3)
     caption_ += geographic_ ? ", along the chord" : ", in space; drawn without z";
   place_main_panel();
@@ -93,7 +96,7 @@ void Picture::place_main_panel()
   main_.high = {high.x + x_room / aspect, high.y + y_room};
   main_.y_scale = std::min(main_width / (width + 2 * x_room), main_height / (height + 2 * y_room));
   main_.x_scale = main_.y_scale * aspect;
-  main_.left = main_left;
+  main_.left = std::max(main_left, y_axis_width(main_));
   main_.top = main_top;
 }
 
@@ -152,27 +155,49 @@ void Picture::add_pair(std::size_t i, std::size_t j)
 
 double Picture::legend_left() const
 {
-  return main_left + std::max(main_.width(), caption_width) + 44;
+  return main_.left + std::max(main_.width(), least_main_width) + 44;
+}
+
+double Picture::legend_top() const
+{
+  return has_inset_ ? inset_.bottom() + 50 : main_top + 10;
+}
+
+std::string Picture::counts() const
+{
+  return "n = " + std::to_string(positions_.size()) + " points, k = " + std::to_string(pairs_)
+         + " pairs, " + caption_;
+}
+
+// Whether more pairs were to be drawn than are.
+bool Picture::is_cut() const
+{
+  return pairs_ > most_lines &&
+         (main_pairs_.size() == most_lines || inset_pairs_.size() == most_lines);
+}
+
+double Picture::right() const
+{
+  const double heading = std::max(text_width(title_, title_size), text_width(counts()));
+  return std::max(legend_left() + legend_width, main_.left + heading);
 }
 
 double Picture::bottom() const
 {
-  const double legend = has_inset_ ? inset_.bottom() + 150 : main_top + 100;
-  return std::max(main_.bottom() + 56, legend);
+  const int rows = (has_inset_ ? 4 : 2) + (is_cut() ? 1 : 0);
+  return std::max(main_.bottom() + 56, legend_top() + rows * row_height);
 }
 
 void Picture::write(std::ostream& svg) const
 {
-  const double right = legend_left() + legend_width;
-  svg << "<svg xmlns='http://www.w3.org/2000/svg' width='" << right << "' height='" << bottom()
-      << "' viewBox='0 0 " << right << ' ' << bottom()
+  svg << "<svg xmlns='http://www.w3.org/2000/svg' width='" << right() << "' height='" << bottom()
+      << "' viewBox='0 0 " << right() << ' ' << bottom()
       << "' font-family='sans-serif' font-size='13' fill='#222'>\n"
       << "<rect width='100%' height='100%' fill='white'/>\n<defs><clipPath id='inset'><rect x='"
       << legend_left() << "' y='" << main_top << "' width='" << inset_side << "' height='"
       << inset_side << "'/></clipPath></defs>\n";
-  write_text(svg, {main_left, 30}, title_, "font-size='19'");
-  write_text(svg, {main_left, 51}, "n = " + std::to_string(positions_.size()) + " points, k = "
-             + std::to_string(pairs_) + " pairs, " + caption_);
+  write_text(svg, {main_.left, 30}, title_, "font-size='19'");
+  write_text(svg, {main_.left, 51}, counts());
   write_axes(svg, main_, axis_names_[0], axis_names_[1]);
   if(has_inset_) {
     write_points(svg, main_, 1.6);
@@ -224,11 +249,11 @@ void Picture::write_inset(std::ostream& svg) const
 void Picture::write_legend(std::ostream& svg) const
 {
   const double x = legend_left() + 12;
-  double y = has_inset_ ? inset_.bottom() + 50 : main_top + 10;
+  double y = legend_top();
   const auto row = [&](const std::string& shape, const std::string& text) {
     svg << "<g transform='translate(" << x << ' ' << y << ")'>" << shape << "</g>\n";
     write_text(svg, {x + 22, y + 5}, text);
-    y += 24;
+    y += row_height;
   };
   const std::string orange = std::string(" stroke='") + pair_color + "'";
   row(std::string("<circle r='1.6' fill='") + point_color + "'/>", "point");
@@ -240,7 +265,7 @@ void Picture::write_legend(std::ostream& svg) const
   if(has_inset_)
     row(std::string("<circle r='9' fill='none' stroke-width='2' stroke='") + inset_color + "'/>",
         "the densest place, in the detail");
-  if(pairs_ > most_lines && (main_pairs_.size() == most_lines || inset_pairs_.size() == most_lines))
+  if(is_cut())
     write_text(svg, {x - 12, y + 5}, "only " + std::to_string(most_lines) + " lines are drawn");
 }
 

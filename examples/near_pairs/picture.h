@@ -33,7 +33,11 @@ public:
 private:
   using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
+  std::string counts() const;
+  bool is_cut() const;
   double legend_left() const;
+  double legend_top() const;
+  double right() const;
   double bottom() const;
   void place_main_panel();
   void place_inset();

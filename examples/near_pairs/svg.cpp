@@ -13,11 +13,40 @@
 namespace near_pairs {
 namespace {
 
+bool begins_letter(char byte)
+{
+  return (static_cast<unsigned char>(byte) & 0xC0) != 0x80;
+}
+
+std::size_t letters(const std::string& text)
+{
+  return std::count_if(text.begin(), text.end(), begins_letter);
+}
+
+// Whether each byte above 127 belongs to a letter of UTF-8.
+bool is_utf8(const std::string& text)
+{
+  std::size_t missing = 0;
+  for(char letter : text) {
+    const auto byte = static_cast<unsigned char>(letter);
+    if((missing == 0) != begins_letter(letter) || byte == 0xC0 || byte == 0xC1 || byte > 0xF4)
+      return false;
+    missing = missing != 0 ? missing - 1 : byte >= 0xF0 ? 3 : byte >= 0xE0 ? 2 : byte >= 0xC0;
+  }
+  return missing == 0;
+}
+
+// Names of files and columns may have any bytes, and an SVG file may not.
 std::string escaped(const std::string& text)
 {
+  const bool is_readable = is_utf8(text);
   std::string result;
-  for(char letter : text)
-    result += letter == '&' ? "&amp;" : letter == '<' ? "&lt;" : std::string(1, letter);
+  for(char letter : text) {
+    const auto byte = static_cast<unsigned char>(letter);
+    result += letter == '&' ? "&amp;" : letter == '<' ? "&lt;"
+            : byte < 32 || byte == 127 || (byte > 127 && !is_readable) ? "?"
+            : std::string(1, letter);
+  }
   return result;
 }
 
@@ -54,15 +83,12 @@ void write_x_axis(std::ostream& svg, const Panel& panel, const std::string& name
 
 void write_y_axis(std::ostream& svg, const Panel& panel, const std::string& name)
 {
-  std::size_t longest = 0;
   for(double tick : ticks(panel.low.y, panel.high.y, panel.height())) {
     const double y = panel.place({0, tick}).y;
-    const std::string text = short_number(tick);
-    longest = std::max(longest, text.size());
     svg << "<path d='M" << panel.left << ' ' << y << "h-5' stroke='#222'/>\n";
-    write_text(svg, {panel.left - 8, y + 4}, text, "text-anchor='end'");
+    write_text(svg, {panel.left - 8, y + 4}, short_number(tick), "text-anchor='end'");
   }
-  svg << "<g transform='translate(" << panel.left - 22 - 7.5 * longest << ' '
+  svg << "<g transform='translate(" << panel.left - y_axis_width(panel) + 18 << ' '
       << panel.top + panel.height() / 2 << ") rotate(-90)'>\n";
   write_text(svg, {0, 0}, name, "text-anchor='middle'");
   svg << "</g>\n";
@@ -81,6 +107,20 @@ std::string short_number(double value, int digits)
 std::string pixels(Position p)
 {
   return short_number(std::round(10 * p.x) / 10) + " " + short_number(std::round(10 * p.y) / 10);
+}
+
+std::string shortened(const std::string& text, std::size_t most)
+{
+  std::size_t count = 0;
+  for(std::size_t at = 0; at < text.size(); ++at)
+    if(begins_letter(text[at]) && ++count > most)
+      return text.substr(0, at) + "\u2026";
+  return text;
+}
+
+double text_width(const std::string& text, double font_size)
+{
+  return 0.62 * font_size * letters(text);
 }
 
 void write_text(std::ostream& svg, Position p, const std::string& text, const char* style)
@@ -111,6 +151,14 @@ void write_axes(std::ostream& svg, const Panel& panel, const std::string& x_name
   write_frame(svg, panel, "#222");
   write_x_axis(svg, panel, x_name);
   write_y_axis(svg, panel, y_name);
+}
+
+double y_axis_width(const Panel& panel)
+{
+  double longest = 0;
+  for(double tick : ticks(panel.low.y, panel.high.y, panel.height()))
+    longest = std::max(longest, text_width(short_number(tick)));
+  return longest + 40;
 }
 
 void write_scale_bar(std::ostream& svg, const Panel& panel, double factor,

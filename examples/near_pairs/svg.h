@@ -6,6 +6,7 @@
 #ifndef NEAR_PAIRS_SVG_H
 #define NEAR_PAIRS_SVG_H
 
+#include <cstddef>
 #include <ostream>
 #include <set>
 #include <string>
@@ -44,6 +45,12 @@ std::string short_number(double value, int digits = 10);
 // "x y", to a tenth of a pixel.
 std::string pixels(Position p);
 
+// The beginning of a text, with an ellipsis behind it if the text has more than `most` letters.
+std::string shortened(const std::string& text, std::size_t most);
+
+// At least the width of a text, in pixels: which font shows it is not known.
+double text_width(const std::string& text, double font_size = 13);
+
 // `style` is a list of SVG attributes.
 void write_text(std::ostream& svg, Position p, const std::string& text, const char* style = "");
 
@@ -56,6 +63,9 @@ void write_frame(std::ostream& svg, const Panel& panel, const char* color);
 // The frame of a panel with ticks, their numbers and the names of the axes.
 void write_axes(std::ostream& svg, const Panel& panel, const std::string& x_name,
                 const std::string& y_name);
+
+// The room that the numbers and the name of the axis need on the left of a panel.
+double y_axis_width(const Panel& panel);
 
 // A bar of a round length under the panel; one unit of the scene is `factor` times `unit`.
 void write_scale_bar(std::ostream& svg, const Panel& panel, double factor,

@@ -188,6 +188,58 @@ verdict "the picture is an SVG file" grep -q '^</svg>' picture.svg
 if command -v python3 > /dev/null; then
   verdict "  and well-formed" python3 -c 'import xml.dom.minidom as m; m.parse("picture.svg")'
 fi
+run ties.csv --distance 1 --picture -
+verdict "the picture on stdout" test "$(tail -n 1 out)" = "</svg>"
+verdict "  with the summary on stderr" grep -q '^pairs  *' err
+for name in x.png x.pdf x.svg.gz; do
+  run ties.csv --distance 1 --picture $name
+  verdict "no picture $name" is_one_error "the picture is an SVG file, so name it .svg"
+  verdict "  and no file" test ! -e $name
+done
+
+# Each text of a picture must be inside of it. Letters are about as wide as in DejaVu Sans.
+if command -v python3 > /dev/null; then
+  cat > inside.py << 'END'
+import re, sys, xml.dom.minidom
+svg = xml.dom.minidom.parse(sys.argv[1]).documentElement
+width, height = float(svg.getAttribute("width")), float(svg.getAttribute("height"))
+for text in svg.getElementsByTagName("text"):
+    size = float(text.getAttribute("font-size") or 13)
+    words = "".join(node.data for node in text.childNodes)
+    long, (x, y) = 0.58 * size * len(words), (float(text.getAttribute(a)) for a in "xy")
+    left = x - {"": 0, "middle": 0.5, "end": 1}[text.getAttribute("text-anchor")] * long
+    box = (left, y - 0.8 * size, left + long, y + 0.3 * size)
+    turned = re.match(r"translate\((\S+) (\S+)\) rotate", text.parentNode.getAttribute("transform"))
+    if turned:
+        x, y = float(turned[1]), float(turned[2])
+        box = (x + box[1], y - box[2], x + box[3], y - box[0])
+    if box[0] < 0 or box[1] < 0 or box[2] > width or box[3] > height:
+        print("outside:", words, box, width, height, file=sys.stderr)
+        sys.exit(1)
+END
+  # Runs the program, with the picture of a scene, and looks for texts that are cut off.
+  expect_inside() { # NAME ARGUMENT...
+    local name=$1
+    shift
+    run "$@" --picture picture.svg
+    is_inside() { [ "$status" -eq 0 ] && python3 inside.py picture.svg 2> err; }
+    verdict "all texts are inside the picture: $name" is_inside
+  }
+  { echo x,y; seq -f '%g,0' 0 209; } > line.csv
+  { echo x,y; seq -f '0.%03g,0' 0 299; echo 9999,9999; } > cluster.csv
+  long_name=$(head -c 200 /dev/zero | tr '\0' W).csv
+  printf 'x_of_a_long_name_that_says_it_all,<y>\001_of_a_long_name_that_says_it_all\n%s\n' \
+         $'5,-1234567891234567\n7,-1234567891234569' > "$long_name"
+  printf 'x,y\n0,0\n0,-1.23456789e-300\n' > $'\377.csv'
+  expect_inside "a line" line.csv --distance 1000
+  verdict "  which tells that lines are left out" grep -q 'only 20000 lines are drawn' picture.svg
+  expect_inside "a cluster" cluster.csv --distance 1
+  verdict "  which tells that lines are left out" grep -q 'only 20000 lines are drawn' picture.svg
+  expect_inside "ships" "$ships" --geographic --distance 500
+  expect_inside "long names" "$long_name" --columns 1,2 --distance 1
+  expect_inside "a long distance" ties.csv --distance "0.$(head -c 500 /dev/zero | tr '\0' 1)"
+  expect_inside "a name in other bytes" $'\377.csv' --distance 1
+fi
 for scene in empty single equal; do
   run $scene.csv --distance 0 --picture picture.svg
   has_no_nan() { [ "$status" -eq 0 ] && ! grep -qE 'nan|inf[^o]' picture.svg; }
