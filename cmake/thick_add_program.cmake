@@ -9,6 +9,7 @@
 #   Eigen3            CGAL::Eigen3_support: CGAL::Epick_d, CGAL::Epeck_d
 #   GMP MPFR          the number libraries themselves, for a program that calls them directly
 #   Program_options   Boost.Program_options
+#   Iostreams         Boost.Iostreams, with its filters for gzip
 #   Unit_test         Boost.Test, linked dynamically
 #
 # When one of them is missing the target is not made, and the reason is printed; with
@@ -44,9 +45,12 @@ foreach(library IN ITEMS GMP MPFR)
 endforeach()
 
 set(Boost_USE_STATIC_LIBS OFF)
-find_package(Boost QUIET OPTIONAL_COMPONENTS program_options unit_test_framework)
+find_package(Boost QUIET OPTIONAL_COMPONENTS program_options iostreams unit_test_framework)
 if(TARGET Boost::program_options)
   thick_provide_support(Program_options Boost::program_options)
+endif()
+if(TARGET Boost::iostreams)
+  thick_provide_support(Iostreams Boost::iostreams)
 endif()
 if(TARGET Boost::unit_test_framework)
   thick_provide_support(Unit_test Boost::unit_test_framework)

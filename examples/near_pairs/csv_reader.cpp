@@ -1,15 +1,18 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Comma-separated values; see csv_reader.h.
+// Tables; see csv_reader.h.
 
 #include "csv_reader.h"
 
 #include "decimal.h"
 #include "error.h"
+#include "record.h"
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
+#include <utility>
 
 namespace near_pairs {
 namespace {
@@ -21,47 +24,31 @@ std::string lower_case(std::string text)
   return text;
 }
 
-// Takes one field off the record at `position`, which is moved behind it (to its comma or the end;
-// beyond the end if a quote is not closed).
-std::string take_field(const std::string& record, std::size_t& position)
+bool begins_with(const std::string& text, const std::string& prefix)
 {
-  if(position == record.size() || record[position] != '"') {
-    const std::size_t end = std::min(record.find(',', position), record.size());
-    const std::string field(trimmed(std::string_view(record).substr(position, end - position)));
-    position = end;
-    return field;
-  }
-  std::string field;
-  while(true) {
-    const std::size_t quote = record.find('"', ++position);
-    if(quote == std::string::npos) {
-      position = record.size() + 1;
-      return field;
-    }
-    field.append(record, position, quote - position);
-    position = quote + 1;
-    if(position == record.size() || record[position] != '"')
-      return field;
-    field.push_back('"');
-  }
+  return text.compare(0, prefix.size(), prefix) == 0;
 }
 
-bool has_odd_quotes(const std::string& line)
+// Whether a word of the text begins with the prefix: "le_latitude_deg" has one that begins with
+// "lat".
+bool has_word(const std::string& text, const std::string& prefix)
 {
-  return std::count(line.begin(), line.end(), '"') % 2 != 0;
+  const auto is_inside_word = [&](std::size_t at) {
+    return at != 0 && std::isalnum(static_cast<unsigned char>(text[at - 1]));
+  };
+  std::size_t at = text.find(prefix);
+  while(at != std::string::npos && is_inside_word(at))
+    at = text.find(prefix, at + 1);
+  return at != std::string::npos;
 }
 
-// Cuts a record into its fields; returns false if a quoted field does not end at a comma.
-bool split(const std::string& record, std::vector<std::string>& fields)
+// The column that a number from 1 names.
+std::optional<std::size_t> numbered_column(const std::string& text, std::size_t columns)
 {
-  fields.clear();
-  for(std::size_t position = 0; ; ++position) {
-    fields.push_back(take_field(record, position));
-    if(position == record.size())
-      return true;
-    if(position > record.size() || record[position] != ',')
-      return false;
-  }
+  const std::optional<std::size_t> number = parse_count(text);
+  if(!number || *number < 1 || *number > columns)
+    return std::nullopt;
+  return *number - 1;
 }
 
 std::string joined(const std::vector<std::string>& names)
@@ -74,26 +61,38 @@ std::string joined(const std::vector<std::string>& names)
 
 } // namespace
 
-Csv_reader::Csv_reader(const Options& options)
-  : lines_(options.file)
+Csv_reader::Csv_reader(const Input& input, const Options& options)
+  : lines_(input), separator_(options.separator)
 {
-  if(!next_record(header_))
-    throw Error(options.file, "is empty");
-  choose_columns(options);
+  if(!next_record(fields_))
+    throw Error(lines_.file(), "is empty");
+  fields_per_row_ = fields_.size();
+  is_first_row_ready_ = options.no_header || are_numbers(options.columns);
+  if(!is_first_row_ready_)
+    header_ = fields_;
+  if(!header_.empty() || has_header_in_comment(options))
+    choose_columns(options);
+  else
+    choose_columns_by_number(options);
   dimension = static_cast<int>(columns_.size());
-  for(std::size_t axis = 0; axis < columns_.size(); ++axis)
-    names[axis] = header_[columns_[axis]];
-  has_ids = find_column("id", id_column_);
+  if(options.id.empty())
+    has_ids = find_column("id", id_column_);
+  else {
+    id_column_ = named_column(options.id);
+    has_ids = true;
+  }
 }
 
 bool Csv_reader::next(Row& row)
 {
-  if(!next_record(fields_))
+  if(!is_first_row_ready_ && !next_record(fields_))
     return false;
+  is_first_row_ready_ = false;
   row.line = first_line_;
-  if(fields_.size() != header_.size())
-    throw Error(lines_.file(), row.line, std::to_string(fields_.size()) + " fields, but the header "
-                "has " + std::to_string(header_.size()));
+  if(fields_.size() != fields_per_row_)
+    throw Error(lines_.file(), row.line, std::to_string(fields_.size()) + " fields, but the "
+                + (header_.empty() ? "first row" : "header") + " has "
+                + std::to_string(fields_per_row_));
   for(std::size_t axis = 0; axis < columns_.size(); ++axis)
     row.coordinates[axis] = fields_[columns_[axis]];
   if(has_ids)
@@ -101,14 +100,12 @@ bool Csv_reader::next(Row& row)
   return true;
 }
 
-// Reads the next record that is not blank; a line end inside quotes is part of it.
+// Reads the next record; a line end inside quotes is part of it.
 bool Csv_reader::next_record(std::vector<std::string>& fields)
 {
   std::string record;
-  do {
-    if(!lines_.next(record))
-      return false;
-  } while(trimmed(record).empty());
+  if(!next_text(record))
+    return false;
   first_line_ = lines_.number();
   // Each line is looked at once, so that a stray quote costs no more than any other letter.
   bool is_open = has_odd_quotes(record);
@@ -117,25 +114,88 @@ bool Csv_reader::next_record(std::vector<std::string>& fields)
       throw Error(lines_.file(), first_line_, "a quote is not closed");
     record.append(1, '\n').append(line);
   }
-  if(!split(record, fields))
-    throw Error(lines_.file(), first_line_, "a quoted field does not end at a comma");
+  if(separator_ == 0)
+    separator_ = found_separator(record);
+  if(!split_record(record, separator_, fields))
+    throw Error(lines_.file(), first_line_, "a quoted field does not end at a separator");
   return true;
+}
+
+// Reads the next line that is neither blank nor a comment.
+bool Csv_reader::next_text(std::string& record)
+{
+  comment_.clear();
+  while(lines_.next(record)) {
+    const std::string_view text = trimmed(record);
+    if(!text.empty() && text.front() != '#')
+      return true;
+    comment_ = text.empty() ? text : text.substr(1);
+  }
+  return false;
+}
+
+// Whether the first record has numbers in all columns, or in those wanted if they are given by
+// number.
+bool Csv_reader::are_numbers(const std::vector<std::string>& wanted) const
+{
+  const auto is_number = [](const std::string& field) { return parse_decimal(field).has_value(); };
+  if(wanted.empty())
+    return std::all_of(fields_.begin(), fields_.end(), is_number);
+  return std::all_of(wanted.begin(), wanted.end(), [&](const std::string& name) {
+    const std::optional<std::size_t> column = numbered_column(name, fields_.size());
+    return column && is_number(fields_[*column]);
+  });
+}
+
+bool Csv_reader::has_header_in_comment(const Options& options)
+{
+  if(options.no_header || !options.columns.empty() ||
+     !split_record(std::string(trimmed(comment_)), separator_, header_) ||
+     header_.size() != fields_per_row_ || !find_usual_columns(options))
+    header_.clear();
+  columns_.clear();
+  return !header_.empty();
 }
 
 void Csv_reader::choose_columns(const Options& options)
 {
   for(const std::string& name : options.columns)
     columns_.push_back(named_column(name));
+  if(columns_.empty() && !find_usual_columns(options)) {
+    const std::string wanted = options.geographic ? "lat* and lon*"
+                             : options.dimension == 3 ? "x, y, z" : "x, y or lat*, lon*";
+    const bool has_number = std::any_of(header_.begin(), header_.end(), parse_decimal);
+    throw Error(lines_.file(), first_line_, "no columns " + wanted + "; choose with --columns "
+                "among " + joined(header_)
+                + (has_number ? ", and with --no-header if this is a point" : ""));
+  }
+  for(std::size_t axis = 0; axis < columns_.size(); ++axis)
+    names[axis] = header_[columns_[axis]];
+}
+
+// Without a header, the columns that are not given are the first two or three, if the file has no
+// others.
+void Csv_reader::choose_columns_by_number(const Options& options)
+{
+  for(const std::string& name : options.columns)
+    columns_.push_back(named_column(name));
+  if(options.geographic)
+    names = {"latitude", "longitude", ""};
   if(!columns_.empty())
     return;
-  if(options.geographic ? find_degree_columns(true)
-                        : find_plane_columns(options.dimension) ||
-                          (options.dimension != 3 && find_degree_columns(false)))
-    return;
-  const std::string wanted = options.geographic ? "lat* and lon*"
-                           : options.dimension == 3 ? "x, y, z" : "x, y or lat*, lon*";
-  throw Error(lines_.file(), first_line_, "no columns " + wanted + "; choose with --columns among "
-              + joined(header_));
+  const std::size_t wanted = options.dimension == 0 ? fields_per_row_ : options.dimension;
+  if(options.geographic || wanted < 2 || wanted > 3 || wanted > fields_per_row_)
+    throw Error(lines_.file(), first_line_, "no header, and " + plural(fields_per_row_, "field")
+                + "; choose the coordinates with --columns, by number from 1");
+  for(std::size_t column = 0; column < wanted; ++column)
+    columns_.push_back(column);
+}
+
+bool Csv_reader::find_usual_columns(const Options& options)
+{
+  return options.geographic ? find_degree_columns(true)
+                            : find_plane_columns(options.dimension) ||
+                              (options.dimension != 3 && find_degree_columns(false));
 }
 
 std::size_t Csv_reader::named_column(const std::string& name) const
@@ -143,11 +203,11 @@ std::size_t Csv_reader::named_column(const std::string& name) const
   std::size_t column = 0;
   if(find_column(name, column))
     return column;
-  const bool is_number = !name.empty() && name.size() < 6 &&
-                         name.find_first_not_of("0123456789") == std::string::npos;
-  if(is_number && std::stoul(name) >= 1 && std::stoul(name) <= header_.size())
-    return std::stoul(name) - 1;
-  throw Error(lines_.file(), first_line_, "no column '" + name + "' among " + joined(header_));
+  if(const std::optional<std::size_t> number = numbered_column(name, fields_per_row_))
+    return *number;
+  throw Error(lines_.file(), first_line_, "no column '" + name + "' among "
+              + (header_.empty() ? "1 to " + std::to_string(fields_per_row_) + ", without a header"
+                                 : joined(header_)));
 }
 
 bool Csv_reader::find_column(const std::string& name, std::size_t& column) const
@@ -159,12 +219,11 @@ bool Csv_reader::find_column(const std::string& name, std::size_t& column) const
   return column < header_.size();
 }
 
-bool Csv_reader::find_column_beginning_with(const std::string& prefix, std::size_t& column) const
+bool Csv_reader::find_column_where(bool (*is_it)(const std::string&, const std::string&),
+                                   const std::string& prefix, std::size_t& column) const
 {
-  const auto is_it = [&](const std::string& name) {
-    return lower_case(name).compare(0, prefix.size(), prefix) == 0;
-  };
-  column = std::find_if(header_.begin(), header_.end(), is_it) - header_.begin();
+  const auto is_this = [&](const std::string& name) { return is_it(lower_case(name), prefix); };
+  column = std::find_if(header_.begin(), header_.end(), is_this) - header_.begin();
   return column < header_.size();
 }
 
@@ -180,12 +239,15 @@ bool Csv_reader::find_plane_columns(int wanted)
   return wanted != 3 || columns_.size() == 3;
 }
 
-// In the plane, longitude comes first: it is the one that runs to the right.
+// Names that begin with the prefixes come before names that have them later. In the plane,
+// longitude comes first: it is the one that runs to the right.
 bool Csv_reader::find_degree_columns(bool latitude_first)
 {
   std::size_t latitude = 0, longitude = 0;
-  if(!find_column_beginning_with("lat", latitude) ||
-     !find_column_beginning_with("lon", longitude))
+  const auto find = [&](auto is_it) {
+    return find_column_where(is_it, "lat", latitude) && find_column_where(is_it, "lon", longitude);
+  };
+  if(!find(begins_with) && !find(has_word))
     return false;
   columns_ = {latitude, longitude};
   if(!latitude_first)

@@ -43,7 +43,7 @@ Closest_result find_closest(const Scene& scene, const Options& options)
 // Returns nothing if the name is empty.
 std::unique_ptr<Output_file> open_output(const std::string& name, const Options& options)
 {
-  return name.empty() ? nullptr : std::make_unique<Output_file>(name, options.file);
+  return name.empty() ? nullptr : std::make_unique<Output_file>(name, options.files);
 }
 
 // The most memory that this process ever had, in MiB.

@@ -22,8 +22,8 @@ bool is_keyword(std::string word)
 
 } // namespace
 
-Off_reader::Off_reader(const Options& options)
-  : lines_(options.file)
+Off_reader::Off_reader(const Input& input, const Options& options)
+  : lines_(input)
 {
   dimension = options.dimension == 0 ? 3 : options.dimension;
   read_head();

@@ -6,6 +6,7 @@
 #ifndef NEAR_PAIRS_OFF_READER_H
 #define NEAR_PAIRS_OFF_READER_H
 
+#include "input.h"
 #include "row_reader.h"
 
 namespace near_pairs {
@@ -19,7 +20,7 @@ namespace near_pairs {
 class Off_reader : public Row_reader
 {
 public:
-  explicit Off_reader(const Options& options);
+  Off_reader(const Input& input, const Options& options);
 
   bool next(Row& row) override;
 

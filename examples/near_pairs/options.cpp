@@ -14,6 +14,8 @@
 
 #include <boost/program_options.hpp>
 
+#include <algorithm>
+#include <cctype>
 #include <sstream>
 
 namespace near_pairs {
@@ -36,9 +38,17 @@ void add_scene_options(po::options_description& all, Options& options)
   points.add_options()
     ("dimension", po::value<int>(&options.dimension)->value_name("2|3"),
      "use this many coordinates (default: all that the file has)")
+    ("format", po::value<std::string>(&options.format)->value_name("NAME"),
+     "csv (any table), xyz, off, ply, obj, pdb or tsp (default: by the name of the file)")
+    ("separator", po::value<std::string>()->value_name("CHAR"),
+     "of the columns of a table: a character, or tab or blanks (default: found)")
+    ("no-header", po::bool_switch(&options.no_header),
+     "the first row of a table is a point (default: if it has numbers for coordinates)")
     ("columns", po::value<std::string>()->value_name("A,B[,C]"),
-     "CSV columns of the coordinates, by name or by number from 1 (default: x,y[,z], else lat* and "
+     "columns of the coordinates, by name or by number from 1 (default: x,y[,z], else lat* and "
      "lon*); with --geographic latitude,longitude")
+    ("id", po::value<std::string>(&options.id)->value_name("COLUMN"),
+     "column of the names of points (default: id)")
     ("geographic", po::bool_switch(&options.geographic),
      "latitude and longitude in degrees are put on a sphere of radius 6371008.8 m; the distance is "
      "the straight chord in meters")
@@ -137,6 +147,26 @@ void check_choices(const po::variables_map& map, const Options& options)
 #endif
 }
 
+// A name of a format is an extension, with or without its point.
+void read_format(Options& options)
+{
+  std::string& format = options.format;
+  format.erase(0, format.find_first_not_of('.'));
+  std::transform(format.begin(), format.end(), format.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+}
+
+void read_separator(const po::variables_map& map, Options& options)
+{
+  if(!map.count("separator"))
+    return;
+  const std::string text = map["separator"].as<std::string>();
+  options.separator = text == "tab" || text == "\\t" ? '\t'
+                      : text == "blanks" ? ' ' : text.size() == 1 ? text.front() : '"';
+  if(options.separator == '"' || options.separator == '\n')
+    throw Error("--separator: '" + text + "' is no single character, and neither tab nor blanks");
+}
+
 void check_outputs(const po::variables_map& map, const Options& options)
 {
   if((map.count("pairs") && options.pairs.empty()) ||
@@ -162,8 +192,10 @@ Options parse_and_check(int argc, const char* const* argv)
     return options;
   if(!map.count("file") || map["file"].as<std::vector<std::string>>().size() != 1)
     throw Error("give one input file (--help lists the options)");
-  options.file = map["file"].as<std::vector<std::string>>().front();
+  options.files = map["file"].as<std::vector<std::string>>();
   read_distance(map, options);
+  read_format(options);
+  read_separator(map, options);
   check_choices(map, options);
   check_outputs(map, options);
   read_columns(map, options);
@@ -190,8 +222,9 @@ std::string help_text()
   add_search_options(visible, ignored);
   std::ostringstream text;
   text << "near_pairs [options] FILE\n"
-          "reports every pair of points of FILE (.csv, .xyz, .off, .ply, .tsp) within a distance,\n"
-          "or the closest one.\n"
+          "reports every pair of points of FILE within a distance, or the closest one.\n"
+          "FILE is a table (.csv, .tsv, .txt), .xyz, .off, .ply, .obj, .pdb or .tsp, also .gz,\n"
+          "or - for the standard input.\n"
        << visible << "\nExit status: 0, or 2 with one line on the standard error; "
           "a broken pipe ends the\nprogram by its signal.\n";
   return text.str();

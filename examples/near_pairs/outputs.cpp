@@ -31,7 +31,7 @@ std::string csv_field(const std::string& text)
 
 } // namespace
 
-Output_file::Output_file(const std::string& file, const std::string& input)
+Output_file::Output_file(const std::string& file, const std::vector<std::string>& inputs)
   : name_(file)
 {
   std::error_code ignored;
@@ -39,8 +39,9 @@ Output_file::Output_file(const std::string& file, const std::string& input)
     return;
   if(fs::is_directory(file, ignored))
     throw Error(file, "is a directory");
-  if(fs::equivalent(file, input, ignored))
-    throw Error(file, "is the input file");
+  for(const std::string& input : inputs)
+    if(fs::equivalent(file, input, ignored))
+      throw Error(file, "is the input file");
   target_ = fs::weakly_canonical(file, ignored); // a link stays one: its target is replaced
   if(target_.empty())
     target_ = file;

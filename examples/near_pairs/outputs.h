@@ -13,6 +13,7 @@
 #include <fstream>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace near_pairs {
 
@@ -21,8 +22,8 @@ namespace near_pairs {
 class Output_file
 {
 public:
-  // Throws Error if the file cannot be written, or if it is the input file.
-  Output_file(const std::string& file, const std::string& input);
+  // Throws Error if the file cannot be written, or if it is an input file.
+  Output_file(const std::string& file, const std::vector<std::string>& inputs);
   Output_file(const Output_file&) = delete;
   Output_file& operator=(const Output_file&) = delete;
   ~Output_file();

@@ -40,13 +40,21 @@ Position position_of(const Scene& scene, std::size_t i, bool geographic)
   return {std::atan2(y, x) / degree, std::atan2(z, std::hypot(x, y)) / degree};
 }
 
+std::string names_of(const std::vector<std::string>& files)
+{
+  std::string names;
+  for(const std::string& file : files)
+    names += (names.empty() ? "" : " and ") + std::filesystem::path(file).filename().string();
+  return names;
+}
+
 } // namespace
 
 Picture::Picture(const Scene& scene, const Options& options, const std::string& distance)
-  : title_(shortened("Pairs of points of "
-                     + std::filesystem::path(options.file).filename().string(), longest_title)),
-    caption_("distance " + shortened(distance, longest_distance)), unit_(scene.unit), geographic_(options.geographic),
-    reach_(CGAL::to_double(options.distance)), units_per_position_(1)
+  : title_(shortened("Pairs of points of " + names_of(options.files), longest_title)),
+    caption_("distance " + shortened(distance, longest_distance)), unit_(scene.unit),
+    geographic_(options.geographic), reach_(CGAL::to_double(options.distance)),
+    units_per_position_(1)
 {
   if(options.squared)
     reach_ = std::sqrt(reach_);

@@ -55,12 +55,12 @@ std::string text_of(double value)
 
 } // namespace
 
-Ply_reader::Ply_reader(const Options& options)
-  : lines_(options.file)
+Ply_reader::Ply_reader(const Input& input, const Options& options)
+  : lines_(input)
 {
   read_header();
   if(options.decimal && format_ != Format::ASCII)
-    throw Error(options.file, "--decimal needs coordinates as text, and this file is binary");
+    throw Error(input.name(), "--decimal needs coordinates as text, and this file is binary");
   skip_to_vertices();
   choose_coordinates(options.dimension);
 }

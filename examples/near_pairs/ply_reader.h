@@ -6,6 +6,7 @@
 #ifndef NEAR_PAIRS_PLY_READER_H
 #define NEAR_PAIRS_PLY_READER_H
 
+#include "input.h"
 #include "row_reader.h"
 
 namespace near_pairs {
@@ -34,7 +35,7 @@ struct Ply_element
 class Ply_reader : public Row_reader
 {
 public:
-  explicit Ply_reader(const Options& options);
+  Ply_reader(const Input& input, const Options& options);
 
   bool next(Row& row) override;
 

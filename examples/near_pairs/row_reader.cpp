@@ -9,15 +9,16 @@
 #include "csv_reader.h"
 #include "decimal.h"
 #include "error.h"
+#include "obj_reader.h"
 #include "off_reader.h"
+#include "pdb_reader.h"
 #include "ply_reader.h"
 
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
+#include <initializer_list>
 
 namespace near_pairs {
 namespace {
@@ -26,8 +27,8 @@ namespace {
 class Xyz_reader : public Row_reader
 {
 public:
-  explicit Xyz_reader(const Options& options)
-    : lines_(options.file)
+  Xyz_reader(const Input& input, const Options& options)
+    : lines_(input)
   {
     dimension = options.dimension == 0 ? 3 : options.dimension;
   }
@@ -57,15 +58,15 @@ private:
 class Tsp_reader : public Row_reader
 {
 public:
-  explicit Tsp_reader(const Options& options)
-    : lines_(options.file)
+  Tsp_reader(const Input& input, const Options& options)
+    : lines_(input)
   {
     read_head();
     more_ = lines_.next(line_);
     const std::size_t in_file = std::max<std::size_t>(words(line_, 5).size(), 1) - 1;
     dimension = in_file == 3 ? 3 : 2;
     if(options.dimension > dimension)
-      throw Error(options.file, lines_.number(), "the nodes have no third coordinate");
+      throw Error(input.name(), lines_.number(), "the nodes have no third coordinate");
     words_per_node_ = 1 + dimension;
     if(options.dimension != 0)
       dimension = options.dimension;
@@ -123,62 +124,71 @@ private:
   std::size_t promised_ = 0; // 0: the head does not say
 };
 
+std::string format_of(const Input& input, const Options& options)
+{
+  if(!options.format.empty())
+    return options.format;
+  if(input.name() == "-")
+    return "csv";
+  std::filesystem::path name = input.name();
+  if(extension(name.string()) == ".gz")
+    name.replace_extension();
+  const std::string format = extension(name.string());
+  return format.substr(format.empty() ? 0 : 1);
+}
+
+// The option of these that only tables have, or an empty text.
+std::string option_for_tables(const Options& options)
+{
+  return options.geographic ? "--geographic"
+         : !options.columns.empty() ? "--columns"
+         : !options.id.empty() ? "--id"
+         : options.no_header ? "--no-header"
+         : options.separator != 0 ? "--separator" : "";
+}
+
+// Returns nothing if the format is unknown.
+std::unique_ptr<Row_reader> reader_of(const std::string& format, const Input& input,
+                                      const Options& options)
+{
+  if(format == "xyz")
+    return std::make_unique<Xyz_reader>(input, options);
+  if(format == "tsp")
+    return std::make_unique<Tsp_reader>(input, options);
+  if(format == "off")
+    return std::make_unique<Off_reader>(input, options);
+  if(format == "ply")
+    return std::make_unique<Ply_reader>(input, options);
+  if(format == "obj")
+    return std::make_unique<Obj_reader>(input, options);
+  if(format == "pdb" || format == "ent")
+    return std::make_unique<Pdb_reader>(input, options);
+  return nullptr;
+}
+
+// What to do with files that other programs read: Debian 12 has no library for LAS and LAZ.
+std::string advice_on(const std::string& format)
+{
+  return format == "las" || format == "laz" ? " ('pdal translate' makes a .csv file of this one)"
+                                            : "";
+}
+
 } // namespace
 
-Lines::Lines(const std::string& file)
-  : file_(file), stream_(file, std::ios::binary)
+std::unique_ptr<Row_reader> open_rows(const Input& input, const Options& options)
 {
-  if(std::filesystem::is_directory(file))
-    throw Error(file, "is a directory");
-  if(!stream_)
-    throw Error(file, std::strerror(errno));
-}
-
-bool Lines::next(std::string& line)
-{
-  if(!std::getline(stream_, line)) {
-    if(stream_.bad())
-      throw Error(file_, "cannot be read to its end");
-    return false;
-  }
-  ++number_;
-  const std::string mark = "\xEF\xBB\xBF"; // some programs begin UTF-8 files with it
-  if(number_ == 1 && line.compare(0, mark.size(), mark) == 0)
-    line.erase(0, mark.size());
-  if(!line.empty() && line.back() == '\r')
-    line.pop_back();
-  return true;
-}
-
-bool Lines::read_bytes(std::string& bytes, std::size_t count)
-{
-  bytes.resize(count);
-  return bool(stream_.read(bytes.data(), static_cast<std::streamsize>(count)));
-}
-
-bool Lines::skip_bytes(std::size_t count)
-{
-  stream_.ignore(static_cast<std::streamsize>(count));
-  return static_cast<std::size_t>(stream_.gcount()) == count;
-}
-
-std::unique_ptr<Row_reader> open_rows(const Options& options)
-{
-  const std::string format = extension(options.file);
-  if(format == ".csv")
-    return std::make_unique<Csv_reader>(options);
-  if(options.geographic || !options.columns.empty())
-    throw Error(options.file, std::string(options.geographic ? "--geographic" : "--columns")
-                + " needs a .csv file");
-  if(format == ".xyz")
-    return std::make_unique<Xyz_reader>(options);
-  if(format == ".tsp")
-    return std::make_unique<Tsp_reader>(options);
-  if(format == ".off")
-    return std::make_unique<Off_reader>(options);
-  if(format == ".ply")
-    return std::make_unique<Ply_reader>(options);
-  throw Error(options.file, "unknown format (known are .csv, .xyz, .off, .ply and .tsp)");
+  const std::string format = format_of(input, options);
+  const std::initializer_list<const char*> tables = {"csv", "tsv", "txt", "dat"};
+  if(std::find(tables.begin(), tables.end(), format) != tables.end())
+    return std::make_unique<Csv_reader>(input, options);
+  const std::string option = option_for_tables(options);
+  auto reader = reader_of(format, input, options);
+  if(!reader)
+    throw Error(input.name(), "unknown format; name one of csv (for any table), xyz, off, ply, "
+                "obj, pdb and tsp by --format" + advice_on(format));
+  if(!option.empty())
+    throw Error(input.name(), option + " needs a table, such as a .csv file");
+  return reader;
 }
 
 std::string extension(const std::string& file)

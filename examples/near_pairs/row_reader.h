@@ -1,17 +1,17 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Text files of points, one row at a time: where the numbers of each point stand, as text, and on
+// Files of points, one row at a time: where the numbers of each point stand, as text, and on
 // which line. What the text means is left to point_file.cpp.
 
 #ifndef NEAR_PAIRS_ROW_READER_H
 #define NEAR_PAIRS_ROW_READER_H
 
+#include "input.h"
 #include "options.h"
 
 #include <array>
 #include <cstddef>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -44,30 +44,9 @@ public:
   bool has_ids = false;
 };
 
-// The lines of a file, with their numbers and without line ends.
-class Lines
-{
-public:
-  explicit Lines(const std::string& file);
-
-  bool next(std::string& line);
-
-  // What follows the last line, as bytes. They return whether the file has so many.
-  bool read_bytes(std::string& bytes, std::size_t count);
-  bool skip_bytes(std::size_t count);
-
-  std::size_t number() const { return number_; }
-  const std::string& file() const { return file_; }
-
-private:
-  std::string file_;
-  std::ifstream stream_;
-  std::size_t number_ = 0;
-};
-
-// Opens options.file by its extension: .csv, .xyz, .tsp, .off or .ply.
+// Reads the input by options.format or, if that is empty, by its extension.
 // With --geographic the coordinates of a row are latitude and longitude, in this order.
-std::unique_ptr<Row_reader> open_rows(const Options& options);
+std::unique_ptr<Row_reader> open_rows(const Input& input, const Options& options);
 
 // The extension of a file name, in lower case, with its point.
 std::string extension(const std::string& file);

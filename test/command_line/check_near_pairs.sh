@@ -153,6 +153,105 @@ expect_pairs "in the plane it does not" 3 quoted.csv --distance 2 --dimension 2
 expect_pairs "columns by number" 1 quoted.csv --distance 1 --columns 2,4
 expect_pairs "columns by name, in upper case" 1 quoted.csv --distance 1 --columns Y,Z
 
+# ---------------------------------------------------------------- tables, pipes and other formats
+
+# The program must end well, with this number of points and pairs.
+expect_scene() { # NAME POINTS PAIRS ARGUMENT...
+  local name=$1 points=$2 pairs=$3
+  shift 3
+  run "$@"
+  verdict "$name: $points points, $pairs pairs" \
+          test "$status $(summary points) $(summary pairs)" = "0 $points $pairs"
+}
+
+printf 'x;y\n0;0\n1;0\n' > semicolons.csv
+printf '"a;b";x;y\n1,5;0;0\n2,5;1;0\n' > quoted_semicolon.csv
+printf 'note\tx\ty\n\t0\t0\na b, c; d\t1\t0\n' > tabs.tsv
+printf '  x   "y"\n 0 0\n\t1 \t "0" \n' > blanks.txt
+printf 'x|y\n0|0\n1|0\n' > bars.csv
+printf '# made by hand\nx,y\n# the rest\n0,0\n\n  # is near\n1,0\n' > comments.csv
+printf '# by hand\n# id x y\n7 0 0\n8 1 0\n' > comment_header.txt
+printf '# two near points\n0 0 0\n1 0 0\n' > comment_words.txt
+printf '0,0\n1,0\n5,5\n' > bare.csv
+printf 'a,0,0\nb,1,0\nc,5,5\n' > bare_names.csv
+printf 'id,2019,2020\na,0,0\nb,1,0\n' > years.csv
+printf '7,0,0,1\n8,1,0,1\n' > four.csv
+printf 'v 0 0\n' > short.obj
+printf 'ATOM      1  N   THR A   1      17.047 -14.099   3.62' > short.pdb
+printf 'ATOM      1  N   THR A   1      17.047-114.O99   3.625' > word.pdb
+printf 'LASF' > cloud.laz
+printf 'flat,re_lat,re_lon,longer\n1,0,0,1\n1,0,1,9\n' > words.csv
+printf '# mesh\nvn 0 0 1\nv 0 0 0\nv\t0.5 0 0 1.0 9 9\nv 5 5 5\nvt 0 0\nf 1 2 3\n' > points.obj
+{ printf 'HEADER    TWO MODELS\n'
+  for model in 1 2; do
+    printf 'MODEL     %4d\n' $model
+    printf 'ATOM      1  N   THR A   1      17.047-114.099   3.625  1.00 13.79           N\n'
+    printf 'HETATM99999  CA  THR A   1      17.047-114.099   4.125\nTER\nENDMDL\n'
+  done; } > points.pdb
+
+expect_scene "semicolons" 2 1 semicolons.csv --distance 1
+expect_scene "  more than decimal commas" 2 1 quoted_semicolon.csv --distance 1
+expect_scene "tabs, and an empty field" 2 1 tabs.tsv --distance 1
+expect_scene "blanks" 2 1 blanks.txt --distance 1
+expect_scene "a separator of one's own" 2 1 bars.csv --distance 1 --separator '|'
+expect_scene "  and one that is given" 2 1 tabs.tsv --distance 1 --separator tab
+expect_scene "comments" 2 1 comments.csv --distance 1
+expect_scene "no header" 3 1 bare.csv --distance 1
+expect_scene "  and columns by number" 3 1 bare.csv --distance 1 --columns 2,1
+expect_scene "  which leave a name out" 3 1 bare_names.csv --distance 1 --columns 2,3
+expect_scene "  and it is said" 3 1 bare_names.csv --distance 1 --columns 2,3 --no-header
+expect_scene "a header of numbers" 2 1 years.csv --distance 1 --columns 2019,2020
+expect_scene "a comment as the header" 2 1 comment_header.txt --distance 1
+verdict "  has the names of the points" test "$(run comment_header.txt --closest; summary 'closest pair')" \
+        = "0 1, 7 and 8"
+expect_scene "a comment of as many words" 2 1 comment_words.txt --distance 1
+expect_scene "coordinates of the first columns" 2 0 four.csv --distance 0.5 --dimension 2
+expect_scene "degrees in later words" 2 1 words.csv --distance 1
+run bare_names.csv --distance 1 --columns 2,3 --id 1 --pairs pairs.csv
+printf 'i,j,id_i,id_j,distance\n0,1,a,b,1\n' > expected
+verdict "a column of names" cmp -s pairs.csv expected
+expect_scene ".obj" 3 1 points.obj --distance 0.5
+expect_scene ".pdb, one model" 2 1 points.pdb --distance 0.5
+run points.pdb --closest
+verdict "  with serial numbers" test "$(summary 'closest pair')" = "0 1, 1 and 99999"
+
+expect_scene "the standard input" 100 99 - --decimal --distance 0.1 < ties.csv
+expect_scene "  in another format" 3 1 - --format .XYZ --distance 0.5 < points.xyz
+expect_scene "a pipe, read twice" 100 99 <(cat ties.csv) --format csv --decimal --distance 0.1
+gzip -c ties.csv > ties.csv.gz
+{ gzip -c < ties.csv; echo 100,0 | gzip -c; } > two.csv.gz
+head -c -20 ties.csv.gz > cut.csv.gz
+head -c 5 ties.csv.gz > head.csv.gz
+{ head -c -8 ties.csv.gz; head -c 8 /dev/zero; } > damaged.csv.gz
+cp ties.csv plain.csv.gz
+expect_scene "compressed" 100 99 ties.csv.gz --decimal --distance 0.1
+expect_scene "  in two members" 101 99 two.csv.gz --decimal --distance 0.1
+expect_scene "  from the standard input" 100 99 - --decimal --distance 0.1 < ties.csv.gz
+expect_scene "  in name only" 100 99 plain.csv.gz --decimal --distance 0.1
+for file in cut damaged head; do
+  expect_error "compressed, $file" "$file.csv.gz: cannot be read to its end" $file.csv.gz --distance 1
+done
+expect_error "an empty standard input" "-: is empty" - --distance 1 < /dev/null
+expect_error "a point that is no header" "with --no-header if this is a point" bare_names.csv --distance 1
+expect_error "four fields and no header" "four.csv:1: no header, and 4 fields" four.csv --distance 1
+expect_error "no such column without a header" "no column '3' among 1 to 2" bare.csv --columns 1,3 --no-header --distance 1
+expect_error "a long separator" "--separator: '::'" bare.csv --separator :: --distance 1
+expect_error "an option for tables" "--id needs a table" points.obj --id 1 --distance 1
+expect_error "short vertex" "short.obj:1: 2 numbers" short.obj --distance 1
+expect_error "short atom" "short.pdb:1: the line of an atom ends" short.pdb --distance 1
+expect_error "no number in .pdb" "word.pdb:1: y: '-114.O99'" word.pdb --distance 1
+expect_error "points from a laser" "'pdal translate' makes a .csv" cloud.laz --distance 1
+expect_error "a format that nobody knows" "unknown format" ties.csv --format xls --distance 1
+
+# The table of the README has the number of points of each file.
+for file in "$data"/*; do
+  name=$(basename "$file")
+  [ "$name" = README.md ] && continue
+  points=$(awk -F '|' -v name="\`$name\`" '$2 ~ name { gsub(/[ ,]/, "", $5); print $5 }' "$data/README.md")
+  run "$file" --distance 0.001
+  verdict "$name is read as it is" test "$status $(summary points)" = "0 $points"
+done
+
 # ---------------------------------------------------------------- the closest pair
 
 # The program must end well, with this pair at this squared distance.
@@ -276,11 +375,12 @@ printf 'NODE_COORD_SECTION\n1 0 0\n2 zero 0\nEOF\n' > word.tsp
 printf 'DIMENSION: 3\nNODE_COORD_SECTION\n1 0 0\n2 1 0\n' > cut.tsp
 printf 'TYPE : TSP\n' > head.tsp
 printf '' > nothing.csv
+printf '' > names.doc
 mkdir directory.csv
 
 expect_error "missing file" "missing.csv: No such file" missing.csv --distance 1
 expect_error "a directory" "directory.csv: is a directory" directory.csv --distance 1
-expect_error "unknown format" "names.txt: unknown format" names.txt --distance 1
+expect_error "unknown format" "names.doc: unknown format" names.doc --distance 1
 expect_error "no header" "nothing.csv: is empty" nothing.csv --distance 1
 expect_error "no number" "word.csv:3: y: 'oops'" word.csv --distance 1
 expect_error "no number, as decimals" "word.csv:3: y: 'oops'" word.csv --distance 1 --decimal

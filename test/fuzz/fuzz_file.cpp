@@ -47,21 +47,21 @@ void require(bool condition)
     std::abort();
 }
 
-void check(const near_pairs::Scene& scene, std::size_t bytes)
+void check(const near_pairs::Scene& scene, std::size_t most_points)
 {
   require(scene.dimension == 2 || scene.dimension == 3);
   require(scene.doubles.empty() || scene.exact.empty());
   require((scene.doubles.size() + scene.exact.size()) % scene.dimension == 0);
-  require(scene.size() <= bytes);
+  require(scene.size() <= most_points);
   require(scene.ids.empty() || scene.ids.size() == scene.size());
   require(std::all_of(scene.doubles.begin(), scene.doubles.end(),
                       [](double coordinate) { return std::isfinite(coordinate); }));
 }
 
-void read(const near_pairs::Options& options, std::size_t bytes)
+void read(const near_pairs::Options& options, std::size_t most_points)
 {
   try {
-    check(near_pairs::read_scene(options), bytes);
+    check(near_pairs::read_scene(options), most_points);
   }
   catch(const near_pairs::Error&) {
   }
@@ -73,21 +73,27 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 {
   static const Temporary_file file;
   file.fill(data, size);
+  const bool is_compressed = size > 1 && data[0] == 0x1F && data[1] == 0x8B;
+  const std::size_t most_points = is_compressed ? 1100 * size : size; // deflate makes 1032 of one
   near_pairs::Options options;
-  options.file = file.path();
+  options.files = {file.path()};
   options.closest = true; // so that ids are kept
-  read(options, size);
+  read(options, most_points);
   options.dimension = 2;
-  read(options, size);
+  read(options, most_points);
   options.dimension = 0;
   options.decimal = true;
-  read(options, size);
+  read(options, most_points);
   options.kernel = "exact";
-  read(options, size);
+  read(options, most_points);
   options.decimal = false;
   options.geographic = true;
-  read(options, size);
+  read(options, most_points);
   options.columns = {"2", "1"};
-  read(options, size);
+  read(options, most_points);
+  options.no_header = true;
+  options.separator = ' ';
+  options.id = "1";
+  read(options, most_points);
   return 0;
 }

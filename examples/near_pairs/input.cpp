@@ -1,0 +1,111 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Bytes and lines of an input; see input.h.
+
+#include "input.h"
+
+#include "error.h"
+
+#include <boost/iostreams/device/array.hpp>
+#include <boost/iostreams/device/file.hpp>
+#include <boost/iostreams/filter/gzip.hpp>
+#include <boost/iostreams/filtering_stream.hpp>
+#include <boost/iostreams/stream.hpp>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+namespace near_pairs {
+namespace {
+
+namespace io = boost::iostreams;
+
+std::string all_bytes(std::istream& stream, const std::string& name)
+{
+  std::string bytes(std::istreambuf_iterator<char>(stream), {});
+  if(stream.bad())
+    throw Error(name, "cannot be read to its end");
+  return bytes;
+}
+
+} // namespace
+
+Input::Input(const std::string& name)
+  : name_(name)
+{
+  const std::string magic = "\x1f\x8b"; // of gzip
+  if(name == "-")
+    bytes_ = all_bytes(std::cin, name);
+  else {
+    if(std::filesystem::is_directory(name))
+      throw Error(name, "is a directory");
+    std::ifstream file(name, std::ios::binary);
+    if(!file)
+      throw Error(name, std::strerror(errno));
+    if(std::filesystem::is_regular_file(name)) {
+      std::string begin(magic.size(), '\0');
+      file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+      is_compressed_ = begin == magic;
+      return;
+    }
+    bytes_ = all_bytes(file, name);
+  }
+  is_kept_ = true;
+  is_compressed_ = bytes_.compare(0, magic.size(), magic) == 0;
+}
+
+std::unique_ptr<std::istream> Input::open() const
+{
+  const io::array_source kept(bytes_.data(), bytes_.size());
+  if(is_compressed_) {
+    auto stream = std::make_unique<io::filtering_istream>();
+    stream->push(io::gzip_decompressor());
+    if(is_kept_)
+      stream->push(kept);
+    else
+      stream->push(io::file_source(name_, std::ios::binary));
+    return stream;
+  }
+  if(is_kept_)
+    return std::make_unique<io::stream<io::array_source>>(kept);
+  return std::make_unique<std::ifstream>(name_, std::ios::binary);
+}
+
+Lines::Lines(const Input& input)
+  : file_(input.name()), stream_(input.open())
+{}
+
+bool Lines::next(std::string& line)
+{
+  if(!std::getline(*stream_, line)) {
+    if(stream_->bad())
+      throw Error(file_, "cannot be read to its end");
+    return false;
+  }
+  ++number_;
+  const std::string mark = "\xEF\xBB\xBF"; // some programs begin UTF-8 files with it
+  if(number_ == 1 && line.compare(0, mark.size(), mark) == 0)
+    line.erase(0, mark.size());
+  if(!line.empty() && line.back() == '\r')
+    line.pop_back();
+  return true;
+}
+
+bool Lines::read_bytes(std::string& bytes, std::size_t count)
+{
+  bytes.resize(count);
+  return bool(stream_->read(bytes.data(), static_cast<std::streamsize>(count)));
+}
+
+bool Lines::skip_bytes(std::size_t count)
+{
+  stream_->ignore(static_cast<std::streamsize>(count));
+  return static_cast<std::size_t>(stream_->gcount()) == count;
+}
+
+} // namespace near_pairs

@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Where the bytes of points come from: a file, the standard input or a pipe, compressed or not.
+
+#ifndef NEAR_PAIRS_INPUT_H
+#define NEAR_PAIRS_INPUT_H
+
+#include <cstddef>
+#include <istream>
+#include <memory>
+#include <string>
+
+namespace near_pairs {
+
+class Input
+{
+public:
+  // "-" is the standard input. Throws Error if there is nothing to read from.
+  explicit Input(const std::string& name);
+
+  // The bytes from the first one on, each time; they are decompressed if they begin like a gzip
+  // file. The stream must not outlive this object.
+  std::unique_ptr<std::istream> open() const;
+
+  const std::string& name() const { return name_; }
+
+private:
+  std::string name_;
+  bool is_kept_ = false;
+  bool is_compressed_ = false;
+  std::string bytes_; // what can be read only once, if is_kept_
+};
+
+// The lines of an input, with their numbers and without line ends.
+class Lines
+{
+public:
+  explicit Lines(const Input& input);
+
+  bool next(std::string& line);
+
+  // What follows the last line, as bytes. They return whether the file has so many.
+  bool read_bytes(std::string& bytes, std::size_t count);
+  bool skip_bytes(std::size_t count);
+
+  std::size_t number() const { return number_; }
+  const std::string& file() const { return file_; }
+
+private:
+  std::string file_;
+  std::unique_ptr<std::istream> stream_;
+  std::size_t number_ = 0;
+};
+
+} // namespace near_pairs
+
+#endif // NEAR_PAIRS_INPUT_H

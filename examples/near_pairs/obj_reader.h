@@ -1,0 +1,28 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The vertices of a mesh in the format OBJ.
+
+#ifndef NEAR_PAIRS_OBJ_READER_H
+#define NEAR_PAIRS_OBJ_READER_H
+
+#include "input.h"
+#include "row_reader.h"
+
+namespace near_pairs {
+
+// The first three numbers of each line that begins with the word v. Other lines are not looked at.
+class Obj_reader : public Row_reader
+{
+public:
+  Obj_reader(const Input& input, const Options& options);
+
+  bool next(Row& row) override;
+
+private:
+  Lines lines_;
+};
+
+} // namespace near_pairs
+
+#endif // NEAR_PAIRS_OBJ_READER_H

@@ -1,0 +1,29 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The atoms of a molecule in the format PDB.
+
+#ifndef NEAR_PAIRS_PDB_READER_H
+#define NEAR_PAIRS_PDB_READER_H
+
+#include "input.h"
+#include "row_reader.h"
+
+namespace near_pairs {
+
+// The records ATOM and HETATM, up to the end of the first model. The serial number of an atom is
+// its id. Matrices that make copies of the molecule are not looked at.
+class Pdb_reader : public Row_reader
+{
+public:
+  Pdb_reader(const Input& input, const Options& options);
+
+  bool next(Row& row) override;
+
+private:
+  Lines lines_;
+};
+
+} // namespace near_pairs
+
+#endif // NEAR_PAIRS_PDB_READER_H
