@@ -81,10 +81,18 @@ void print_kernel(std::ostream& out, const Options& options)
   print_name(out, "kernel") << options.kernel << (options.parallel ? ", parallel" : "") << '\n';
 }
 
+void print_points(std::ostream& out, const Scene& scene)
+{
+  print_name(out, "points");
+  if(scene.first_size)
+    out << *scene.first_size << " and ";
+  out << scene.size() - scene.first_size.value_or(0) << '\n';
+}
+
 void print_summary(std::ostream& out, const Scene& scene, const Options& options,
                    const Search_result& result)
 {
-  print_name(out, "points") << scene.size() << '\n';
+  print_points(out, scene);
   print_name(out, "pairs") << result.pairs << '\n';
   if(!options.open)
     print_name(out, "on boundary") << result.on_boundary << '\n';
@@ -98,7 +106,7 @@ void print_summary(std::ostream& out, const Scene& scene, const Options& options
                    const Closest_result& result)
 {
   const auto [i, j] = result.pair;
-  print_name(out, "points") << scene.size() << '\n';
+  print_points(out, scene);
   print_name(out, "closest pair") << i << ' ' << j;
   if(!scene.ids.empty())
     out << ", " << scene.ids[i] << " and " << scene.ids[j];

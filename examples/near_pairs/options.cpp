@@ -95,6 +95,18 @@ po::variables_map parse(int argc, const char* const* argv, const po::options_des
   return map;
 }
 
+void read_files(const po::variables_map& map, Options& options)
+{
+  if(map.count("file"))
+    options.files = map["file"].as<std::vector<std::string>>();
+  if(options.files.empty() || options.files.size() > 2)
+    throw Error("give one or two input files (--help lists the options)");
+  if(options.files.size() == 2 && options.closest)
+    throw Error("--closest is for one file");
+  if(options.files == std::vector<std::string>{"-", "-"})
+    throw Error("the standard input can be read only once");
+}
+
 void read_distance(const po::variables_map& map, Options& options)
 {
   if(map.count("distance") + map.count("squared-distance") + options.closest != 1)
@@ -190,9 +202,7 @@ Options parse_and_check(int argc, const char* const* argv)
   const po::variables_map map = parse(argc, argv, visible);
   if(options.help || options.version)
     return options;
-  if(!map.count("file") || map["file"].as<std::vector<std::string>>().size() != 1)
-    throw Error("give one input file (--help lists the options)");
-  options.files = map["file"].as<std::vector<std::string>>();
+  read_files(map, options);
   read_distance(map, options);
   read_format(options);
   read_separator(map, options);
@@ -221,10 +231,10 @@ std::string help_text()
   add_scene_options(visible, ignored);
   add_search_options(visible, ignored);
   std::ostringstream text;
-  text << "near_pairs [options] FILE\n"
-          "reports every pair of points of FILE within a distance, or the closest one.\n"
-          "FILE is a table (.csv, .tsv, .txt), .xyz, .off, .ply, .obj, .pdb or .tsp, also .gz,\n"
-          "or - for the standard input.\n"
+  text << "near_pairs [options] FILE [FILE]\n"
+          "reports every pair of points of FILE, or with one point of each FILE, within a\n"
+          "distance, or the closest pair. FILE is a table (.csv, .tsv, .txt), .xyz, .off, .ply,\n"
+          ".obj, .pdb or .tsp, also .gz, or - for the standard input.\n"
        << visible << "\nExit status: 0, or 2 with one line on the standard error; "
           "a broken pipe ends the\nprogram by its signal.\n";
   return text.str();

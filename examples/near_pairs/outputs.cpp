@@ -108,7 +108,7 @@ Pair_table::Pair_table(std::ostream& stream, const Scene& scene)
 
 void Pair_table::add(std::size_t i, std::size_t j)
 {
-  stream_ << i << ',' << j << ',';
+  stream_ << scene_.position(i) << ',' << scene_.position(j) << ',';
   if(!scene_.ids.empty())
     stream_ << csv_field(scene_.ids[i]) << ',' << csv_field(scene_.ids[j]) << ',';
   stream_ << scene_.distance(i, j) << '\n';

@@ -42,7 +42,8 @@ private:
   std::ofstream file_;
 };
 
-// CSV of pairs: positions, ids if the scene has them, and the distance rounded for reading.
+// CSV of pairs: positions in their files, ids if the scene has them, and the distance rounded for
+// reading.
 class Pair_table
 {
 public:

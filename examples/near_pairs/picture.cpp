@@ -19,12 +19,12 @@ namespace {
 // Colors of Okabe and Ito, which color-blind people can tell apart too.
 const char* const pair_color = "#D55E00";
 const char* const inset_color = "#0072B2";
-const char* const point_color = "#555555";
+const char* const set_colors[] = {"#555555", "#009E73"};
 
 constexpr double main_left = 96, main_top = 64, main_width = 600, main_height = 520;
 constexpr double least_main_width = 500, legend_width = 330, inset_side = 300, row_height = 24;
 constexpr double title_size = 19;
-constexpr std::size_t longest_title = 60, longest_distance = 40, longest_axis_name = 30; // letters
+constexpr std::size_t longest_names = 56, longest_distance = 40, longest_axis_name = 30; // letters
 constexpr double shortest_line = 6;           // pixels: a shorter pair is a mark
 constexpr std::size_t most_lines = 20000;     // more cannot be told apart anyway
 constexpr std::ptrdiff_t most_inset_points = 250;
@@ -40,21 +40,22 @@ Position position_of(const Scene& scene, std::size_t i, bool geographic)
   return {std::atan2(y, x) / degree, std::atan2(z, std::hypot(x, y)) / degree};
 }
 
-std::string names_of(const std::vector<std::string>& files)
+std::vector<std::string> short_names(const std::vector<std::string>& files)
 {
-  std::string names;
+  std::vector<std::string> names;
   for(const std::string& file : files)
-    names += (names.empty() ? "" : " and ") + std::filesystem::path(file).filename().string();
+    names.push_back(shortened(std::filesystem::path(file).filename().string(),
+                              longest_names / files.size()));
   return names;
 }
 
 } // namespace
 
 Picture::Picture(const Scene& scene, const Options& options, const std::string& distance)
-  : title_(shortened("Pairs of points of " + names_of(options.files), longest_title)),
+  : files_(short_names(options.files)),
     caption_("distance " + shortened(distance, longest_distance)), unit_(scene.unit),
     geographic_(options.geographic), reach_(CGAL::to_double(options.distance)),
-    units_per_position_(1)
+    units_per_position_(1), first_size_(scene.first_size.value_or(scene.size()))
 {
   if(options.squared)
     reach_ = std::sqrt(reach_);
@@ -171,6 +172,12 @@ double Picture::legend_top() const
   return has_inset_ ? inset_.bottom() + 50 : main_top + 10;
 }
 
+std::string Picture::title() const
+{
+  return "Pairs of points of " + files_.front()
+         + (files_.size() == 2 ? " and " + files_.back() : "");
+}
+
 std::string Picture::counts() const
 {
   return "n = " + std::to_string(positions_.size()) + " points, k = " + std::to_string(pairs_)
@@ -186,14 +193,14 @@ bool Picture::is_cut() const
 
 double Picture::right() const
 {
-  const double heading = std::max(text_width(title_, title_size), text_width(counts()));
+  const double heading = std::max(text_width(title(), title_size), text_width(counts()));
   return std::max(legend_left() + legend_width, main_.left + heading);
 }
 
 double Picture::bottom() const
 {
-  const int rows = (has_inset_ ? 4 : 2) + (is_cut() ? 1 : 0);
-  return std::max(main_.bottom() + 56, legend_top() + rows * row_height);
+  const std::size_t rows = files_.size() + (has_inset_ ? 3 : 1) + (is_cut() ? 1 : 0);
+  return std::max(main_.bottom() + 56, legend_top() + row_height * rows);
 }
 
 void Picture::write(std::ostream& svg) const
@@ -204,7 +211,7 @@ void Picture::write(std::ostream& svg) const
       << "<rect width='100%' height='100%' fill='white'/>\n<defs><clipPath id='inset'><rect x='"
       << legend_left() << "' y='" << main_top << "' width='" << inset_side << "' height='"
       << inset_side << "'/></clipPath></defs>\n";
-  write_text(svg, {main_.left, 30}, title_, "font-size='19'");
+  write_text(svg, {main_.left, 30}, title(), "font-size='19'");
   write_text(svg, {main_.left, 51}, counts());
   write_axes(svg, main_, axis_names_[0], axis_names_[1]);
   if(has_inset_) {
@@ -222,11 +229,12 @@ void Picture::write(std::ostream& svg) const
 
 void Picture::write_points(std::ostream& svg, const Panel& panel, double size) const
 {
-  std::set<std::string> places;
-  for(const Position& p : positions_)
-    if(panel.shows(p))
-      places.insert(pixels(panel.place(p)));
-  write_dots(svg, places, point_color, size);
+  std::set<std::string> places[2]; // of the points of each set
+  for(std::size_t i = 0; i < positions_.size(); ++i)
+    if(panel.shows(positions_[i]))
+      places[i < first_size_ ? 0 : 1].insert(pixels(panel.place(positions_[i])));
+  for(std::size_t set = 0; set < files_.size(); ++set)
+    write_dots(svg, places[set], set_colors[set], size);
 }
 
 // A pair across the 180th meridian would run around the map: it is left out.
@@ -264,7 +272,9 @@ void Picture::write_legend(std::ostream& svg) const
     y += row_height;
   };
   const std::string orange = std::string(" stroke='") + pair_color + "'";
-  row(std::string("<circle r='1.6' fill='") + point_color + "'/>", "point");
+  for(std::size_t set = 0; set < files_.size(); ++set)
+    row(std::string("<circle r='1.6' fill='") + set_colors[set] + "'/>",
+        files_.size() == 1 ? "point" : "point of " + files_[set]);
   if(has_inset_)
     row("<path d='M0 0h0' stroke-linecap='round' stroke-width='5'" + orange + "/>",
         "place with at least one pair");

@@ -33,6 +33,7 @@ public:
 private:
   using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
+  std::string title() const;
   std::string counts() const;
   bool is_cut() const;
   double legend_left() const;
@@ -49,12 +50,14 @@ private:
   void write_inset(std::ostream& svg) const;
   void write_legend(std::ostream& svg) const;
 
-  std::string title_, caption_;
+  std::vector<std::string> files_; // their names, shortened
+  std::string caption_;
   std::string axis_names_[2];
   std::string unit_;          // of the scale bar
   bool geographic_;
   double reach_;              // the distance, in the unit of the positions
   double units_per_position_; // of the distance: meters in a degree, or 1
+  std::size_t first_size_;    // points of the first file
   std::vector<Position> positions_;
 
   Panel main_;

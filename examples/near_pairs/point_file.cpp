@@ -71,8 +71,13 @@ public:
   {
     if(options_.decimal)
       scene_.scale = common_scale();
-    for(const Input& input : inputs_)
-      add(input);
+    add(inputs_.front());
+    if(inputs_.size() == 2) {
+      scene_.first_size = scene_.size();
+      add(inputs_.back());
+    }
+    if(!scene_.ids.empty())
+      scene_.ids.resize(scene_.size());
     return std::move(scene_);
   }
 
@@ -93,17 +98,24 @@ private:
   void add(const Input& input)
   {
     const auto reader = open_rows(input, options_);
-    begin(*reader);
+    begin(input, *reader);
     const bool keeps_ids = reader->has_ids && (options_.closest || !options_.pairs.empty());
     for(Row row; reader->next(row); ) {
       add_point({input, *reader, row});
-      if(keeps_ids)
+      if(keeps_ids) {
+        scene_.ids.resize(scene_.size() - 1); // points of a file without ids have empty ones
         scene_.ids.push_back(row.id);
+      }
     }
   }
 
-  void begin(const Row_reader& reader)
+  void begin(const Input& input, const Row_reader& reader)
   {
+    if(scene_.first_size && reader.dimension != inputs_dimension_)
+      throw Error(input.name(), "has " + std::to_string(reader.dimension) + " coordinates, and "
+                  + inputs_.front().name() + " has " + std::to_string(inputs_dimension_)
+                  + "; choose with --dimension or --columns");
+    inputs_dimension_ = reader.dimension;
     scene_.dimension = options_.geographic ? 3 : reader.dimension;
     scene_.names = reader.names;
     scene_.unit = options_.geographic ? "m" : reader.unit;
@@ -169,6 +181,7 @@ private:
 
   const Options& options_;
   std::vector<Input> inputs_;
+  int inputs_dimension_ = 0; // coordinates per row
   Scene scene_;
 };
 

@@ -17,6 +17,11 @@ std::size_t Scene::size() const
   return std::max(doubles.size(), exact.size()) / dimension;
 }
 
+std::size_t Scene::position(std::size_t point) const
+{
+  return first_size && point >= *first_size ? point - *first_size : point;
+}
+
 double Scene::coordinate(std::size_t point, int axis) const
 {
   const std::size_t at = point * dimension + axis;

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,11 +27,17 @@ struct Scene
   std::vector<CGAL::Exact_rational> exact; // in use iff not empty
   int scale = 0;
 
-  std::vector<std::string> ids; // of the points, if pairs are to be named and the file has ids
+  // The points of the first of two files, which come first. Pairs have a point of each file then.
+  std::optional<std::size_t> first_size;
+
+  std::vector<std::string> ids; // of the points, if pairs are to be named and a file has ids
   std::array<std::string, 3> names;
   std::string unit; // of the distance; empty if the file does not tell
 
   std::size_t size() const;
+
+  // Of a point in its file.
+  std::size_t position(std::size_t point) const;
 
   // In the unit of the file, rounded.
   double coordinate(std::size_t point, int axis) const;

@@ -39,7 +39,8 @@ struct Closest_result
 // Set this, also from a signal handler, to end a search early: it then throws Error.
 inline std::atomic<bool> stop_requested = false;
 
-// Receives each pair once, i < j. It is never called by two threads at once.
+// Receives each pair once, i < j, as positions in the scene. It is never called by two threads at
+// once.
 using Pair_sink = std::function<void(std::size_t i, std::size_t j)>;
 
 Search_result search_epick(const Scene& scene, const Search_options& options,

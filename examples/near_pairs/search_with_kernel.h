@@ -11,14 +11,18 @@
 #include "search.h"
 
 #include <CGAL/Distance_bound.h>
+#include <CGAL/Iterator_range.h>
 #include <CGAL/Scene_profile.h>
 #include <CGAL/Thick_point_traits_d.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
 #include <CGAL/tags.h>
 
 #include <chrono>
+#include <cstddef>
 #include <cstdio>
+#include <functional>
 #include <mutex>
+#include <optional>
 #include <sstream>
 #include <type_traits>
 #include <vector>
@@ -68,10 +72,26 @@ inline void show_progress(double done)
   std::fprintf(stderr, "\r%3d %%%s", percent, percent >= 100 ? "\n" : "");
 }
 
+// Searches one set, or two if the first of them has a size.
+template <class ConcurrencyTag, class Point, class Bound, class Callback, class NamedParameters>
+bool report_pairs_by(const std::vector<Point>& points, std::optional<std::size_t> first_size,
+                     const Bound& bound, Callback& callback, CGAL::Scene_profile& profile,
+                     const NamedParameters& parameters)
+{
+  if(!first_size)
+    return CGAL::fixed_radius_near_neighbors<ConcurrencyTag>(points, bound, callback, profile,
+                                                             parameters);
+  const auto middle = points.begin() + static_cast<std::ptrdiff_t>(*first_size);
+  return CGAL::fixed_radius_near_neighbors<ConcurrencyTag>(
+    CGAL::make_range(points.begin(), middle), CGAL::make_range(middle, points.end()), bound,
+    callback, profile, parameters);
+}
+
 // Describes the scene in `profile`. Returns false iff the search was stopped.
-template <class Points, class Bound, class Callback>
-bool report_pairs(const Points& points, const Bound& bound, const Search_options& options,
-                  Callback& callback, CGAL::Scene_profile& profile)
+template <class Point, class Bound, class Callback>
+bool report_pairs(const std::vector<Point>& points, std::optional<std::size_t> first_size,
+                  const Bound& bound, const Search_options& options, Callback& callback,
+                  CGAL::Scene_profile& profile)
 {
   const std::function<bool(double)> go_on = [&](double done) {
     if(options.progress)
@@ -80,14 +100,12 @@ bool report_pairs(const Points& points, const Bound& bound, const Search_options
   };
   const auto parameters = CGAL::parameters::callback(go_on);
 #ifdef CGAL_LINKED_WITH_TBB
-  using CGAL::Parallel_tag;
   if(options.parallel)
-    return CGAL::fixed_radius_near_neighbors<Parallel_tag>(points, bound, callback, profile,
-                                                           parameters);
+    return report_pairs_by<CGAL::Parallel_tag>(points, first_size, bound, callback, profile,
+                                               parameters);
 #endif
-  using CGAL::Sequential_tag;
-  return CGAL::fixed_radius_near_neighbors<Sequential_tag>(points, bound, callback, profile,
-                                                           parameters);
+  return report_pairs_by<CGAL::Sequential_tag>(points, first_size, bound, callback, profile,
+                                               parameters);
 }
 
 template <class Point>
@@ -99,7 +117,8 @@ Search_result search_points(const std::vector<Point>& points, const Scene& scene
   const CGAL::Thick_point_traits_d<Point> strict_traits(bound.open());
   const auto is_closer = strict_traits.do_intersect_d_object();
   std::mutex mutex; // the library may call from several threads
-  auto callback = [&](std::size_t i, std::size_t j) {
+  auto callback = [&, offset = scene.first_size.value_or(0)](std::size_t i, std::size_t j) {
+    j += offset;
     const bool is_on_boundary = !options.open && !is_closer(points[i], points[j]);
     const std::lock_guard<std::mutex> lock(mutex);
     ++result.pairs;
@@ -109,7 +128,7 @@ Search_result search_points(const std::vector<Point>& points, const Scene& scene
 
   CGAL::Scene_profile profile;
   const auto start = std::chrono::steady_clock::now();
-  if(!report_pairs(points, bound, options, callback, profile))
+  if(!report_pairs(points, scene.first_size, bound, options, callback, profile))
     throw Error("stopped");
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 

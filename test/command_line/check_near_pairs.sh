@@ -252,6 +252,36 @@ for file in "$data"/*; do
   verdict "$name is read as it is" test "$status $(summary points)" = "0 $points"
 done
 
+# ---------------------------------------------------------------- two files
+
+printf 'id,x,y\n"a, b",0,0\nc,0.1,0\n' > named.csv
+printf '0 0.3\n0.1 0.003\n0.1 0\n' > plane.txt
+expect_scene "two files" "2 and 3" 4 named.csv plane.txt --distance 0.2
+printf '0,1,"a, b",,0.1000449899\n0,2,"a, b",,0.1\n1,1,c,,0.003\n1,2,c,,0\ni,j,id_i,id_j,distance\n' > expected
+run named.csv plane.txt --distance 0.2 --pairs pairs.csv
+sort pairs.csv > sorted
+verdict "  positions are those of the files" cmp -s sorted expected
+expect_scene "  as decimals, of one scale" "2 and 3" 3 named.csv plane.txt --distance 0.1 --decimal
+expect_boundary 1
+expect_scene "  with exact numbers" "2 and 3" 3 named.csv plane.txt --distance 0.1 --decimal --kernel exact
+expect_scene "  in formats of their own" "3 and 3" 3 points.off points.xyz --distance 0.4
+expect_scene "a file with itself" "3 and 3" 9 equal.csv equal.csv --distance 0
+expect_scene "a file without points" "0 and 3" 0 empty.csv equal.csv --distance 0
+expect_scene "  as the second" "3 and 0" 0 equal.csv empty.csv --distance 0
+expect_scene "  and the standard input" "3 and 3" 9 equal.csv - --distance 0 < equal.csv
+head -n 5001 "$ships" > first_ships.csv
+{ head -n 1 "$ships"; tail -n +5002 "$ships"; } > other_ships.csv
+run first_ships.csv --decimal --distance 0.00069
+within=$(summary pairs)
+run other_ships.csv --decimal --distance 0.00069
+within=$((within + $(summary pairs)))
+expect_pairs "all pairs of ships but those within a file" $((4931 - within)) \
+             first_ships.csv other_ships.csv --decimal --distance 0.00069 --picture picture.svg
+verdict "  the picture has both" grep -q 'point of other_ships.csv' picture.svg
+expect_error "files in the plane and in space" "points.xyz: has 3 coordinates, and ties.csv has 2" ties.csv points.xyz --distance 1
+expect_error "the standard input twice" "can be read only once" - - --distance 1
+expect_error "closest of two files" "--closest is for one file" ties.csv thirds.csv --closest
+
 # ---------------------------------------------------------------- the closest pair
 
 # The program must end well, with this pair at this squared distance.
@@ -419,8 +449,8 @@ expect_error "unknown option" "--distanc" ties.csv --distanc 1
 expect_error "unknown kernel" "--kernel: 'float'" ties.csv --distance 1 --kernel float
 expect_error "dimension 4" "--dimension" ties.csv --distance 1 --dimension 4
 expect_error "dimension is a word" "--dimension" ties.csv --distance 1 --dimension two
-expect_error "two files" "one input file" ties.csv thirds.csv --distance 1
-expect_error "no file" "one input file" --distance 1
+expect_error "three files" "one or two input files" ties.csv thirds.csv ties.csv --distance 1
+expect_error "no file" "one or two input files" --distance 1
 
 run ties.csv --distance 1 --pairs no/such/place.csv
 verdict "unwritable output" is_one_error "no/such/place.csv: "
