@@ -7,6 +7,7 @@
 
 #include "decimal.h"
 #include "error.h"
+#include "hints.h"
 #include "options.h"
 #include "outputs.h"
 #include "picture.h"
@@ -58,9 +59,8 @@ std::string distance_in_words(const Scene& scene, const Options& options)
 {
   std::string words = options.open ? "< " : "\u2264 ";
   words += options.squared ? "sqrt(" + options.distance_text + ")" : options.distance_text;
-  if(!scene.unit.empty())
-    words += " " + scene.unit;
-  return words;
+  const std::string& unit = options.distance_unit.empty() ? scene.unit : options.distance_unit;
+  return words + (unit.empty() ? "" : " ") + unit;
 }
 
 std::ostream& print_name(std::ostream& out, const char* name)
@@ -145,7 +145,9 @@ void run(const Options& options)
   if(picture_file)
     picture.emplace(scene, drawn, distance_in_words(scene, drawn));
 
+  Tie_watch ties(scene, options);
   const auto sink = [&](std::size_t i, std::size_t j) {
+    ties.add_pair(i, j);
     if(table)
       table->add(i, j);
     if(picture)
@@ -173,6 +175,7 @@ void run(const Options& options)
     print_summary(out, scene, options, result);
   }
   finish(out, "the summary");
+  print_hints(std::cerr, scene, options, ties.rounded(result.on_boundary));
 }
 
 } // namespace

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 #include <sstream>
 
 namespace near_pairs {
@@ -28,7 +29,8 @@ void add_scene_options(po::options_description& all, Options& options)
   po::options_description scene("What is near");
   scene.add_options()
     ("distance", po::value<std::string>()->value_name("TEXT"),
-     "report pairs at most this far apart; a decimal or a quotient (0.1, 1e-3, 1/3), taken exactly")
+     "report pairs at most this far apart; a decimal or a quotient (0.1, 1e-3, 1/3), taken "
+     "exactly; with --geographic also with m, km, nmi, mi or ft behind it")
     ("squared-distance", po::value<std::string>()->value_name("TEXT"),
      "the same, given by its square")
     ("open", po::bool_switch(&options.open), "report strictly closer pairs only")
@@ -107,6 +109,37 @@ void read_files(const po::variables_map& map, Options& options)
     throw Error("the standard input can be read only once");
 }
 
+struct Unit
+{
+  const char* name;
+  const char* meters;
+};
+
+const Unit units[] = {{"m", "1"}, {"km", "1000"}, {"nmi", "1852"}, {"mi", "1609.344"},
+                      {"ft", "0.3048"}};
+
+// Reads a number with letters behind it as a length, and separates the two. Returns its meters, or
+// nothing if there is no number.
+std::optional<CGAL::Exact_rational> parse_with_unit(Options& options)
+{
+  const std::string text = options.distance_text;
+  const auto is_letter = [](unsigned char byte) { return std::isalpha(byte) != 0; };
+  const auto end = std::find_if_not(text.rbegin(), text.rend(), is_letter).base();
+  const std::string number(trimmed(text.substr(0, end - text.begin())));
+  const auto value = parse_exact(number);
+  if(!value)
+    return std::nullopt;
+  options.distance_text = number;
+  options.distance_unit.assign(end, text.end());
+  for(const Unit& unit : units)
+    if(options.distance_unit == unit.name) {
+      if(!options.geographic)
+        throw Error("--distance: '" + text + "' has a unit, which is for --geographic");
+      return CGAL::Exact_rational(*value * *parse_exact(unit.meters));
+    }
+  throw Error("--distance: '" + text + "': the unit is none of m, km, nmi, mi and ft");
+}
+
 void read_distance(const po::variables_map& map, Options& options)
 {
   if(map.count("distance") + map.count("squared-distance") + options.closest != 1)
@@ -118,10 +151,13 @@ void read_distance(const po::variables_map& map, Options& options)
   }
   options.squared = map.count("squared-distance") != 0;
   const std::string name = options.squared ? "squared-distance" : "distance";
-  options.distance_text = map[name].as<std::string>();
-  const auto distance = parse_exact(trimmed(options.distance_text));
+  const std::string text = map[name].as<std::string>();
+  options.distance_text = trimmed(text);
+  auto distance = parse_exact(options.distance_text);
+  if(!distance && !options.squared)
+    distance = parse_with_unit(options);
   if(!distance)
-    throw Error("--" + name + ": '" + options.distance_text + "' is no number");
+    throw Error("--" + name + ": '" + text + "' is no number");
   if(*distance < 0)
     throw Error("--" + name + ": " + options.distance_text + " is negative");
   options.distance = *distance;

@@ -18,7 +18,8 @@ struct Options : Search_options
 {
   std::vector<std::string> files; // "-" is the standard input
 
-  std::string distance_text; // as typed
+  std::string distance_text; // as typed, without its unit
+  std::string distance_unit; // as typed; empty: that of the scene
   bool closest = false;      // the closest pair instead; there is no distance then
 
   int dimension = 0; // 0: what the file has

@@ -36,23 +36,27 @@ Error bad_coordinate(const Place& place, int axis)
                text.empty() ? name + " is empty" : name + ": '" + text + "' is no finite number");
 }
 
-double read_double(const Place& place, int axis)
-{
-  const std::string& text = place.row.coordinates[axis];
-  if(!parse_decimal(text))
-    throw bad_coordinate(place, axis);
-  const double value = nearest_double(text);
-  if(!std::isfinite(value))
-    throw bad_coordinate(place, axis);
-  return value;
-}
-
 Decimal read_decimal(const Place& place, int axis)
 {
   const std::optional<Decimal> decimal = parse_decimal(place.row.coordinates[axis]);
   if(!decimal)
     throw bad_coordinate(place, axis);
   return *decimal;
+}
+
+// Of a text that is a decimal.
+double finite_double(const Place& place, int axis)
+{
+  const double value = nearest_double(place.row.coordinates[axis]);
+  if(!std::isfinite(value))
+    throw bad_coordinate(place, axis);
+  return value;
+}
+
+double read_double(const Place& place, int axis)
+{
+  read_decimal(place, axis);
+  return finite_double(place, axis);
 }
 
 class Scene_maker
@@ -130,7 +134,15 @@ private:
         if(options_.decimal)
           add_decimal(place, axis);
         else
-          scene_.doubles.push_back(read_double(place, axis));
+          add_double(place, axis);
+  }
+
+  void add_double(const Place& place, int axis)
+  {
+    const std::size_t short_digits = 15; // more of them may be a double that was printed
+    const Decimal decimal = read_decimal(place, axis);
+    scene_.doubles.push_back(finite_double(place, axis));
+    scene_.has_short_decimals |= decimal.exponent < 0 && decimal.digits.size() <= short_digits;
   }
 
   void add_on_sphere(const Place& place)
@@ -155,13 +167,11 @@ private:
       scene_.doubles.push_back(*value);
       return;
     }
-    // The search of numbers that no double encloses looks at all pairs.
-    const std::string& text = place.row.coordinates[axis];
-    if(!std::isfinite(nearest_double(text)))
-      throw bad_coordinate(place, axis);
+    finite_double(place, axis); // the search of numbers that no double encloses takes all pairs
     if(options_.kernel != "exact")
-      throw Error(place.input.name(), place.row.line, "--decimal: " + text + " times 10^"
-                  + std::to_string(scene_.scale) + " exceeds 53 bits; use --kernel exact");
+      throw Error(place.input.name(), place.row.line, "--decimal: " + place.row.coordinates[axis]
+                  + " times 10^" + std::to_string(scene_.scale)
+                  + " exceeds 53 bits; use --kernel exact");
     if(scene_.exact.empty())
       switch_to_exact();
     scene_.exact.push_back(to_rational(decimal));

@@ -34,6 +34,9 @@ struct Scene
   std::array<std::string, 3> names;
   std::string unit; // of the distance; empty if the file does not tell
 
+  // Whether doubles hold decimals of few digits, perhaps rounded: --decimal would not round them.
+  bool has_short_decimals = false;
+
   std::size_t size() const;
 
   // Of a point in its file.

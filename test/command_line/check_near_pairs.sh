@@ -282,6 +282,46 @@ expect_error "files in the plane and in space" "points.xyz: has 3 coordinates, a
 expect_error "the standard input twice" "can be read only once" - - --distance 1
 expect_error "closest of two files" "--closest is for one file" ties.csv thirds.csv --closest
 
+# ---------------------------------------------------------------- units and hints
+
+printf 'lat,lon\n0,0\n0,0.01\n0,1\n' > equator.csv
+for distance in 1200m 1.2km '1.2 km' 0.65nmi 0.7mi 3937.1ft 6/5km 1200; do
+  expect_pairs "a distance of $distance" 1 equator.csv --geographic --distance "$distance"
+done
+run equator.csv --geographic --distance 1.2km
+verdict "  is printed with its unit" test "$(summary distance)" = "$(printf '\xe2\x89\xa4') 1.2 km"
+for distance in 1111m 1.111km 0.6nmi 0.69mi 3648ft; do
+  expect_pairs "a distance of $distance" 0 equator.csv --geographic --distance "$distance"
+done
+expect_error "a unit on the plane" "'5 m' has a unit, which is for --geographic" ties.csv --distance "5 m"
+expect_error "an unknown unit" "the unit is none of m, km, nmi, mi and ft" equator.csv --geographic --distance 5cm
+expect_error "a unit of an area" "'5m' is no number" equator.csv --geographic --squared-distance 5m
+expect_error "less than no meters" "is negative" equator.csv --geographic --distance -1km
+
+has_hints() { # COUNT
+  [ "$status" -eq 0 ] && [ "$(grep -c '^near_pairs: hint: ' err)" -eq "$1" ] &&
+    [ "$(wc -l < err)" -eq "$1" ]
+}
+run equator.csv --distance 1
+verdict "degrees in the plane make a hint" has_hints 1
+verdict "  to measure meters" grep -q -- '--geographic' err
+run equator.csv --distance 1 --decimal
+verdict "  unless they are meant" has_hints 0
+run equator.csv --distance 1 --geographic
+verdict "  or on the sphere" has_hints 0
+run ties.csv --distance 0.1
+verdict "ties that rounding takes apart make a hint" has_hints 1
+verdict "  to take decimals" grep -q -- '--decimal' err
+run ties.csv --squared-distance 0.01 --open
+verdict "  also if they are open" has_hints 1
+run ties.csv --distance 0.1 --decimal
+verdict "  unless decimals are taken" has_hints 0
+run ties.csv --distance 0.15
+verdict "  or there are no ties" has_hints 0
+printf 'x,y\n0.5,0\n1,0\n1.5,0\n' > halves.csv
+run halves.csv --distance 0.5
+verdict "  or doubles see all of them" has_hints 0
+
 # ---------------------------------------------------------------- the closest pair
 
 # The program must end well, with this pair at this squared distance.

@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Hints; see hints.h.
+
+#include "hints.h"
+
+#include <CGAL/number_utils.h> // to_double
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace near_pairs {
+
+Tie_watch::Tie_watch(const Scene& scene, const Options& options)
+  : scene_(scene), is_on_(scene.has_short_decimals && !options.closest),
+    reach_(CGAL::to_double(options.distance))
+{
+  if(options.squared)
+    reach_ = std::sqrt(reach_);
+}
+
+// Coordinates are rounded by half a unit in the last place, so a distance of up to three dimensions
+// is wrong by less than two units of the largest one; the distance itself is rounded here, too.
+void Tie_watch::add_pair(std::size_t i, std::size_t j)
+{
+  if(!is_on_)
+    return;
+  const double* const a = scene_.doubles.data() + i * scene_.dimension;
+  const double* const b = scene_.doubles.data() + j * scene_.dimension;
+  double squared = 0, largest = reach_;
+  for(int axis = 0; axis < scene_.dimension; ++axis) {
+    squared += (a[axis] - b[axis]) * (a[axis] - b[axis]);
+    largest = std::max({largest, std::abs(a[axis]), std::abs(b[axis])});
+  }
+  const double error = 4 * std::numeric_limits<double>::epsilon() * largest;
+  count_ += std::abs(std::sqrt(squared) - reach_) <= error;
+}
+
+void print_hints(std::ostream& out, const Scene& scene, const Options& options,
+                 std::size_t rounded_ties)
+{
+  if(scene.unit == "deg" && !options.decimal)
+    out << "near_pairs: hint: degrees are taken as numbers in the plane; --geographic puts them on "
+           "a sphere and measures meters\n";
+  if(rounded_ties != 0)
+    out << "near_pairs: hint: pairs are at the distance but for rounding to doubles ("
+        << rounded_ties << " of those found), and others may be missing; --decimal takes decimals "
+           "exactly\n";
+}
+
+} // namespace near_pairs
