@@ -7,13 +7,16 @@
 
 #include "decimal.h"
 #include "error.h"
+#include "groups.h"
 #include "hints.h"
 #include "options.h"
 #include "outputs.h"
 #include "picture.h"
 #include "point_file.h"
+#include "row_reader.h"
 #include "search.h"
 #include "standard_streams.h"
+#include "tables.h"
 
 #include <sys/resource.h>
 
@@ -128,54 +131,123 @@ Options options_at(const CGAL::Exact_rational& squared_distance, Options options
   return options;
 }
 
+// The outputs besides the summary. Their files are opened before the search, so that an error does
+// not come after it.
+class Outputs
+{
+public:
+  Outputs(const Options& options, const Scene& scene)
+    : options_(options), scene_(scene), pairs_file_(open_output(options.pairs, options)),
+      points_file_(open_output(options.points, options)),
+      picture_file_(open_output(options.picture, options))
+  {
+    check_map(options.pairs, scene);
+    check_map(options.points, scene);
+  }
+
+  // `drawn` has the distance that the picture is about.
+  void begin(const Options& drawn)
+  {
+    if(pairs_file_)
+      pairs_ = make_pair_writer(options_.pairs, pairs_file_->stream(), scene_,
+                                options_.coordinates);
+    if(picture_file_)
+      picture_.emplace(scene_, drawn, distance_in_words(scene_, drawn));
+    if(points_file_ || options_.components)
+      groups_.emplace(scene_.size());
+  }
+
+  void add_pair(std::size_t i, std::size_t j)
+  {
+    if(pairs_)
+      pairs_->add(i, j);
+    if(picture_)
+      picture_->add_pair(i, j);
+    if(groups_)
+      groups_->add_pair(i, j);
+  }
+
+  void finish()
+  {
+    if(groups_)
+      groups_->finish();
+    if(picture_ && options_.components)
+      picture_->color_by(*groups_);
+    if(picture_)
+      picture_->write(picture_file_->stream());
+    if(points_file_)
+      write_points(options_.points, points_file_->stream(), scene_, *groups_,
+                   options_.coordinates);
+    if(pairs_)
+      pairs_->finish();
+    for(const auto& file : {picture_file_.get(), points_file_.get(), pairs_file_.get()})
+      if(file)
+        file->commit();
+  }
+
+  void print_components(std::ostream& out) const
+  {
+    if(groups_)
+      print_name(out, "components") << groups_->number_of_components() << ", the largest of "
+                                    << plural(groups_->points_of_largest(), "point") << '\n';
+  }
+
+  // The summary makes way if an output is written to the standard output.
+  std::ostream& summary() const
+  {
+    const bool is_taken
+      = options_.pairs == "-" || options_.points == "-" || options_.picture == "-";
+    return is_taken ? std::cerr : std::cout;
+  }
+
+private:
+  const Options& options_;
+  const Scene& scene_;
+  std::unique_ptr<Output_file> pairs_file_, points_file_, picture_file_;
+  std::unique_ptr<Pair_writer> pairs_;
+  std::optional<Picture> picture_;
+  std::optional<Groups> groups_;
+};
+
+void run_closest(const Options& options, const Scene& scene, Outputs& outputs)
+{
+  const Closest_result closest = find_closest(scene, options);
+  outputs.begin(options_at(closest.squared_distance, options));
+  outputs.add_pair(closest.pair.first, closest.pair.second);
+  outputs.finish();
+  std::ostream& out = outputs.summary();
+  print_summary(out, scene, options, closest);
+  finish(out, "the summary");
+  print_hints(std::cerr, scene, options, 0);
+}
+
+void run_search(const Options& options, const Scene& scene, Outputs& outputs)
+{
+  outputs.begin(options);
+  Tie_watch ties(scene, options);
+  const Search_result result = search(scene, options, [&](std::size_t i, std::size_t j) {
+    ties.add_pair(i, j);
+    outputs.add_pair(i, j);
+  });
+  outputs.finish();
+  std::ostream& out = outputs.summary();
+  if(options.explain)
+    out << result.profile << '\n';
+  print_summary(out, scene, options, result);
+  outputs.print_components(out);
+  finish(out, "the summary");
+  print_hints(std::cerr, scene, options, ties.rounded(result.on_boundary));
+}
+
 void run(const Options& options)
 {
   const Scene scene = read_scene(options);
   catch_signals();
-  const auto pairs_file = open_output(options.pairs, options);
-  const auto picture_file = open_output(options.picture, options);
-  std::optional<Closest_result> closest;
+  Outputs outputs(options, scene);
   if(options.closest)
-    closest = find_closest(scene, options);
-  const Options drawn = closest ? options_at(closest->squared_distance, options) : options;
-  std::optional<Pair_table> table;
-  if(pairs_file)
-    table.emplace(pairs_file->stream(), scene);
-  std::optional<Picture> picture;
-  if(picture_file)
-    picture.emplace(scene, drawn, distance_in_words(scene, drawn));
-
-  Tie_watch ties(scene, options);
-  const auto sink = [&](std::size_t i, std::size_t j) {
-    ties.add_pair(i, j);
-    if(table)
-      table->add(i, j);
-    if(picture)
-      picture->add_pair(i, j);
-  };
-  Search_result result;
-  if(closest)
-    sink(closest->pair.first, closest->pair.second);
+    run_closest(options, scene, outputs);
   else
-    result = search(scene, options, sink);
-
-  if(picture) {
-    picture->write(picture_file->stream());
-    picture_file->commit();
-  }
-  if(pairs_file)
-    pairs_file->commit();
-  const bool is_output_taken = options.pairs == "-" || options.picture == "-";
-  std::ostream& out = is_output_taken ? std::cerr : std::cout;
-  if(closest)
-    print_summary(out, scene, options, *closest);
-  else {
-    if(options.explain)
-      out << result.profile << '\n';
-    print_summary(out, scene, options, result);
-  }
-  finish(out, "the summary");
-  print_hints(std::cerr, scene, options, ties.rounded(result.on_boundary));
+    run_search(options, scene, outputs);
 }
 
 } // namespace

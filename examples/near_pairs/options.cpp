@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cctype>
 #include <optional>
+#include <set>
 #include <sstream>
 
 namespace near_pairs {
@@ -24,61 +25,66 @@ namespace {
 
 namespace po = boost::program_options;
 
+// Each description has one line, so that the help has one screen.
+constexpr unsigned columns = 80, columns_of_descriptions = 54;
+
+po::options_description group(const char* title)
+{
+  return po::options_description(title, columns, columns_of_descriptions);
+}
+
 void add_scene_options(po::options_description& all, Options& options)
 {
-  po::options_description scene("What is near");
+  po::options_description scene = group("What is near");
   scene.add_options()
-    ("distance", po::value<std::string>()->value_name("TEXT"),
-     "report pairs at most this far apart; a decimal or a quotient (0.1, 1e-3, 1/3), taken "
-     "exactly; with --geographic also with m, km, nmi, mi or ft behind it")
-    ("squared-distance", po::value<std::string>()->value_name("TEXT"),
+    ("distance", po::value<std::string>()->value_name("R"),
+     "pairs at most R apart, as 0.1, 1/3 or 500m, exactly")
+    ("squared-distance", po::value<std::string>()->value_name("R2"),
      "the same, given by its square")
-    ("open", po::bool_switch(&options.open), "report strictly closer pairs only")
+    ("open", po::bool_switch(&options.open), "strictly closer pairs only")
     ("closest", po::bool_switch(&options.closest),
-     "report the closest pair and its exact squared distance, in place of all pairs within one");
-  po::options_description points("How the file is read");
+     "the closest pair and its exact squared distance");
+  po::options_description points = group("How a file is read");
   points.add_options()
-    ("dimension", po::value<int>(&options.dimension)->value_name("2|3"),
-     "use this many coordinates (default: all that the file has)")
     ("format", po::value<std::string>(&options.format)->value_name("NAME"),
-     "csv (any table), xyz, off, ply, obj, pdb or tsp (default: by the name of the file)")
+     "csv (any table), xyz, off, ply, obj, pdb or tsp")
     ("separator", po::value<std::string>()->value_name("CHAR"),
-     "of the columns of a table: a character, or tab or blanks (default: found)")
-    ("no-header", po::bool_switch(&options.no_header),
-     "the first row of a table is a point (default: if it has numbers for coordinates)")
+     "of a table; also tab, blanks (default: found)")
+    ("no-header", po::bool_switch(&options.no_header), "the first row of a table is a point")
     ("columns", po::value<std::string>()->value_name("A,B[,C]"),
-     "columns of the coordinates, by name or by number from 1 (default: x,y[,z], else lat* and "
-     "lon*); with --geographic latitude,longitude")
+     "names or numbers (default: x,y[,z] or lat*,lon*)")
     ("id", po::value<std::string>(&options.id)->value_name("COLUMN"),
-     "column of the names of points (default: id)")
+     "names the points (default: id)")
+    ("dimension", po::value<int>(&options.dimension)->value_name("2|3"),
+     "use so many coordinates (default: all)")
     ("geographic", po::bool_switch(&options.geographic),
-     "latitude and longitude in degrees are put on a sphere of radius 6371008.8 m; the distance is "
-     "the straight chord in meters")
-    ("decimal", po::bool_switch(&options.decimal),
-     "take decimal coordinates exactly, as integers at one power of ten for the file, instead of "
-     "rounding each to a double");
+     "degrees on a sphere; R in m, km, nmi, mi or ft")
+    ("decimal", po::bool_switch(&options.decimal), "take decimals exactly, not as doubles");
   all.add(scene).add(points);
 }
 
 void add_search_options(po::options_description& all, Options& options)
 {
-  po::options_description search("How the pairs are searched");
+  po::options_description search = group("How the pairs are searched");
   search.add_options()
     ("kernel", po::value<std::string>(&options.kernel)->value_name("NAME"),
-     "epick (default), or exact: the CGAL kernel of the points")
+     "of CGAL's points: epick (default) or exact")
     ("parallel", po::bool_switch(&options.parallel), "use all cores");
-  po::options_description output("What is written");
+  po::options_description output = group("What is written (FILE may be -)");
   output.add_options()
     ("pairs", po::value<std::string>(&options.pairs)->value_name("FILE"),
-     "CSV of the pairs; - for the standard output")
-    ("picture", po::value<std::string>(&options.picture)->value_name("FILE.svg"),
-     "drawing of the scene and its pairs; - for the standard output")
-    ("explain", po::bool_switch(&options.explain),
-     "print what the search found out about the scene")
-    ("progress", po::bool_switch(&options.progress), "show a percentage on the standard error")
+     "the pairs, as .csv or .geojson")
+    ("points", po::value<std::string>(&options.points)->value_name("FILE"),
+     "the points, with neighbors and component")
+    ("coordinates", po::bool_switch(&options.coordinates), "write coordinates into these tables")
+    ("picture", po::value<std::string>(&options.picture)->value_name("FILE"),
+     "drawing of the points and pairs, as .svg")
+    ("components", po::bool_switch(&options.components),
+     "count connected components, and color them")
+    ("explain", po::bool_switch(&options.explain), "print what the search found out")
+    ("progress", po::bool_switch(&options.progress), "show a percentage")
     ("help", po::bool_switch(&options.help), "print this text")
-    ("version", po::bool_switch(&options.version),
-     "print the version of this program, which is that of the package, and the version of CGAL");
+    ("version", po::bool_switch(&options.version), "print the versions of program and CGAL");
   all.add(search).add(output);
 }
 
@@ -217,11 +223,17 @@ void read_separator(const po::variables_map& map, Options& options)
 
 void check_outputs(const po::variables_map& map, const Options& options)
 {
-  if((map.count("pairs") && options.pairs.empty()) ||
-     (map.count("picture") && options.picture.empty()))
-    throw Error("empty name of an output file");
-  if(!options.pairs.empty() && options.pairs == options.picture)
-    throw Error("--pairs and --picture name the same file");
+  std::set<std::string> names;
+  for(const char* output : {"pairs", "points", "picture"})
+    if(map.count(output)) {
+      const std::string name = map[output].as<std::string>();
+      if(name.empty())
+        throw Error("empty name of an output file");
+      if(!names.insert(name).second)
+        throw Error("two outputs have the name " + name);
+    }
+  if(options.coordinates && options.pairs.empty() && options.points.empty())
+    throw Error("--coordinates is for --pairs and --points");
   const std::string format = extension(options.picture);
   if(!format.empty() && format != ".svg")
     throw Error("--picture: the picture is an SVG file, so name it .svg (rsvg-convert makes a "
@@ -232,7 +244,7 @@ void check_outputs(const po::variables_map& map, const Options& options)
 Options parse_and_check(int argc, const char* const* argv)
 {
   Options options;
-  po::options_description visible;
+  po::options_description visible(columns, columns_of_descriptions);
   add_scene_options(visible, options);
   add_search_options(visible, options);
   const po::variables_map map = parse(argc, argv, visible);
@@ -263,16 +275,14 @@ Options parse_options(int argc, const char* const* argv)
 std::string help_text()
 {
   Options ignored;
-  po::options_description visible;
+  po::options_description visible(columns, columns_of_descriptions);
   add_scene_options(visible, ignored);
   add_search_options(visible, ignored);
   std::ostringstream text;
   text << "near_pairs [options] FILE [FILE]\n"
-          "reports every pair of points of FILE, or with one point of each FILE, within a\n"
-          "distance, or the closest pair. FILE is a table (.csv, .tsv, .txt), .xyz, .off, .ply,\n"
-          ".obj, .pdb or .tsp, also .gz, or - for the standard input.\n"
-       << visible << "\nExit status: 0, or 2 with one line on the standard error; "
-          "a broken pipe ends the\nprogram by its signal.\n";
+          "reports every pair of points of FILE, or between two files, within a distance.\n"
+          "FILE is a table (.csv), .xyz, .off, .ply, .obj, .pdb or .tsp, also .gz, or -\n"
+       << visible << "\nExit status: 0, or 2 with one line on the standard error.\n";
   return text.str();
 }
 

@@ -33,8 +33,12 @@ struct Options : Search_options
 
   std::string kernel = "epick";
 
-  std::string pairs;   // file name, "-" for the standard output, or empty
-  std::string picture; // file name, or empty
+  // Names of files, "-" for the standard output, or empty.
+  std::string pairs;
+  std::string points;
+  std::string picture;
+  bool coordinates = false; // in the tables
+  bool components = false;  // counted, and in the picture
   bool explain = false;
   bool help = false;
   bool version = false;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Atomic output files and the table of pairs; see outputs.h.
+// Atomic output files; see outputs.h.
 
 #include "outputs.h"
 
@@ -17,17 +17,6 @@ namespace near_pairs {
 namespace {
 
 namespace fs = std::filesystem;
-
-// A field of a CSV file, in quotes if it needs them.
-std::string csv_field(const std::string& text)
-{
-  if(text.find_first_of(",\"\r\n") == std::string::npos)
-    return text;
-  std::string quoted = "\"";
-  for(char letter : text)
-    quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
-  return quoted + "\"";
-}
 
 } // namespace
 
@@ -97,21 +86,6 @@ void Output_file::commit()
   if(error)
     throw Error(name_, error.message());
   temporary_.clear();
-}
-
-Pair_table::Pair_table(std::ostream& stream, const Scene& scene)
-  : stream_(stream), scene_(scene)
-{
-  stream_.precision(10);
-  stream_ << (scene.ids.empty() ? "i,j,distance\n" : "i,j,id_i,id_j,distance\n");
-}
-
-void Pair_table::add(std::size_t i, std::size_t j)
-{
-  stream_ << scene_.position(i) << ',' << scene_.position(j) << ',';
-  if(!scene_.ids.empty())
-    stream_ << csv_field(scene_.ids[i]) << ',' << csv_field(scene_.ids[j]) << ',';
-  stream_ << scene_.distance(i, j) << '\n';
 }
 
 } // namespace near_pairs

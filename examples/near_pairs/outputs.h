@@ -1,14 +1,11 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Files that appear whole or not at all, and the table of pairs.
+// Files that appear whole or not at all.
 
 #ifndef NEAR_PAIRS_OUTPUTS_H
 #define NEAR_PAIRS_OUTPUTS_H
 
-#include "scene.h"
-
-#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <ostream>
@@ -40,20 +37,6 @@ private:
   std::filesystem::path target_;
   std::filesystem::path temporary_; // empty if the target is written directly
   std::ofstream file_;
-};
-
-// CSV of pairs: positions in their files, ids if the scene has them, and the distance rounded for
-// reading.
-class Pair_table
-{
-public:
-  Pair_table(std::ostream& stream, const Scene& scene);
-
-  void add(std::size_t i, std::size_t j);
-
-private:
-  std::ostream& stream_;
-  const Scene& scene_;
 };
 
 } // namespace near_pairs

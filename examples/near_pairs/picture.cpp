@@ -5,12 +5,15 @@
 
 #include "picture.h"
 
+#include "text.h"
+
 #include <CGAL/number_utils.h> // to_double
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <iterator>
 #include <map>
 
 namespace near_pairs {
@@ -20,6 +23,10 @@ namespace {
 const char* const pair_color = "#D55E00";
 const char* const inset_color = "#0072B2";
 const char* const set_colors[] = {"#555555", "#009E73"};
+
+// Of components. The first is of points without a neighbor; the others take turns.
+const char* const component_colors[] = {"#999999", "#D55E00", "#0072B2", "#009E73", "#CC79A7",
+                                        "#E69F00", "#56B4E9"};
 
 constexpr double main_left = 96, main_top = 64, main_width = 600, main_height = 520;
 constexpr double least_main_width = 500, legend_width = 330, inset_side = 300, row_height = 24;
@@ -31,13 +38,10 @@ constexpr std::ptrdiff_t most_inset_points = 250;
 const double degree = std::acos(-1.) / 180;
 
 // Where a point is drawn: at its x and y, or at its longitude and latitude.
-Position position_of(const Scene& scene, std::size_t i, bool geographic)
+Position position_of(const Scene& scene, std::size_t i)
 {
-  const double x = scene.coordinate(i, 0), y = scene.coordinate(i, 1);
-  if(!geographic)
-    return {x, y};
-  const double z = scene.coordinate(i, 2);
-  return {std::atan2(y, x) / degree, std::atan2(z, std::hypot(x, y)) / degree};
+  return scene.is_geographic ? Position{scene.column(i, 1), scene.column(i, 0)}
+                             : Position{scene.coordinate(i, 0), scene.coordinate(i, 1)};
 }
 
 std::vector<std::string> short_names(const std::vector<std::string>& files)
@@ -65,7 +69,7 @@ Picture::Picture(const Scene& scene, const Options& options, const std::string& 
   }
   positions_.reserve(scene.size());
   for(std::size_t i = 0; i < scene.size(); ++i)
-    positions_.push_back(position_of(scene, i, geographic_));
+    positions_.push_back(position_of(scene, i));
   const bool is_map = geographic_ || unit_ == "deg";
   axis_names_[0] = is_map ? "longitude (deg)" : shortened(scene.names[0], longest_axis_name);
   axis_names_[1] = is_map ? "latitude (deg)" : shortened(scene.names[1], longest_axis_name);
@@ -162,6 +166,22 @@ void Picture::add_pair(std::size_t i, std::size_t j)
     inset_pairs_.emplace_back(i, j);
 }
 
+void Picture::color_by(const Groups& groups)
+{
+  constexpr std::size_t turns = std::size(component_colors) - 1;
+  for(std::size_t i = 0; i < positions_.size(); ++i)
+    component_colors_.push_back(static_cast<unsigned char>(
+      groups.neighbors(i) == 0 ? 0 : 1 + groups.component(i) % turns));
+}
+
+// Of a point, among the colors of components or of sets.
+std::size_t Picture::color_of(std::size_t point) const
+{
+  if(!component_colors_.empty())
+    return component_colors_[point];
+  return point < first_size_ ? 0 : 1;
+}
+
 double Picture::legend_left() const
 {
   return main_.left + std::max(main_.width(), least_main_width) + 44;
@@ -199,8 +219,7 @@ double Picture::right() const
 
 double Picture::bottom() const
 {
-  const std::size_t rows = files_.size() + (has_inset_ ? 3 : 1) + (is_cut() ? 1 : 0);
-  return std::max(main_.bottom() + 56, legend_top() + row_height * rows);
+  return std::max(main_.bottom() + 56, legend_top() + row_height * legend().size());
 }
 
 void Picture::write(std::ostream& svg) const
@@ -216,7 +235,8 @@ void Picture::write(std::ostream& svg) const
   write_axes(svg, main_, axis_names_[0], axis_names_[1]);
   if(has_inset_) {
     write_points(svg, main_, 1.6);
-    write_dots(svg, marks_, pair_color, 3);
+    if(component_colors_.empty())
+      write_dots(svg, marks_, pair_color, 3);
     write_inset(svg);
   }
   else {
@@ -229,23 +249,27 @@ void Picture::write(std::ostream& svg) const
 
 void Picture::write_points(std::ostream& svg, const Panel& panel, double size) const
 {
-  std::set<std::string> places[2]; // of the points of each set
+  std::set<std::string> places[std::size(component_colors)]; // of the points of each color
   for(std::size_t i = 0; i < positions_.size(); ++i)
     if(panel.shows(positions_[i]))
-      places[i < first_size_ ? 0 : 1].insert(pixels(panel.place(positions_[i])));
-  for(std::size_t set = 0; set < files_.size(); ++set)
-    write_dots(svg, places[set], set_colors[set], size);
+      places[color_of(i)].insert(pixels(panel.place(positions_[i])));
+  const auto colors = component_colors_.empty() ? set_colors : component_colors;
+  for(std::size_t color = 0; color < std::size(places); ++color)
+    if(!places[color].empty())
+      write_dots(svg, places[color], colors[color], color != 0 && has_inset_ ? 2 * size : size);
 }
 
 // A pair across the 180th meridian would run around the map: it is left out.
 void Picture::write_pairs(std::ostream& svg, const Panel& panel, const Pairs& pairs) const
 {
-  svg << "<path fill='none' stroke-opacity='0.7' stroke='" << pair_color << "' d='";
+  std::map<std::string, std::string> paths; // of each color
   for(const auto& [i, j] : pairs)
     if(!geographic_ || std::abs(positions_[i].x - positions_[j].x) < 180)
-      svg << 'M' << pixels(panel.place(positions_[i])) << 'L'
-          << pixels(panel.place(positions_[j]));
-  svg << "'/>\n";
+      paths[component_colors_.empty() ? pair_color : component_colors[color_of(i)]]
+        += 'M' + pixels(panel.place(positions_[i])) + 'L' + pixels(panel.place(positions_[j]));
+  for(const auto& [color, path] : paths)
+    svg << "<path fill='none' stroke-opacity='0.7' stroke='" << color << "' d='" << path
+        << "'/>\n";
 }
 
 void Picture::write_inset(std::ostream& svg) const
@@ -262,29 +286,44 @@ void Picture::write_inset(std::ostream& svg) const
              + short_number(inset_.center().x, 6) + ", " + short_number(inset_.center().y, 6));
 }
 
+// The rows of the legend: a shape, and what it means.
+Picture::Legend Picture::legend() const
+{
+  const auto dot = [](const char* color, double radius) {
+    return "<circle r='" + short_number(radius) + "' fill='" + color + "'/>";
+  };
+  const bool has_components = !component_colors_.empty();
+  const std::string color = has_components ? component_colors[1] : pair_color;
+  Legend rows;
+  if(has_components) {
+    rows.emplace_back(dot(component_colors[0], 1.6), "point without a neighbor");
+    rows.emplace_back(dot(component_colors[1], 3), "point of a component; colors take turns");
+  }
+  else
+    for(std::size_t set = 0; set < files_.size(); ++set)
+      rows.emplace_back(dot(set_colors[set], 1.6),
+                        files_.size() == 1 ? "point" : "point of " + files_[set]);
+  if(has_inset_ && !has_components)
+    rows.emplace_back(dot(pair_color, 2.5), "place with at least one pair");
+  rows.emplace_back("<path d='M-10 0h20' stroke-width='1.5' stroke='" + color + "'/>",
+                    has_inset_ ? "pair, in the detail" : "pair");
+  if(has_inset_)
+    rows.emplace_back(std::string("<circle r='9' fill='none' stroke-width='2' stroke='")
+                      + inset_color + "'/>", "the densest place, in the detail");
+  if(is_cut())
+    rows.emplace_back("", "only " + std::to_string(most_lines) + " lines are drawn");
+  return rows;
+}
+
 void Picture::write_legend(std::ostream& svg) const
 {
   const double x = legend_left() + 12;
   double y = legend_top();
-  const auto row = [&](const std::string& shape, const std::string& text) {
+  for(const auto& [shape, text] : legend()) {
     svg << "<g transform='translate(" << x << ' ' << y << ")'>" << shape << "</g>\n";
     write_text(svg, {x + 22, y + 5}, text);
     y += row_height;
-  };
-  const std::string orange = std::string(" stroke='") + pair_color + "'";
-  for(std::size_t set = 0; set < files_.size(); ++set)
-    row(std::string("<circle r='1.6' fill='") + set_colors[set] + "'/>",
-        files_.size() == 1 ? "point" : "point of " + files_[set]);
-  if(has_inset_)
-    row("<path d='M0 0h0' stroke-linecap='round' stroke-width='5'" + orange + "/>",
-        "place with at least one pair");
-  row("<path d='M-10 0h20' stroke-width='1.5'" + orange + "/>",
-      has_inset_ ? "pair, in the detail" : "pair");
-  if(has_inset_)
-    row(std::string("<circle r='9' fill='none' stroke-width='2' stroke='") + inset_color + "'/>",
-        "the densest place, in the detail");
-  if(is_cut())
-    write_text(svg, {x - 12, y + 5}, "only " + std::to_string(most_lines) + " lines are drawn");
+  }
 }
 
 } // namespace near_pairs

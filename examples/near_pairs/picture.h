@@ -7,6 +7,7 @@
 #ifndef NEAR_PAIRS_PICTURE_H
 #define NEAR_PAIRS_PICTURE_H
 
+#include "groups.h"
 #include "options.h"
 #include "scene.h"
 #include "svg.h"
@@ -25,17 +26,23 @@ class Picture
 public:
   Picture(const Scene& scene, const Options& options, const std::string& distance);
 
+  // Colors points and pairs by their components; the groups must be finished. Call this before
+  // write().
+  void color_by(const Groups& groups);
+
   // Remembers what is to be drawn of the pair: the size of the drawing is bounded.
   void add_pair(std::size_t i, std::size_t j);
 
   void write(std::ostream& svg) const;
 
 private:
+  using Legend = std::vector<std::pair<std::string, std::string>>;
   using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
   std::string title() const;
   std::string counts() const;
   bool is_cut() const;
+  Legend legend() const;
   double legend_left() const;
   double legend_top() const;
   double right() const;
@@ -45,6 +52,7 @@ private:
   Position densest_place(double side) const;
   double aspect_at(double latitude) const;
 
+  std::size_t color_of(std::size_t point) const;
   void write_points(std::ostream& svg, const Panel& panel, double size) const;
   void write_pairs(std::ostream& svg, const Panel& panel, const Pairs& pairs) const;
   void write_inset(std::ostream& svg) const;
@@ -59,6 +67,8 @@ private:
   double units_per_position_; // of the distance: meters in a degree, or 1
   std::size_t first_size_;    // points of the first file
   std::vector<Position> positions_;
+
+  std::vector<unsigned char> component_colors_; // of the points, or empty
 
   Panel main_;
   bool has_inset_ = false;

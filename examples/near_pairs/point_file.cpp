@@ -103,7 +103,9 @@ private:
   {
     const auto reader = open_rows(input, options_);
     begin(input, *reader);
-    const bool keeps_ids = reader->has_ids && (options_.closest || !options_.pairs.empty());
+    const bool names_points
+      = options_.closest || !options_.pairs.empty() || !options_.points.empty();
+    const bool keeps_ids = reader->has_ids && names_points;
     for(Row row; reader->next(row); ) {
       add_point({input, *reader, row});
       if(keeps_ids) {
@@ -121,6 +123,7 @@ private:
                   + "; choose with --dimension or --columns");
     inputs_dimension_ = reader.dimension;
     scene_.dimension = options_.geographic ? 3 : reader.dimension;
+    scene_.is_geographic = options_.geographic;
     scene_.names = reader.names;
     scene_.unit = options_.geographic ? "m" : reader.unit;
   }

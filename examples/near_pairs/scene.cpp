@@ -22,6 +22,11 @@ std::size_t Scene::position(std::size_t point) const
   return first_size && point >= *first_size ? point - *first_size : point;
 }
 
+int Scene::file(std::size_t point) const
+{
+  return first_size && point >= *first_size ? 2 : 1;
+}
+
 double Scene::coordinate(std::size_t point, int axis) const
 {
   const std::size_t at = point * dimension + axis;
@@ -37,6 +42,27 @@ double Scene::distance(std::size_t i, std::size_t j) const
                                      : CGAL::to_double(CGAL::Exact_rational(exact[a] - exact[b]));
   }
   return std::hypot(std::hypot(difference[0], difference[1]), difference[2]);
+}
+
+int Scene::columns() const
+{
+  return is_geographic ? 2 : dimension;
+}
+
+double Scene::column(std::size_t point, int axis) const
+{
+  if(!is_geographic)
+    return coordinate(point, axis);
+  const double x = coordinate(point, 0), y = coordinate(point, 1), z = coordinate(point, 2);
+  const double radians = axis == 0 ? std::atan2(z, std::hypot(x, y)) : std::atan2(y, x);
+  const double digits = 1e9; // a tenth of a millimeter; the errors of the sphere are behind it
+  return std::round(radians * 180 / std::acos(-1.) * digits) / digits;
+}
+
+std::array<double, 2> Scene::degrees(std::size_t point) const
+{
+  return is_geographic ? std::array<double, 2>{column(point, 1), column(point, 0)}
+                       : std::array<double, 2>{coordinate(point, 0), coordinate(point, 1)};
 }
 
 } // namespace near_pairs

@@ -32,6 +32,7 @@ struct Scene
 
   std::vector<std::string> ids; // of the points, if pairs are to be named and a file has ids
   std::array<std::string, 3> names;
+  bool is_geographic = false; // coordinates are computed, in meters from the center of a sphere
   std::string unit; // of the distance; empty if the file does not tell
 
   // Whether doubles hold decimals of few digits, perhaps rounded: --decimal would not round them.
@@ -41,10 +42,18 @@ struct Scene
 
   // Of a point in its file.
   std::size_t position(std::size_t point) const;
+  int file(std::size_t point) const; // 1 or 2
 
   // In the unit of the file, rounded.
   double coordinate(std::size_t point, int axis) const;
   double distance(std::size_t i, std::size_t j) const;
+
+  // As they were in the file, rounded: latitude and longitude if the scene is geographic.
+  int columns() const;
+  double column(std::size_t point, int axis) const;
+
+  // Longitude and latitude. The scene must be geographic, or have them as x and y.
+  std::array<double, 2> degrees(std::size_t point) const;
 };
 
 // The radius of the sphere of --geographic, in meters.

@@ -5,6 +5,8 @@
 
 #include "svg.h"
 
+#include "text.h"
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -13,40 +15,12 @@
 namespace near_pairs {
 namespace {
 
-bool begins_letter(char byte)
-{
-  return (static_cast<unsigned char>(byte) & 0xC0) != 0x80;
-}
-
-std::size_t letters(const std::string& text)
-{
-  return std::count_if(text.begin(), text.end(), begins_letter);
-}
-
-// Whether each byte above 127 belongs to a letter of UTF-8.
-bool is_utf8(const std::string& text)
-{
-  std::size_t missing = 0;
-  for(char letter : text) {
-    const auto byte = static_cast<unsigned char>(letter);
-    if((missing == 0) != begins_letter(letter) || byte == 0xC0 || byte == 0xC1 || byte > 0xF4)
-      return false;
-    missing = missing != 0 ? missing - 1 : byte >= 0xF0 ? 3 : byte >= 0xE0 ? 2 : byte >= 0xC0;
-  }
-  return missing == 0;
-}
-
 // Names of files and columns may have any bytes, and an SVG file may not.
 std::string escaped(const std::string& text)
 {
-  const bool is_readable = is_utf8(text);
   std::string result;
-  for(char letter : text) {
-    const auto byte = static_cast<unsigned char>(letter);
-    result += letter == '&' ? "&amp;" : letter == '<' ? "&lt;"
-            : byte < 32 || byte == 127 || (byte > 127 && !is_readable) ? "?"
-            : std::string(1, letter);
-  }
+  for(char letter : readable(text))
+    result += letter == '&' ? "&amp;" : letter == '<' ? "&lt;" : std::string(1, letter);
   return result;
 }
 
@@ -107,15 +81,6 @@ std::string short_number(double value, int digits)
 std::string pixels(Position p)
 {
   return short_number(std::round(10 * p.x) / 10) + " " + short_number(std::round(10 * p.y) / 10);
-}
-
-std::string shortened(const std::string& text, std::size_t most)
-{
-  std::size_t count = 0;
-  for(std::size_t at = 0; at < text.size(); ++at)
-    if(begins_letter(text[at]) && ++count > most)
-      return text.substr(0, at) + "\u2026";
-  return text;
 }
 
 double text_width(const std::string& text, double font_size)

@@ -6,7 +6,6 @@
 #ifndef NEAR_PAIRS_SVG_H
 #define NEAR_PAIRS_SVG_H
 
-#include <cstddef>
 #include <ostream>
 #include <set>
 #include <string>
@@ -44,9 +43,6 @@ std::string short_number(double value, int digits = 10);
 
 // "x y", to a tenth of a pixel.
 std::string pixels(Position p);
-
-// The beginning of a text, with an ellipsis behind it if the text has more than `most` letters.
-std::string shortened(const std::string& text, std::size_t most);
 
 // At least the width of a text, in pixels: which font shows it is not known.
 double text_width(const std::string& text, double font_size = 13);

@@ -426,6 +426,83 @@ verdict "--version" test "$status" -eq 0 -a ! -s err
 verdict "  is that of the package" grep -qE "^near_pairs $version, with CGAL [0-9.]+" out
 verdict "no temporary file is left" test -z "$(find . -name '*part*')"
 
+# ---------------------------------------------------------------- points, components and maps
+
+printf 'id,x,y\n"a, b",0,0\nc,0.5,0\nd,9,9\ne,1,0\nf,9,8.5\ng,-4,0.1\n' > groups.csv
+run groups.csv --distance 0.5 --points points.csv --pairs pairs.csv --coordinates --components
+printf '%s\n' i,id,x,y,neighbors,component '0,"a, b",0,0,1,0' 1,c,0.5,0,2,0 2,d,9,9,1,1 3,e,1,0,1,0 \
+       4,f,9,8.5,1,1 5,g,-4,0.1,0,2 > expected
+verdict "points with neighbors and components" cmp -s points.csv expected
+verdict "  are counted" test "$(summary components)" = "3, the largest of 3 points"
+printf '%s\n' '0,1,"a, b",c,0,0,0.5,0,0.5' 1,3,c,e,0.5,0,1,0,0.5 2,4,d,f,9,9,9,8.5,0.5 \
+       i,j,id_i,id_j,x_i,y_i,x_j,y_j,distance > expected
+sort pairs.csv > sorted
+verdict "pairs with coordinates" cmp -s sorted expected
+run groups.csv --distance 0.5 --points points.csv
+printf '%s\n' i,id,neighbors,component '0,"a, b",1,0' > expected
+verdict "points without coordinates" test "$(head -n 2 points.csv)" = "$(cat expected)"
+run groups.csv groups.csv --distance 0 --points points.csv
+verdict "points of two files" test "$(sed -n 8p points.csv)" = '0,2,"a, b",1,0'
+run groups.csv --closest --points points.csv
+verdict "points of the closest pair" test "$(sed -n 3p points.csv)" = "1,c,1,0"
+run empty.csv --distance 1 --points - --components
+verdict "no points" test "$status $(cat out)" = "0 i,neighbors,component"
+verdict "  with the summary on stderr" grep -q '^components   0, the largest of 0 points$' err
+expect_error "two outputs of one name" "two outputs have the name none.csv" ties.csv --distance 1 --points none.csv
+expect_error "a map of the plane" "a map has latitudes and longitudes" ties.csv --distance 1 --points none.geojson
+run ties.csv --distance 1 --coordinates
+verdict "coordinates without a table" is_one_error "--coordinates is for --pairs and --points"
+
+# The same from the definition, by another program.
+if command -v python3 > /dev/null; then
+  cat > components.py << 'END'
+import csv, sys
+pairs, points = (list(csv.DictReader(open(name))) for name in sys.argv[1:])
+group, neighbors = list(range(len(points))), [0] * len(points)
+def root(i):
+    while group[i] != i:
+        group[i] = i = group[group[i]]
+    return i
+for pair in pairs:
+    i, j = int(pair["i"]), int(pair["j"])
+    group[root(i)] = root(j)
+    neighbors[i] += 1
+    neighbors[j] += 1
+numbers = {}
+for i, point in enumerate(points):
+    number = numbers.setdefault(root(i), len(numbers))
+    if (int(point["neighbors"]), int(point["component"])) != (neighbors[i], number):
+        sys.exit("point %d: %s" % (i, point))
+END
+  run "$ships" --geographic --distance 500m --pairs pairs.csv --points points.csv --components \
+      --coordinates --picture picture.svg
+  verdict "components of ships" python3 components.py pairs.csv points.csv
+  verdict "  with the coordinates of the file" \
+          test "$(awk -F, '{ print $2, $3 + 0, $4 + 0 }' points.csv)" \
+               = "$(awk -F, '{ print $1, $3 + 0, $4 + 0 }' "$ships")"
+  is_inside_picture() { python3 inside.py picture.svg 2> err; }
+  verdict "  colored in the picture" is_inside_picture
+  printf 'id,lat,lon\n"\\""\001\377",10,179\nb,20,-179\nc,-5.25,-0.000001\n' > meridian.csv
+  run meridian.csv --geographic --distance 2000km --pairs pairs.geojson --points points.geojson
+  cat > map.py << 'END'
+import json
+pairs, points = (json.load(open(name + ".geojson"))["features"] for name in ("pairs", "points"))
+assert [pair["geometry"] for pair in pairs] == [
+    {"type": "MultiLineString", "coordinates": [[[179, 10], [180, 15]], [[-180, 15], [-179, 20]]]}]
+assert pairs[0]["properties"]["id_i"] == '\\"??', pairs
+assert points[2]["geometry"] == {"type": "Point", "coordinates": [-0.000001, -5.25]}
+assert points[2]["properties"] == {"i": 2, "id": "c", "neighbors": 0, "component": 1}
+END
+  verdict "maps in GeoJSON" python3 map.py
+  run equator.csv --distance 1 --pairs pairs.geojson --points points.geojson --decimal
+  verdict "  of degrees in the plane" grep -q '"coordinates":\[\[0.01,0\],\[1,0\]\]' pairs.geojson
+  run equator.csv --distance 0 --geographic --pairs pairs.geojson
+  verdict "  without pairs" python3 -c 'import json; assert json.load(open("pairs.geojson"))["features"] == []'
+fi
+run --help
+fits_a_screen() { [ "$(wc -l < out)" -le 44 ] && ! grep -qE '^.{81}' out; }
+verdict "the help has one screen" fits_a_screen
+
 # ---------------------------------------------------------------- errors
 
 printf 'x,y\n0,0\n1,oops\n' > word.csv

@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Text that other programs read; see text.h.
+
+#include "text.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace near_pairs {
+namespace {
+
+bool begins_letter(char byte)
+{
+  return (static_cast<unsigned char>(byte) & 0xC0) != 0x80;
+}
+
+// Whether each byte above 127 belongs to a letter of UTF-8.
+bool is_utf8(const std::string& text)
+{
+  std::size_t missing = 0;
+  for(char letter : text) {
+    const auto byte = static_cast<unsigned char>(letter);
+    if((missing == 0) != begins_letter(letter) || byte == 0xC0 || byte == 0xC1 || byte > 0xF4)
+      return false;
+    missing = missing != 0 ? missing - 1 : byte >= 0xF0 ? 3 : byte >= 0xE0 ? 2 : byte >= 0xC0;
+  }
+  return missing == 0;
+}
+
+} // namespace
+
+std::string readable(const std::string& text)
+{
+  const unsigned char last = is_utf8(text) ? 255 : 126;
+  std::string result = text;
+  for(char& letter : result) {
+    const auto byte = static_cast<unsigned char>(letter);
+    if(byte < 32 || byte == 127 || byte > last)
+      letter = '?';
+  }
+  return result;
+}
+
+std::size_t letters(const std::string& text)
+{
+  return std::count_if(text.begin(), text.end(), begins_letter);
+}
+
+std::string shortened(const std::string& text, std::size_t most)
+{
+  std::size_t count = 0;
+  for(std::size_t at = 0; at < text.size(); ++at)
+    if(begins_letter(text[at]) && ++count > most)
+      return text.substr(0, at) + "\u2026";
+  return text;
+}
+
+std::string shortest_text(double value)
+{
+  std::array<char, 32> text;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value + 0.).ptr;
+  return std::string(text.data(), end);
+}
+
+std::string csv_field(const std::string& text)
+{
+  if(text.find_first_of(",\"\r\n") == std::string::npos)
+    return text;
+  std::string quoted = "\"";
+  for(char letter : text)
+    quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+  return quoted + "\"";
+}
+
+std::string json_string(const std::string& text)
+{
+  std::string quoted = "\"";
+  for(char letter : readable(text))
+    quoted += letter == '"' || letter == '\\' ? std::string("\\") + letter
+                                              : std::string(1, letter);
+  return quoted + "\"";
+}
+
+} // namespace near_pairs
