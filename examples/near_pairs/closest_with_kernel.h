@@ -6,6 +6,7 @@
 #ifndef NEAR_PAIRS_CLOSEST_WITH_KERNEL_H
 #define NEAR_PAIRS_CLOSEST_WITH_KERNEL_H
 
+#include "exact_decimal.h"
 #include "search_with_kernel.h"
 
 #include <CGAL/closest_pair.h>

@@ -61,7 +61,7 @@ std::string joined(const std::vector<std::string>& names)
 
 } // namespace
 
-Csv_reader::Csv_reader(const Input& input, const Options& options)
+Csv_reader::Csv_reader(const Input& input, const Read_options& options)
   : lines_(input), separator_(options.separator)
 {
   if(!next_record(fields_))
@@ -147,7 +147,7 @@ bool Csv_reader::are_numbers(const std::vector<std::string>& wanted) const
   });
 }
 
-bool Csv_reader::has_header_in_comment(const Options& options)
+bool Csv_reader::has_header_in_comment(const Read_options& options)
 {
   if(options.no_header || !options.columns.empty() ||
      !split_record(std::string(trimmed(comment_)), separator_, header_) ||
@@ -157,7 +157,7 @@ bool Csv_reader::has_header_in_comment(const Options& options)
   return !header_.empty();
 }
 
-void Csv_reader::choose_columns(const Options& options)
+void Csv_reader::choose_columns(const Read_options& options)
 {
   for(const std::string& name : options.columns)
     columns_.push_back(named_column(name));
@@ -175,7 +175,7 @@ void Csv_reader::choose_columns(const Options& options)
 
 // Without a header, the columns that are not given are the first two or three, if the file has no
 // others.
-void Csv_reader::choose_columns_by_number(const Options& options)
+void Csv_reader::choose_columns_by_number(const Read_options& options)
 {
   for(const std::string& name : options.columns)
     columns_.push_back(named_column(name));
@@ -191,7 +191,7 @@ void Csv_reader::choose_columns_by_number(const Options& options)
     columns_.push_back(column);
 }
 
-bool Csv_reader::find_usual_columns(const Options& options)
+bool Csv_reader::find_usual_columns(const Read_options& options)
 {
   return options.geographic ? find_degree_columns(true)
                             : find_plane_columns(options.dimension) ||

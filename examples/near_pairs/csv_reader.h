@@ -22,7 +22,7 @@ namespace near_pairs {
 class Csv_reader : public Row_reader
 {
 public:
-  Csv_reader(const Input& input, const Options& options);
+  Csv_reader(const Input& input, const Read_options& options);
 
   bool next(Row& row) override;
 
@@ -30,10 +30,10 @@ private:
   bool next_record(std::vector<std::string>& fields);
   bool next_text(std::string& record);
   bool are_numbers(const std::vector<std::string>& wanted) const;
-  bool has_header_in_comment(const Options& options);
-  void choose_columns(const Options& options);
-  void choose_columns_by_number(const Options& options);
-  bool find_usual_columns(const Options& options);
+  bool has_header_in_comment(const Read_options& options);
+  void choose_columns(const Read_options& options);
+  void choose_columns_by_number(const Read_options& options);
+  bool find_usual_columns(const Read_options& options);
   std::size_t named_column(const std::string& name) const;
   bool find_column(const std::string& name, std::size_t& column) const;
   bool find_column_where(bool (*is_it)(const std::string&, const std::string&),

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 // Numbers as people type them: decimal text is taken apart into sign, digits and exponent, from
-// which the exact rational, the integer at a common scale, or the nearest double can be had.
+// which the integer at a common scale or the nearest double can be had. exact_decimal.h makes exact
+// numbers of them; most files need none, and compile sooner without.
 
 #ifndef NEAR_PAIRS_DECIMAL_H
 #define NEAR_PAIRS_DECIMAL_H
-
-#include <CGAL/Exact_rational.h>
 
 #include <optional>
 #include <string>
@@ -32,22 +31,11 @@ constexpr int largest_exponent = 1000;
 // Blanks around the number are not part of it: trim first.
 std::optional<Decimal> parse_decimal(std::string_view text);
 
-// Reads a decimal, or a quotient of two decimals such as 1/3.
-std::optional<CGAL::Exact_rational> parse_exact(std::string_view text);
-
-CGAL::Exact_rational power_of_ten(int exponent);
-
-CGAL::Exact_rational to_rational(const Decimal& decimal);
-
 // Returns decimal * 10^scale, without rounding, if that is an integer of at most 53 bits.
 std::optional<double> scaled_to_double(const Decimal& decimal, int scale);
 
 // Returns the double nearest to the number that parse_decimal() accepted; infinite on overflow.
 double nearest_double(std::string_view text);
-
-// Returns the text of a number that is not negative: a decimal if a short one is exact, otherwise a
-// quotient.
-std::string exact_text(const CGAL::Exact_rational& value);
 
 std::string_view trimmed(std::string_view text);
 

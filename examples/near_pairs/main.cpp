@@ -5,8 +5,8 @@
 // the closest pair. Reads the options and the file, searches, writes the outputs, and prints a
 // summary.
 
-#include "decimal.h"
 #include "error.h"
+#include "exact_decimal.h"
 #include "groups.h"
 #include "hints.h"
 #include "options.h"

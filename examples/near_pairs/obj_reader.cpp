@@ -11,7 +11,7 @@
 
 namespace near_pairs {
 
-Obj_reader::Obj_reader(const Input& input, const Options& options)
+Obj_reader::Obj_reader(const Input& input, const Read_options& options)
   : lines_(input)
 {
   dimension = options.dimension == 0 ? 3 : options.dimension;

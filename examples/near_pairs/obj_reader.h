@@ -15,7 +15,7 @@ namespace near_pairs {
 class Obj_reader : public Row_reader
 {
 public:
-  Obj_reader(const Input& input, const Options& options);
+  Obj_reader(const Input& input, const Read_options& options);
 
   bool next(Row& row) override;
 

@@ -22,7 +22,7 @@ bool is_keyword(std::string word)
 
 } // namespace
 
-Off_reader::Off_reader(const Input& input, const Options& options)
+Off_reader::Off_reader(const Input& input, const Read_options& options)
   : lines_(input)
 {
   dimension = options.dimension == 0 ? 3 : options.dimension;

@@ -20,7 +20,7 @@ namespace near_pairs {
 class Off_reader : public Row_reader
 {
 public:
-  Off_reader(const Input& input, const Options& options);
+  Off_reader(const Input& input, const Read_options& options);
 
   bool next(Row& row) override;
 

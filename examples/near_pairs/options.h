@@ -7,6 +7,7 @@
 #ifndef NEAR_PAIRS_OPTIONS_H
 #define NEAR_PAIRS_OPTIONS_H
 
+#include "read_options.h"
 #include "search_options.h"
 
 #include <string>
@@ -14,22 +15,13 @@
 
 namespace near_pairs {
 
-struct Options : Search_options
+struct Options : Search_options, Read_options
 {
   std::vector<std::string> files; // "-" is the standard input
 
   std::string distance_text; // as typed, without its unit
   std::string distance_unit; // as typed; empty: that of the scene
   bool closest = false;      // the closest pair instead; there is no distance then
-
-  int dimension = 0; // 0: what the file has
-  bool geographic = false;
-  std::string format;             // the extension it goes by; empty: that of the file
-  char separator = 0;             // of a table; 0: to be found, ' ': any number of blanks and tabs
-  bool no_header = false;
-  std::vector<std::string> columns;
-  std::string id;                 // the column of names; empty: the one that is called so
-  bool decimal = false;
 
   std::string kernel = "epick";
 

@@ -12,7 +12,7 @@
 
 namespace near_pairs {
 
-Pdb_reader::Pdb_reader(const Input& input, const Options& options)
+Pdb_reader::Pdb_reader(const Input& input, const Read_options& options)
   : lines_(input)
 {
   dimension = options.dimension == 0 ? 3 : options.dimension;

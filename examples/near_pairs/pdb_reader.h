@@ -16,7 +16,7 @@ namespace near_pairs {
 class Pdb_reader : public Row_reader
 {
 public:
-  Pdb_reader(const Input& input, const Options& options);
+  Pdb_reader(const Input& input, const Read_options& options);
 
   bool next(Row& row) override;
 

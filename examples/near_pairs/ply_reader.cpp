@@ -55,7 +55,7 @@ std::string text_of(double value)
 
 } // namespace
 
-Ply_reader::Ply_reader(const Input& input, const Options& options)
+Ply_reader::Ply_reader(const Input& input, const Read_options& options)
   : lines_(input)
 {
   read_header();

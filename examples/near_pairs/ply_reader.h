@@ -35,7 +35,7 @@ struct Ply_element
 class Ply_reader : public Row_reader
 {
 public:
-  Ply_reader(const Input& input, const Options& options);
+  Ply_reader(const Input& input, const Read_options& options);
 
   bool next(Row& row) override;
 

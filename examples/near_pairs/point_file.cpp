@@ -7,6 +7,7 @@
 
 #include "decimal.h"
 #include "error.h"
+#include "exact_decimal.h"
 #include "input.h"
 #include "row_reader.h"
 

@@ -27,7 +27,7 @@ namespace {
 class Xyz_reader : public Row_reader
 {
 public:
-  Xyz_reader(const Input& input, const Options& options)
+  Xyz_reader(const Input& input, const Read_options& options)
     : lines_(input)
   {
     dimension = options.dimension == 0 ? 3 : options.dimension;
@@ -58,7 +58,7 @@ private:
 class Tsp_reader : public Row_reader
 {
 public:
-  Tsp_reader(const Input& input, const Options& options)
+  Tsp_reader(const Input& input, const Read_options& options)
     : lines_(input)
   {
     read_head();
@@ -124,7 +124,7 @@ private:
   std::size_t promised_ = 0; // 0: the head does not say
 };
 
-std::string format_of(const Input& input, const Options& options)
+std::string format_of(const Input& input, const Read_options& options)
 {
   if(!options.format.empty())
     return options.format;
@@ -138,7 +138,7 @@ std::string format_of(const Input& input, const Options& options)
 }
 
 // The option of these that only tables have, or an empty text.
-std::string option_for_tables(const Options& options)
+std::string option_for_tables(const Read_options& options)
 {
   return options.geographic ? "--geographic"
          : !options.columns.empty() ? "--columns"
@@ -149,7 +149,7 @@ std::string option_for_tables(const Options& options)
 
 // Returns nothing if the format is unknown.
 std::unique_ptr<Row_reader> reader_of(const std::string& format, const Input& input,
-                                      const Options& options)
+                                      const Read_options& options)
 {
   if(format == "xyz")
     return std::make_unique<Xyz_reader>(input, options);
@@ -175,7 +175,7 @@ std::string advice_on(const std::string& format)
 
 } // namespace
 
-std::unique_ptr<Row_reader> open_rows(const Input& input, const Options& options)
+std::unique_ptr<Row_reader> open_rows(const Input& input, const Read_options& options)
 {
   const std::string format = format_of(input, options);
   const std::initializer_list<const char*> tables = {"csv", "tsv", "txt", "dat"};

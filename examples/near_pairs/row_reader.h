@@ -8,7 +8,7 @@
 #define NEAR_PAIRS_ROW_READER_H
 
 #include "input.h"
-#include "options.h"
+#include "read_options.h"
 
 #include <array>
 #include <cstddef>
@@ -46,7 +46,7 @@ public:
 
 // Reads the input by options.format or, if that is empty, by its extension.
 // With --geographic the coordinates of a row are latitude and longitude, in this order.
-std::unique_ptr<Row_reader> open_rows(const Input& input, const Options& options);
+std::unique_ptr<Row_reader> open_rows(const Input& input, const Read_options& options);
 
 // The extension of a file name, in lower case, with its point.
 std::string extension(const std::string& file);

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The search, a function per kernel. Each is compiled in a file of its own from the templates in
-// search_with_kernel.h and closest_with_kernel.h.
+// The search, functions of each kernel. They are compiled in a file for each kernel from the
+// templates in search_with_kernel.h and closest_with_kernel.h. stop.h stops them.
 
 #ifndef NEAR_PAIRS_SEARCH_H
 #define NEAR_PAIRS_SEARCH_H
@@ -12,7 +12,6 @@
 
 #include <CGAL/Exact_rational.h>
 
-#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -35,9 +34,6 @@ struct Closest_result
   CGAL::Exact_rational squared_distance; // in the unit of the file, exactly
   double seconds = 0;
 };
-
-// Set this, also from a signal handler, to end a search early: it then throws Error.
-inline std::atomic<bool> stop_requested = false;
 
 // Receives each pair once, i < j, as positions in the scene. It is never called by two threads at
 // once.

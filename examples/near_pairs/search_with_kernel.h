@@ -6,9 +6,10 @@
 #ifndef NEAR_PAIRS_SEARCH_WITH_KERNEL_H
 #define NEAR_PAIRS_SEARCH_WITH_KERNEL_H
 
-#include "decimal.h"
 #include "error.h"
+#include "exact_decimal.h"
 #include "search.h"
+#include "stop.h"
 
 #include <CGAL/Distance_bound.h>
 #include <CGAL/Iterator_range.h>

@@ -6,7 +6,7 @@
 #include "standard_streams.h"
 
 #include "error.h"
-#include "search.h"
+#include "stop.h"
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -5,6 +5,7 @@
 // number, integer at a scale, nearest double, and text.
 
 #include "decimal.h"
+#include "exact_decimal.h"
 
 #include <CGAL/number_utils.h> // to_double
 

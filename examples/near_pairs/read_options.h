@@ -1,0 +1,28 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// What the readers of files want to know of the command line.
+
+#ifndef NEAR_PAIRS_READ_OPTIONS_H
+#define NEAR_PAIRS_READ_OPTIONS_H
+
+#include <string>
+#include <vector>
+
+namespace near_pairs {
+
+struct Read_options
+{
+  int dimension = 0; // 0: what the file has
+  bool geographic = false;
+  std::string format;             // the extension it goes by; empty: that of the file
+  char separator = 0;             // of a table; 0: to be found, ' ': any number of blanks and tabs
+  bool no_header = false;
+  std::vector<std::string> columns;
+  std::string id;                 // the column of names; empty: the one that is called so
+  bool decimal = false;
+};
+
+} // namespace near_pairs
+
+#endif // NEAR_PAIRS_READ_OPTIONS_H
