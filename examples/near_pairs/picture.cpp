@@ -34,6 +34,7 @@ constexpr double title_size = 19;
 constexpr std::size_t longest_names = 56, longest_distance = 40, longest_axis_name = 30; // letters
 constexpr double shortest_line = 6;           // pixels: a shorter pair is a mark
 constexpr std::size_t most_lines = 20000;     // more cannot be told apart anyway
+constexpr std::size_t longest_path = 2000;    // characters: a program draws long ones slowly
 constexpr std::ptrdiff_t most_inset_points = 250;
 const double degree = std::acos(-1.) / 180;
 
@@ -263,13 +264,23 @@ void Picture::write_points(std::ostream& svg, const Panel& panel, double size) c
 void Picture::write_pairs(std::ostream& svg, const Panel& panel, const Pairs& pairs) const
 {
   std::map<std::string, std::string> paths; // of each color
-  for(const auto& [i, j] : pairs)
-    if(!geographic_ || std::abs(positions_[i].x - positions_[j].x) < 180)
-      paths[component_colors_.empty() ? pair_color : component_colors[color_of(i)]]
-        += 'M' + pixels(panel.place(positions_[i])) + 'L' + pixels(panel.place(positions_[j]));
-  for(const auto& [color, path] : paths)
+  const auto write = [&](const std::string& color, std::string& path) {
     svg << "<path fill='none' stroke-opacity='0.7' stroke='" << color << "' d='" << path
         << "'/>\n";
+    path.clear();
+  };
+  for(const auto& [i, j] : pairs)
+    if(!geographic_ || std::abs(positions_[i].x - positions_[j].x) < 180) {
+      const std::string color
+        = component_colors_.empty() ? pair_color : component_colors[color_of(i)];
+      std::string& path = paths[color];
+      path += 'M' + pixels(panel.place(positions_[i])) + 'L' + pixels(panel.place(positions_[j]));
+      if(path.size() > longest_path)
+        write(color, path);
+    }
+  for(auto& [color, path] : paths)
+    if(!path.empty())
+      write(color, path);
 }
 
 void Picture::write_inset(std::ostream& svg) const
