@@ -211,8 +211,8 @@ void check_grid(double extent, int exponent, double steps, std::uint64_t max_squ
   for(int repetition = 0; repetition < 100; ++repetition) {
     const auto b = static_cast<double>(random.below(static_cast<std::size_t>(steps) + 1));
     const double more = static_cast<double>(random.below(4)) - 1;
-    const double a
-      = (std::max)(std::floor(std::sqrt(static_cast<double>(max_square) - b * b)) + more, 0.);
+    const double rest = (std::max)(static_cast<double>(max_square) - b * b, 0.);
+    const double a = (std::max)(std::floor(std::sqrt(rest)) + more, 0.);
     const Coordinates_of<Dimension> p = {box[0].low, box[1].low};
     Coordinates_of<Dimension> q = p;
     q[0] += std::ldexp(a, exponent);
@@ -234,8 +234,11 @@ BOOST_AUTO_TEST_CASE(coordinates_of_a_grid_decide_all)
       for(const double steps : {1., 2., 5., 1000., 4095., 4096., 4097., 0x1p20, 0x1p24 - 1, 0x1p24})
         for(const std::uint64_t less : {0, 1}) {
           const auto square = static_cast<std::uint64_t>(steps * steps) - less;
-          check_grid<2>(0x1p25, exponent, steps, square, random);
-          check_grid<3>(0x1p30, exponent, steps, square, random);
+          BOOST_TEST_CONTEXT("mode " << mode << ", grid 2^" << exponent << ", " << square)
+          {
+            check_grid<2>(0x1p25, exponent, steps, square, random);
+            check_grid<3>(0x1p30, exponent, steps, square, random);
+          }
         }
   }
 }
