@@ -10,6 +10,7 @@
 // these functions only.
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -41,6 +42,15 @@ template <class Point, class = void>
 struct Has_approximation : std::false_type {};
 template <class Point>
 struct Has_approximation<Point, std::void_t<Approximate_coordinate_t<Point>>> : std::true_type {};
+
+// Asks for the memory of the approximation of a lazy point. A handle to it is all that the point
+// itself holds.
+template <class Point>
+void ask_for_approximation([[maybe_unused]] const Point& p)
+{
+  if constexpr(Has_approximation<Point>::value)
+    prefetch_to_read(p.for_compact_container());
+}
 
 // Returns doubles that enclose coordinate i of p. A lazy point has them in its approximation. Its
 // coordinate would be a new lazy number, with memory of its own.

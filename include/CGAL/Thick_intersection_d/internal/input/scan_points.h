@@ -83,6 +83,9 @@ public:
   }
 
 private:
+  // How far ahead the scan asks for lazy points, each of which is memory of its own. Measured.
+  static constexpr std::size_t points_ahead = 32;
+
   // An interval per axis: in an array if the type of the points tells how many there are. The
   // compiler keeps the ends of an array in registers.
   template <int Dimension>
@@ -109,6 +112,8 @@ private:
     auto box = intervals_for<Point>();
     double error = error_;
     for(std::size_t position = first; position < last; ++position) {
+      if(position + points_ahead < last)
+        ask_for_approximation(points[position + points_ahead]);
       const auto& point = points[position];
       bool is_good = point.dimension() == dimension;
       for(int axis = 0; is_good && axis < dimension; ++axis) {
