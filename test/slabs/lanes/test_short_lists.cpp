@@ -3,6 +3,7 @@
 
 // Short lists in order, by the lanes of all processors, against std::sort.
 
+#include "support/instruction_sets.h"
 #include "support/point_generators.h"
 
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/short_lists.h>
@@ -51,10 +52,10 @@ void check_sort(const Sort& sort)
 
 BOOST_AUTO_TEST_CASE(lists_of_all_sizes_are_sorted)
 {
-  check_sort(internal::sort_short_list);
-  check_sort(internal::Short_lists_plain::sort);
-  if(internal::Short_lists_avx512::is_supported())
-    check_sort(internal::Short_lists_avx512::sort);
+  for(const internal::Instruction_set set : instruction_sets()) {
+    const Forced_instruction_set forced(set);
+    check_sort(internal::sort_short_list);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

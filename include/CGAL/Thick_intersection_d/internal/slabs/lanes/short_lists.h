@@ -10,6 +10,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Short_list.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/instruction_set.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/short_lists_avx512.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/short_lists_plain.h>
 
@@ -21,7 +22,7 @@ namespace internal {
 // whole list.
 inline void sort_short_list(const Short_list& list, Place size, Place* sorted)
 {
-  if(Short_lists_avx512::is_supported())
+  if(instruction_set() == Instruction_set::AVX512)
     Short_lists_avx512::sort(list, size, sorted);
   else
     Short_lists_plain::sort(list, size, sorted);

@@ -32,12 +32,6 @@ static_assert(Short_list::capacity == 32 && sizeof(Place) == 4, "Two registers h
 // than all headers of this package.
 struct Short_lists_avx512
 {
-  static bool is_supported()
-  {
-    static const bool is = __builtin_cpu_supports("avx512f");
-    return is;
-  }
-
   // Sorts like Short_lists_plain. Lanes without a position hold the largest number, so they are
   // sorted to the end.
   CGAL_THICK_INTERSECTION_D_AVX512 static void sort(const Short_list& list, Place size,
@@ -161,10 +155,7 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-struct Short_lists_avx512 : Short_lists_plain
-{
-  static bool is_supported() { return false; }
-};
+using Short_lists_avx512 = Short_lists_plain;
 
 } // namespace internal
 } // namespace Thick_intersection_d
