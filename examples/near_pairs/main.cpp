@@ -221,6 +221,21 @@ void run_closest(const Options& options, const Scene& scene, Outputs& outputs)
   print_hints(std::cerr, scene, options, 0);
 }
 
+// The search gives points of the plane a third coordinate of 0, which is not in the user's file.
+std::string profile_in_dimension_of(const Scene& scene, std::string profile)
+{
+  const auto replace = [&](const std::string& part, const std::string& by) {
+    const std::size_t at = profile.find(part);
+    if(at != std::string::npos)
+      profile.replace(at, part.size(), by);
+  };
+  if(scene.dimension == 2) {
+    replace(" in dimension 3\n", " in dimension 2\n");
+    replace("axis 2      [0, 0]\n", "");
+  }
+  return profile;
+}
+
 void run_search(const Options& options, const Scene& scene, Outputs& outputs)
 {
   outputs.begin(options);
@@ -232,7 +247,7 @@ void run_search(const Options& options, const Scene& scene, Outputs& outputs)
   outputs.finish();
   std::ostream& out = outputs.summary();
   if(options.explain)
-    out << result.profile << '\n';
+    out << profile_in_dimension_of(scene, result.profile) << '\n';
   print_summary(out, scene, options, result);
   outputs.print_components(out);
   finish(out, "the summary");

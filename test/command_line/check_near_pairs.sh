@@ -417,6 +417,9 @@ done
 run ties.csv --distance 1 --explain
 verdict "--explain describes the scene" grep -q 'reach' out
 verdict "--explain tells what decided" grep -q 'no filter used\|decide the rest' out
+verdict "--explain has the dimension of the plane" grep -q 'in dimension 2$' out
+has_two_axes() { [ "$(grep -c '^axis' out)" -eq 2 ]; }
+verdict "  and its axes" has_two_axes
 run ties.csv --distance 1 --progress
 verdict "--progress shows a percentage" grep -q '100 %' err
 run --help
