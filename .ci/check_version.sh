@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Checks that the files that repeat the version have that of CGAL/Thick_intersection_d/version.h: the
-# number beside the string, the manual, CHANGES.md, CITATION.cff and the port for vcpkg.
+# number beside the string, the manual, CHANGES.md, CITATION.cff, the port for vcpkg and the packages
+# for Debian.
 #
 # Prints each file that differs; exits with 1 if there is one.
 #
@@ -31,6 +32,7 @@ expect "$header" "$number" 's/^#define CGAL_THICK_INTERSECTION_D_VERSION_NR ([0-
 expect doc/Doxyfile "$version" 's/^PROJECT_NUMBER *= *(.*)$/\1/p'
 expect CHANGES.md "$version" 's/^## ([^ ]*).*$/\1/p'
 expect CITATION.cff "$version" 's/^version: *(.*)$/\1/p'
+expect debian/changelog "$version" 's/^thick-intersection-d [(](.*)[)] .*$/\1/p'
 expect packaging/vcpkg/vcpkg.json "$version" 's/^ *"version-semver": "(.*)",$/\1/p'
 
 exit $fail
