@@ -24,10 +24,12 @@ namespace CGAL {
 holds a list of neighbors for each point of a range, as positions in ascending order. The neighbors
 are points of the same range, or of a second one.
 
-`fixed_radius_neighbor_lists()` makes the lists. They do not refer to the points. The lists are
-stored one after another, in \f$ 8 (n + 1) \f$ bytes for \f$ n \f$ points and 4 bytes for each
-neighbor. Positions have 32 bits, so ranges have less than \f$ 2^{32} \f$ points. Several threads
-may read the lists at once.
+`fixed_radius_neighbor_lists()` makes the lists. They do not refer to the points;
+`neighbor_squared_distances()` computes the distances when they are wanted. The lists are stored one
+after another, in \f$ 8 (n + 1) \f$ bytes for \f$ n \f$ points and 4 bytes for each neighbor.
+Positions have 32 bits, so ranges have less than \f$ 2^{32} \f$ points. Where lists begin is of the
+type `std::size_t`, with 64 bits on common machines. So only the memory limits how many neighbors
+there are in all. Several threads may read the lists at once.
 */
 class Neighbor_lists
 {

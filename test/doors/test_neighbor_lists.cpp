@@ -9,11 +9,19 @@
 #include "support/point_generators.h"
 
 #include <CGAL/Epick_d.h>
+#include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/neighbor_squared_distances.h>
+#include <CGAL/property_map.h>
 
 #include <boost/test/unit_test.hpp>
 
+#include <array>
+#include <limits>
 #include <list>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 using namespace test_support;
 
@@ -184,4 +192,68 @@ BOOST_AUTO_TEST_CASE(lists_of_a_cancelled_search)
   BOOST_CHECK_EQUAL(lists.size(), 100u);
   BOOST_CHECK_GT(lists.number_of_pairs(), 0u);
   BOOST_CHECK_LT(lists.number_of_pairs(), 4950u);
+}
+
+// A total of neighbors that 32 bits do not hold would take 16 GB, so this asks for the type alone.
+BOOST_AUTO_TEST_CASE(lists_may_begin_beyond_32_bits)
+{
+  using Begin = std::decay_t<decltype(CGAL::Neighbor_lists().begins()[0])>;
+  BOOST_CHECK_EQUAL(std::numeric_limits<Begin>::max(), std::numeric_limits<std::size_t>::max());
+  BOOST_CHECK_GE(sizeof(Begin), sizeof(void*));
+  BOOST_CHECK((std::is_same_v<Begin, decltype(CGAL::Neighbor_lists().number_of_pairs())>));
+}
+
+BOOST_AUTO_TEST_CASE(squared_distances_are_in_the_order_of_the_lists)
+{
+  const auto points = make_points<Cartesian_points<Kernel, 2>>(uniform_points(2, 400, 0, 1, 11));
+  const CGAL::Neighbor_lists lists
+    = CGAL::fixed_radius_neighbor_lists(points, CGAL::within_distance(0.1));
+  const std::vector<double> distances = CGAL::neighbor_squared_distances(lists, points);
+  BOOST_REQUIRE_GT(distances.size(), 0u);
+  BOOST_REQUIRE_EQUAL(distances.size(), lists.positions().size());
+  for(std::size_t i = 0; i < lists.size(); ++i)
+    for(std::size_t k = lists.begins()[i]; k < lists.begins()[i + 1]; ++k) {
+      const auto& p = points[i];
+      const auto& q = points[lists.positions()[k]];
+      const double x = p.x() - q.x(), y = p.y() - q.y();
+      BOOST_CHECK_EQUAL(distances[k], x * x + y * y);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(squared_distances_are_exact_if_the_kernel_is)
+{
+  using FT = CGAL::Exact_rational;
+  using Point = CGAL::Simple_cartesian<FT>::Point_3;
+  const FT third = FT(1) / 3;
+  const std::list<Point> a = {Point(0, 0, 0), Point(third, 0, 0)};
+  const std::vector<Point> b = {Point(1, 1, 1), Point(third, third, 2 * third)};
+  const CGAL::Neighbor_lists lists({0, 2, 3}, {0, 1, 1}, false);
+  const std::vector<FT> distances = CGAL::neighbor_squared_distances(lists, a, b);
+  BOOST_CHECK((distances == std::vector<FT>{3, 2 * third, 5 * third * third}));
+}
+
+BOOST_AUTO_TEST_CASE(squared_distances_of_mapped_points_of_any_dimension)
+{
+  using Point = CGAL::Epick_d<CGAL::Dynamic_dimension_tag>::Point_d;
+  const auto point_at = [](double x) {
+    const std::array<double, 4> coordinates = {x, 2, x, 4};
+    return Point(coordinates.begin(), coordinates.end());
+  };
+  const std::vector<std::pair<int, Point>> elements = {{7, point_at(1)}, {8, point_at(4)}};
+  using Map = CGAL::Second_of_pair_property_map<std::pair<int, Point>>;
+  const CGAL::Neighbor_lists lists({0, 1, 2}, {1, 0});
+  const auto np = CGAL::parameters::point_map(Map());
+  const std::vector<double> distances = CGAL::neighbor_squared_distances(lists, elements, np);
+  BOOST_CHECK((distances == std::vector<double>{18, 18}));
+  BOOST_CHECK(CGAL::neighbor_squared_distances(lists, elements, elements, np) == distances);
+}
+
+BOOST_AUTO_TEST_CASE(lists_of_other_points_have_no_distances)
+{
+  const std::vector<Kernel::Point_2> points(2, Kernel::Point_2(1, 2));
+  const CGAL::Neighbor_lists of_three({0, 0, 0, 0}, {}), beyond({0, 1, 1}, {2});
+  BOOST_CHECK_THROW(CGAL::neighbor_squared_distances(of_three, points), std::invalid_argument);
+  BOOST_CHECK_THROW(CGAL::neighbor_squared_distances(beyond, points), std::invalid_argument);
+  BOOST_CHECK(CGAL::neighbor_squared_distances(CGAL::Neighbor_lists(),
+                                               std::vector<Kernel::Point_2>()).empty());
 }
