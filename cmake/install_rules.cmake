@@ -60,3 +60,19 @@ configure_file(
   @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/Thick_intersection_d.pc
   DESTINATION ${CMAKE_INSTALL_DATADIR}/pkgconfig ${in_component})
+
+# On request: cmake --install <build> --component examples, or doc. A project above this one may have
+# components of these names.
+if(PROJECT_IS_TOP_LEVEL)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples/
+    DESTINATION ${doc_dir}/examples COMPONENT examples EXCLUDE_FROM_ALL
+    PATTERN CMakeLists.txt EXCLUDE)
+
+  set(manual ${PROJECT_SOURCE_DIR}/build/doc)
+  install(CODE "
+    if(NOT EXISTS \"${manual}/index.html\")
+      message(FATAL_ERROR \"There is no manual in ${manual}: run scripts/doc first.\")
+    endif()"
+    COMPONENT doc EXCLUDE_FROM_ALL)
+  install(DIRECTORY ${manual}/ DESTINATION ${doc_dir}/html COMPONENT doc EXCLUDE_FROM_ALL)
+endif()

@@ -1,5 +1,6 @@
 # Installs the build in BUILD_DIR to an emptied PREFIX, and fails unless exactly the headers of
 # SOURCE_DIR arrived, and pkg-config (if PKG_CONFIG names it) finds them there in their VERSION.
+# Examples and manual are to arrive if they are asked for.
 # Run by ctest: cmake -D ... -P install.cmake
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
@@ -20,6 +21,31 @@ set(unexpected ${installed})
 list(REMOVE_ITEM unexpected ${expected})
 if(NOT expected OR missing OR unexpected)
   message(FATAL_ERROR "Headers: missing\n  ${missing}\nunexpected\n  ${unexpected}")
+endif()
+
+function(expect_file is_there name)
+  file(GLOB_RECURSE found ${PREFIX}/${name})
+  if((is_there AND NOT found) OR (found AND NOT is_there))
+    message(FATAL_ERROR "The files ${name} in ${PREFIX}: '${found}'")
+  endif()
+endfunction()
+
+function(install_component component result)
+  execute_process(
+    COMMAND ${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${PREFIX} --component ${component}
+    RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE said)
+  set(${result} "${status} ${said}" PARENT_SCOPE)
+endfunction()
+
+expect_file(FALSE near_points.cpp)
+install_component(examples result)
+expect_file(TRUE near_points.cpp)
+expect_file(TRUE spot.obj)
+install_component(doc result)
+if(EXISTS ${SOURCE_DIR}/build/doc/index.html)
+  expect_file(TRUE Thick_intersection_d.tag)
+elseif(NOT result MATCHES "^1 .*run scripts/doc first")
+  message(FATAL_ERROR "Without a manual, its installation ends with ${result}")
 endif()
 
 if(NOT PKG_CONFIG)
