@@ -54,6 +54,8 @@ const char* const lines[] = {
   // horizontals and verticals that begin on a diagonal, none of which meet
   "boxes2 follow:1:0.0001:1@all:1 extent:0:0.2:0@every:0.5 extent:1:0.2:0@others:0.5",
   "boxes2_sets follow:1:0.0001:1@all:1 extent:0:0.2:0@first:0.5 extent:1:0.2:0@last:0.5",
+  // two kinds of boxes in turn, of which one begins in one place along two axes
+  "boxes3 r=1.2e-06 place:2:4.5:0@all:1 span:0:0.5r:0.09r@others:0.33",
   // sizes
   "boxes2 law:2:0.3/n^0.5:0.7@all:1",
   "boxes3 law:3:0.3/n^0.5:0.7@all:1",

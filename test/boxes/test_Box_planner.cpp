@@ -60,6 +60,16 @@ BOOST_AUTO_TEST_CASE(sweep_axis_is_the_one_along_which_boxes_are_short)
   }
 }
 
+// Every third box begins anywhere, and the others begin in one place along axis 0.
+BOOST_AUTO_TEST_CASE(boxes_of_one_kind_at_equal_steps_do_not_mislead_the_plan)
+{
+  Number_boxes boxes = uniform_boxes(3 * 16384, {1e-6, 1e-6});
+  for(std::size_t i = 0; i < boxes.size(); ++i)
+    if(i % 3 != 0)
+      boxes[i][0] = {0.5, 0.5};
+  BOOST_CHECK_EQUAL(plan_of<2>(boxes).sweep_axis, 1);
+}
+
 BOOST_AUTO_TEST_CASE(candidates_are_estimated)
 {
   const internal::Box_plan<2> plan = plan_of<2>(uniform_boxes(10000, {0.02, 5}));

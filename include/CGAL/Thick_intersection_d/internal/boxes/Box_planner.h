@@ -7,6 +7,7 @@
 
 // Decides how the boxes of a piece are searched: cut along which axis, swept along which axis.
 
+#include <CGAL/Thick_intersection_d/internal/arrays/Random_numbers.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Axis_profile.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/tuning.h>
@@ -60,14 +61,16 @@ public:
   }
 
 private:
+  // Takes a random box of each step, because boxes at equal steps may be of one kind.
   template <std::size_t Sets>
   void take_sample(const Piece<Piece_box<Axes>, Sets>& piece, std::size_t sample_limit)
   {
     sample_.clear();
+    Random_numbers random;
     const std::size_t step = (std::max)(std::size_t(1), piece.size() / sample_limit);
     for(const auto& span : piece)
       for(std::size_t i = 0; i < span.size(); i += step)
-        sample_.push_back(span.first + i);
+        sample_.push_back(span.first + i + random() % (std::min)(step, span.size() - i));
   }
 
   int most_selective_axis() const

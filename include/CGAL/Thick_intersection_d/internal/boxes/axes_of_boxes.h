@@ -7,6 +7,7 @@
 
 // Chooses the axes that boxes have, if objects have more.
 
+#include <CGAL/Thick_intersection_d/internal/arrays/Random_numbers.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Axis_profile.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/tuning.h>
@@ -22,13 +23,16 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Returns the share of pairs of objects that meet along an axis, by a sample of the objects.
+// Returns the share of pairs of objects that meet along an axis, by a sample of the objects: a
+// random one of each step, because objects at equal steps may be of one kind.
 template <class Objects>
 double meeting_share_along(const Objects& objects, int axis)
 {
   std::vector<Piece_box<1>> boxes;
   const std::size_t step = objects.size() / box_sample + 1;
-  for(std::size_t position = 0; position < objects.size(); position += step) {
+  Random_numbers random;
+  for(std::size_t first = 0; first < objects.size(); first += step) {
+    const std::size_t position = first + random() % (std::min)(step, objects.size() - first);
     const Interval interval = objects.intervals(position)(axis);
     boxes.push_back({{interval.low}, {interval.high}, static_cast<Place>(position), 0});
   }
