@@ -42,6 +42,7 @@ const char* const lines[] = {
   "close2 r=1e-30 nested:0:600/n:1@all:1 follow:1:0:1@all:1",
   "close3 r=1e-30 squeeze:3:1:1@all:1 place:3:0:1e-19@every:0.5",
   // all neighbors at the same distance, and no distance at all
+  "closest2 steps:2:0.59:0.98/n@all:1 copy:1:0r:0@random:0.82 nested:2:0.5:8.5@sampled:0.9",
   "closest2 steps:2:0.14:0.0088@all:1",
   "closest3 steps:3:0.14:0.0088@all:1",
   "close2 r=1/n steps:2:0:1@all:1",

@@ -119,6 +119,19 @@ BOOST_AUTO_TEST_CASE(near_pairs_of_crowded_points_are_reported)
   }
 }
 
+// Among pairs at the same distance the first one is the closest, unless there is a closer one.
+BOOST_AUTO_TEST_CASE(wide_scenes_of_ties_are_searched_once)
+{
+  for(const double shift : {0., 0.5}) {
+    Points points = shuffled(lattice_points(2, 60, 1), 3);
+    points[1000][0] += shift;
+    const int reports = reports_of_closest_pair<2>(points);
+    points.push_back({0x1p40, 0});
+    BOOST_CHECK_EQUAL(reports_of_closest_pair<2>(points), 1);
+    BOOST_CHECK_EQUAL(reports, shift == 0 ? 2 : 1);
+  }
+}
+
 // Neither are their samples crowded, nor samples of these.
 BOOST_AUTO_TEST_CASE(uniform_points_are_not_crowded)
 {

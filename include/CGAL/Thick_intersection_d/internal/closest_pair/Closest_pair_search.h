@@ -17,6 +17,7 @@
 #include <CGAL/Arithmetic_tier.h>
 #include <CGAL/Distance_bound.h>
 
+#include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_tier.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Cell_join.h>
@@ -28,13 +29,16 @@
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Step_budget.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/first_equal_pair.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/tuning.h>
+#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Is_within_distance.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <mutex>
@@ -151,44 +155,88 @@ private:
     progress_.restart(2 * positions.size() + later);
     if(!scene_.is_grid_known && !grid_exponent_)
       grid_exponent_ = grid_exponent_of(points_, scene_);
-    if(!do_integers_decide(minimum.reach())) // a longer bound leaves all ties to the minimum
+    const Arithmetic_tier tier
+      = first_exact_tier(minimum.reach(), grid_exponent_, scene_.extended_axis_count());
+    if(tier == Arithmetic_tier::FILTERED_EXACT) // a longer bound leaves all ties to the minimum
       return offer_reported(positions, within_distance(minimum.reach() * (1 + 0x1p-40)), minimum,
-                            &Minimum::offer);
-    // Closer pairs are few, and if there are any, they make all others no matter. Otherwise nothing
-    // is left but pairs that are as close.
+                            Offer_closer());
+    return is_wide(minimum.reach()) ? report_once(positions, tier, minimum)
+                                    : report_twice(positions, minimum);
+  }
+
+  // Whether slabs may have to be cut again and again. In other scenes a search of near pairs takes
+  // less time than to look at the points of each pair.
+  bool is_wide(double reach) const
+  {
+    double length = 0;
+    for(const Interval& interval : scene_.box)
+      length = (std::max)(length, interval.length());
+    return length > max_narrow_reaches * reach;
+  }
+
+  // Closer pairs are few, and if there are any, they make all others no matter. Otherwise nothing
+  // is left but pairs that are as close.
+  bool report_twice(const Positions& positions, Minimum& minimum)
+  {
     const auto bound = within_squared_distance(minimum.exact_square());
     const Position_pair pair = minimum.pair();
-    const bool are_few = offer_reported(positions, bound.open(), minimum, &Minimum::offer);
+    const bool are_few = offer_reported(positions, bound.open(), minimum, Offer_closer());
     if(!are_few || minimum.pair() != pair || progress_.is_cancelled())
       return are_few;
-    return offer_reported(positions, bound, minimum, &Minimum::offer_tie);
+    return offer_reported(positions, bound, minimum,
+                          [](Offers& own, std::size_t i, std::size_t j) {
+                            own.tied.offer_tie(i, j);
+                          });
   }
 
-  bool do_integers_decide(double reach) const
+  // Asks about each pair whether it is closer.
+  bool report_once(const Positions& positions, Arithmetic_tier tier, Minimum& minimum)
   {
-    return first_exact_tier(reach, grid_exponent_, scene_.extended_axis_count())
-           != Arithmetic_tier::FILTERED_EXACT;
+    const auto bound = within_squared_distance(minimum.exact_square());
+    Scene scene = scene_;
+    scene.grid_exponent = grid_exponent_;
+    const Is_within_distance<Point> is_closer(
+      Squared_bound<Exact_number_t<Coordinate_t<Point>>>(bound.open()), scene, tier);
+    return offer_reported(positions, bound, minimum,
+                          [&](Offers& own, std::size_t i, std::size_t j) {
+                            if(is_closer(points_[i], points_[j]))
+                              own.closer.offer(i, j);
+                            else
+                              own.tied.offer_tie(i, j);
+                          });
   }
 
-  // Offers the pairs within the bound to a minimum of each thread, up to a number of pairs.
+  // What a thread offers its pairs to, and counts them by.
+  struct Offers
+  {
+    Minimum closer;
+    Minimum tied;
+    Step_counter counter;
+  };
+
+  struct Offer_closer
+  {
+    void operator()(Offers& own, std::size_t i, std::size_t j) const { own.closer.offer(i, j); }
+  };
+
+  // Calls offer(own, i, j) for the pairs within the bound, up to a number of pairs, with `own` of
+  // each thread. Then offers what it has to the minimum.
   template <class Bound, class Offer>
   bool offer_reported(const Positions& positions, const Bound& bound, Minimum& minimum,
                       const Offer& offer)
   {
-    struct Offers
-    {
-      Minimum minimum;
-      Step_counter counter;
-    };
     Step_budget budget(max_near_pairs_per_point * positions.size());
-    Per_thread<ConcurrencyTag, Offers> offers(Offers{minimum, Step_counter(budget)});
+    Per_thread<ConcurrencyTag, Offers> offers(Offers{minimum, minimum, Step_counter(budget)});
     report_near_(Points_at<Elements>(points_, positions), bound,
                  [&](std::size_t i, std::size_t j) {
                    Offers& own = offers.local();
-                   (own.minimum.*offer)(positions[i], positions[j]);
+                   offer(own, positions[i], positions[j]);
                    return own.counter.step();
                  }, progress_);
-    offers.for_each([&](const Offers& own) { minimum.offer_pair_of(own.minimum); });
+    offers.for_each([&](const Offers& own) {
+      minimum.offer_pair_of(own.tied);
+      minimum.offer_pair_of(own.closer);
+    });
     return !budget.is_exceeded();
   }
 

@@ -32,6 +32,11 @@ inline constexpr std::size_t max_steps_per_point = 5;
 // More pairs per point that are as near as the closest pair of a sample are not to be expected.
 inline constexpr std::size_t max_near_pairs_per_point = 100;
 
+// Where a scene extends over more distances than this, slabs search it once, and each pair is
+// looked at. 64,000 points in equal steps, and 512 at many scales: 0.58. A lattice has no such
+// extent; 216,000 of its points in space take 1.2 times as long if they are searched once.
+inline constexpr double max_narrow_reaches = 1 << 21;
+
 // The randomized cells take a few hundred steps per point of a lattice in space. More are due to a
 // seed that the points are made for.
 inline constexpr std::size_t max_cell_steps_per_point = 1000;
