@@ -77,6 +77,24 @@ BOOST_AUTO_TEST_CASE(candidates_are_estimated)
   BOOST_CHECK_CLOSE(plan.candidates, 200, 5);
 }
 
+// Rows and columns that begin on a diagonal meet along either axis, but not along both.
+BOOST_AUTO_TEST_CASE(sample_shows_a_crowd_without_pairs)
+{
+  Number_boxes boxes(20000);
+  for(std::size_t i = 0; i < boxes.size(); ++i) {
+    const double x = static_cast<double>(i);
+    boxes[i][i % 2] = {x, x + 10000};
+    boxes[i][1 - i % 2] = {x, x};
+  }
+  const internal::Box_plan<2> crowd = plan_of<2>(boxes);
+  BOOST_CHECK_GT(crowd.candidates, 2000);
+  BOOST_CHECK_LT(crowd.pair_share, 0.01);
+  BOOST_CHECK_EQUAL(plan_of<2>(Number_boxes(20000), Box_tuning(), 5000).pair_share, 1);
+  for(Number_box& box : boxes)
+    box[1] = {0, 0};
+  BOOST_CHECK_GT(plan_of<2>(boxes).pair_share, 0.9);
+}
+
 BOOST_AUTO_TEST_CASE(identical_boxes_are_not_cut)
 {
   const internal::Box_plan<3> plan = plan_of<3>(Number_boxes(10000));

@@ -28,6 +28,7 @@ struct Box_plan
 {
   int sweep_axis;
   double candidates; // of a box in the sweep, on average, as if two sets were one
+  double pair_share = 1; // of these candidates, if there are many of them, and none is cut off
   int cut_axis = -1; // before the sweep, unless it is -1
   Interval range = {0, 0};
   Place piece_count = 1;
@@ -57,6 +58,8 @@ public:
     for(int axis = 0; axis < Axes; ++axis)
       if(axis != sweep_axis && profiles_[axis].is_cuttable())
         consider_cuts(axis, size, least, plan);
+    if(plan.cut_axis < 0 && plan.candidates > tuning_.crowded_candidates)
+      plan.pair_share = share_of_pairs<Sets>(sweep_axis);
     return plan;
   }
 
@@ -68,9 +71,40 @@ private:
     sample_.clear();
     Random_numbers random;
     const std::size_t step = (std::max)(std::size_t(1), piece.size() / sample_limit);
-    for(const auto& span : piece)
+    for(const auto& span : piece) {
+      last_begin_ = sample_.size();
       for(std::size_t i = 0; i < span.size(); i += step)
         sample_.push_back(span.first + i + random() % (std::min)(step, span.size() - i));
+    }
+  }
+
+  // The share of pairs among random pairs of the sample that meet along the axis of the sweep. If
+  // there are few of these, the answer is one.
+  template <std::size_t Sets>
+  double share_of_pairs(int sweep_axis) const
+  {
+    Random_numbers random;
+    int candidates = 0;
+    int pairs = 0;
+    const std::size_t first_count = Sets == 1 ? sample_.size() : last_begin_;
+    const std::size_t last_count = sample_.size() - last_begin_;
+    for(int i = 0; i < crowd_pairs; ++i) {
+      const auto& a = *sample_[random() % first_count];
+      const auto& b = *sample_[last_begin_ + random() % last_count];
+      if(&a == &b || !do_meet(a, b, sweep_axis))
+        continue;
+      bool meet = true;
+      for(int axis = 0; axis < Axes; ++axis)
+        meet = meet && do_meet(a, b, axis);
+      ++candidates;
+      pairs += meet;
+    }
+    return candidates < min_crowd_candidates ? 1 : double(pairs) / candidates;
+  }
+
+  static bool do_meet(const Piece_box<Axes>& a, const Piece_box<Axes>& b, int axis)
+  {
+    return a.low[axis] <= b.high[axis] && b.low[axis] <= a.high[axis];
   }
 
   int most_selective_axis() const
@@ -114,6 +148,7 @@ private:
 
   const Box_tuning tuning_;
   std::vector<const Piece_box<Axes>*> sample_;
+  std::size_t last_begin_ = 0; // where the boxes of the last set begin in the sample
   std::array<Axis_profile, Axes> profiles_;
 };
 

@@ -87,41 +87,48 @@ private:
       return;
     auto& order = worker.template order<Sets>();
     if(!piece.has_pairs())
-      finish(piece, task);
-    else if(piece.size() <= tuning_.few_boxes || task.may_be_swept) {
+      return finish(piece, task);
+    if(piece.size() <= tuning_.few_boxes || task.may_be_swept) {
       order.set(piece, task.sweep_axis, tuning_);
       if(order.candidate_count() <= tuning_.usual_box_candidates * piece.size()
          || piece.size() <= tuning_.few_boxes)
-        sweep_boxes(order, piece, task);
-      else
-        plan_piece(worker, piece, task);
+        return sweep_boxes(order, piece, task);
     }
-    else
-      plan_piece(worker, piece, task);
+    plan_piece(worker, piece, task);
   }
 
   // Cuts the boxes, or sweeps them, or searches them in another way if they are crowded: if there
-  // are many candidates, and few of them are pairs.
+  // are many candidates, and few of them are pairs. The sample shows most crowds before they are
+  // put in order.
   template <std::size_t Sets>
   void plan_piece(Worker& worker, const Piece<Box, Sets>& piece, const Piece_task& task)
   {
     const Box_plan<axes> plan = worker.planner.plan(piece, task.sample_limit);
     if(plan.cut_axis >= 0 && task.cuts_left > 0 && search_cut(worker, piece, task, plan))
       return;
+    if(plan.candidates > tuning_.crowded_candidates && plan.pair_share < tuning_.crowded_share
+       && search_crowd(worker, piece, task, plan, plan.candidates))
+      return;
     auto& order = worker.template order<Sets>();
     order.set(piece, plan.sweep_axis, tuning_);
     const double candidates = static_cast<double>(order.candidate_count()) / piece.size();
-    if(candidates > tuning_.crowded_candidates
-       && order.share_of_pairs() < tuning_.crowded_share) {
-      if(!task.is_one_class && search_classes(worker, piece, task, plan))
-        return;
-      if(candidates > candidates_for_tree(piece.size())) {
-        search_tree(piece);
-        finish(piece, task);
-        return;
-      }
-    }
-    sweep_boxes(order, piece, task);
+    if(!(candidates > tuning_.crowded_candidates && order.share_of_pairs() < tuning_.crowded_share
+         && search_crowd(worker, piece, task, plan, candidates)))
+      sweep_boxes(order, piece, task);
+  }
+
+  // Searches crowded boxes by classes or by a tree. Returns false if a sweep is faster.
+  template <std::size_t Sets>
+  bool search_crowd(Worker& worker, const Piece<Box, Sets>& piece, const Piece_task& task,
+                    const Box_plan<axes>& plan, double candidates)
+  {
+    if(!task.is_one_class && search_classes(worker, piece, task, plan))
+      return true;
+    if(candidates <= candidates_for_tree(piece.size()))
+      return false;
+    search_tree(piece);
+    finish(piece, task);
+    return true;
   }
 
   // From how many candidates per box on the tree is faster than a sweep.

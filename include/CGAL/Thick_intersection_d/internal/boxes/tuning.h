@@ -48,6 +48,10 @@ inline constexpr double long_share = 1. / 1024;
 // How many candidates show whether boxes are crowded.
 inline constexpr Place crowd_sample = 512;
 
+// How many pairs of boxes of a sample show the same, if so many of them are candidates.
+inline constexpr int crowd_pairs = 2048;
+inline constexpr int min_crowd_candidates = 64;
+
 // How a search treats its boxes. Tests set small numbers, to get many pieces of few boxes.
 struct Box_tuning
 {
