@@ -6,11 +6,10 @@
 
 #include "support/number_boxes.h"
 
-#include <CGAL/Thick_intersection_d/internal/arrays/Random_numbers.h>
-
 #include <boost/test/unit_test.hpp>
 
 #include <string>
+#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Box_route)
 
@@ -134,16 +133,13 @@ BOOST_AUTO_TEST_CASE(crowded_pieces_are_searched_by_the_tree)
 BOOST_AUTO_TEST_CASE(cuts_that_would_make_too_many_copies_are_not_made)
 {
   Generator random(3);
-  internal::Random_numbers sample;
   Number_boxes boxes(3 * internal::first_box_sample);
-  for(std::size_t i = 0, sampled = 0; i < boxes.size(); ++i) {
-    if(i % 3 == 0)
-      sampled = i + sample() % 3;
+  const std::vector<bool> sampled = sampled_of_three(boxes.size());
+  for(std::size_t i = 0; i < boxes.size(); ++i)
     for(int axis = 0; axis < 2; ++axis) {
       const double low = below(random, 1 << 20);
-      boxes[i][axis] = {low, low + (i == sampled ? 1 : 1 << 14)};
+      boxes[i][axis] = {low, low + (sampled[i] ? 1 : 1 << 14)};
     }
-  }
   check_pairs<2>(boxes, 2, Box_tuning(), true, std::nullopt, "boxes of the sample are small");
 }
 

@@ -163,10 +163,11 @@ BOOST_AUTO_TEST_CASE(tree_stops_when_told)
 
 // Looks per n log2^d n + k.
 template <int Axes>
-void check_work(const Number_boxes& boxes)
+void check_work(const Number_boxes& boxes,
+                std::optional<std::size_t> first_set_size = std::nullopt)
 {
   looks = 0;
-  const double k = static_cast<double>(pairs_by_tree<Axes>(boxes, std::nullopt).size());
+  const double k = static_cast<double>(pairs_by_tree<Axes>(boxes, first_set_size).size());
   const double n = static_cast<double>(boxes.size());
   const double work = static_cast<double>(looks) / (n * std::pow(std::log2(n), Axes) + k);
   BOOST_TEST_MESSAGE(Axes << "D, n = " << n << ", k = " << k << ": " << work);
@@ -193,6 +194,20 @@ BOOST_AUTO_TEST_CASE(tree_looks_at_few_boxes)
     check_work<2>(long_boxes(random, 2, n, 1 << 30));
     check_work<3>(long_boxes(random, 3, n, 1 << 30));
   }
+}
+
+// The boxes of the first set that the sample takes are short, and all others hold all lower ends of
+// the second set. All meet along axis 0, and none along axis 1.
+BOOST_AUTO_TEST_CASE(sweeps_do_not_rely_on_a_sample)
+{
+  const std::size_t n = 8000, step = 174;
+  Number_boxes boxes(2 * n);
+  for(std::size_t i = 0; i < n; ++i) {
+    const double x = static_cast<double>(i);
+    boxes[i] = {{{x, 1e6}, {0, 0}, {0, i % step == 0 ? 0 : 1e6}}};
+    boxes[n + i] = {{{n + x, 1e6}, {1, 1}, {1 + x, 1 + x}}};
+  }
+  check_work<3>(boxes, n);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -11,6 +11,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <string>
+#include <vector>
 
 using namespace test_support;
 
@@ -199,8 +200,10 @@ BOOST_AUTO_TEST_CASE(work_is_little_where_no_cut_helps)
 BOOST_AUTO_TEST_CASE(copies_are_few_where_the_sample_misleads)
 {
   const std::size_t n = 3 * internal::first_box_sample;
-  const Number_boxes boxes = boxes_with<2>(
-    n, [](Generator&, std::size_t i, int axis) { return i % 3 == 0 || axis == 0 ? 0.01 : 0.5; });
+  const std::vector<bool> sampled = sampled_of_three(n);
+  const Number_boxes boxes = boxes_with<2>(n, [&](Generator&, std::size_t i, int axis) {
+    return sampled[i] || axis == 0 ? 0.01 : 0.5;
+  });
   BOOST_CHECK_LE(check_work<2>("misleading sample", boxes, 9), 2);
 }
 

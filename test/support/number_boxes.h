@@ -9,6 +9,7 @@
 
 #include "pairs.h"
 
+#include <CGAL/Thick_intersection_d/internal/arrays/Random_numbers.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Box_route.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
@@ -95,6 +96,16 @@ private:
   bool are_exact_;
   mutable Pairs asked_;
 };
+
+// Returns which of `size` boxes the first plan looks at, if it takes one of three.
+inline std::vector<bool> sampled_of_three(std::size_t size)
+{
+  std::vector<bool> sampled(size);
+  internal::Random_numbers random;
+  for(std::size_t i = 0; i + 3 <= size; i += 3)
+    sampled[i + random() % 3] = true;
+  return sampled;
+}
 
 // Calls search(test, piece) with the boxes of objects, of one set or of two.
 template <int Axes, class Objects, class Search>

@@ -32,6 +32,7 @@ class Box_tree
 {
   using Boxes = std::vector<const Box*>;
   using Iterator = typename Boxes::const_iterator;
+  using Range = std::pair<Iterator, Iterator>;
 
 public:
   explicit Box_tree(Report& report) : report_(report) {}
@@ -55,6 +56,7 @@ public:
 private:
   static constexpr std::size_t few = 24;
   static constexpr std::size_t max_held = 24; // lower ends, per box in a sweep
+  static constexpr std::size_t min_sample = 8;
 
   static constexpr int last_axis = Box::axes - 1;
 
@@ -145,10 +147,13 @@ private:
     const auto test_along_axis = [&](const Box* a, const Box* b) {
       return !do_meet_below(a, b, axis) || report_(*a, *b);
     };
-    if(starting.size() < few || held_count(holding, first, last, axis) <= max_held)
-      return for_held(holding, first, last, axis, test_along_axis);
+    if((starting.size() < few || held_count(holding, first, last, axis) <= max_held)
+       && find_held(holding, first, last, axis, held_))
+      return for_held(holding, held_, test_along_axis);
     if(held_count(holding, starting.begin(), starting.end(), 0)
-         + held_count(starting, holding.begin(), holding.end(), 0) <= max_held)
+             + held_count(starting, holding.begin(), holding.end(), 0) <= max_held
+       && find_held(holding, starting.begin(), starting.end(), 0, held_)
+       && find_held(starting, holding.begin(), holding.end(), 0, held_by_starting_))
       return sweep_along_axis_0(holding, starting, axis);
 
     const Iterator middle = first + (last - first) / 2;
@@ -170,7 +175,7 @@ private:
   }
 
   // The boxes of [first, last) whose lower ends a box holds. They are consecutive.
-  static std::pair<Iterator, Iterator> held(const Box* box, Iterator first, Iterator last, int axis)
+  static Range held(const Box* box, Iterator first, Iterator last, int axis)
   {
     first = std::upper_bound(first, last, box, [&](const Box* a, const Box* b) {
       return is_before(a, b, axis);
@@ -180,31 +185,42 @@ private:
                                         [&](const Box* b) { return low(b, axis) <= end; })};
   }
 
-  // How many lower ends a box holds, on average over a sample, which takes no longer than to halve
-  // the boxes.
+  // How many lower ends a box holds, on average over a sample, which takes a part of the time that
+  // it takes to halve the boxes.
   static std::size_t held_count(const Boxes& holding, Iterator first, Iterator last, int axis)
   {
     std::size_t count = 0;
-    const std::size_t search_cost = 4 * static_cast<std::size_t>(std::ilogb(last - first) + 1);
-    const std::size_t step = holding.size() / (few + holding.size() / search_cost) + 1;
+    const std::size_t search_cost = 16 * static_cast<std::size_t>(std::ilogb(last - first) + 1);
+    const std::size_t step = holding.size() / (min_sample + holding.size() / search_cost) + 1;
     for(std::size_t i = 0; i < holding.size(); i += step) {
-      const auto range = held(holding[i], first, last, axis);
+      const Range range = held(holding[i], first, last, axis);
       count += static_cast<std::size_t>(range.second - range.first);
     }
     return count * step / holding.size();
   }
 
-  // Calls task(a, b) for each box b of [first, last) whose lower end a box a holds.
-  template <class Task>
-  static bool for_held(const Boxes& holding, Iterator first, Iterator last, int axis,
-                       const Task& task)
+  // Finds the boxes of [first, last) whose lower ends each box holds. Returns false if there are
+  // many of them: then the sample was misleading, and no sweep follows.
+  static bool find_held(const Boxes& holding, Iterator first, Iterator last, int axis,
+                        std::vector<Range>& ranges)
   {
+    std::size_t count = 0;
+    ranges.clear();
     for(const Box* a : holding) {
-      const auto range = held(a, first, last, axis);
-      for(Iterator b = range.first; b != range.second; ++b)
-        if(!task(a, *b))
-          return false;
+      ranges.push_back(held(a, first, last, axis));
+      count += static_cast<std::size_t>(ranges.back().second - ranges.back().first);
     }
+    return count <= 4 * max_held * holding.size();
+  }
+
+  // Calls task(a, b) for each box b in the range of a box a.
+  template <class Task>
+  static bool for_held(const Boxes& holding, const std::vector<Range>& ranges, const Task& task)
+  {
+    for(std::size_t i = 0; i < holding.size(); ++i)
+      for(Iterator b = ranges[i].first; b != ranges[i].second; ++b)
+        if(!task(holding[i], *b))
+          return false;
     return true;
   }
 
@@ -215,8 +231,8 @@ private:
       return !is_held || !do_meet_below(a, b, axis) || report_(*a, *b);
     };
     const auto test_mirrored = [&](const Box* b, const Box* a) { return test(a, b); };
-    return for_held(holding, starting.begin(), starting.end(), 0, test)
-           && for_held(starting, holding.begin(), holding.end(), 0, test_mirrored);
+    return for_held(holding, held_, test)
+           && for_held(starting, held_by_starting_, test_mirrored);
   }
 
   // Along axis 0 nothing is left to test.
@@ -234,6 +250,8 @@ private:
   }
 
   Report& report_;
+  std::vector<Range> held_; // by the boxes of a sweep
+  std::vector<Range> held_by_starting_;
 };
 
 } // namespace internal
