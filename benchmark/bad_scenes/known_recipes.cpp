@@ -55,6 +55,10 @@ const char* const lines[] = {
   // horizontals and verticals that begin on a diagonal, none of which meet
   "boxes2 follow:1:0.0001:1@all:1 extent:0:0.2:0@every:0.5 extent:1:0.2:0@others:0.5",
   "boxes2_sets follow:1:0.0001:1@all:1 extent:0:0.2:0@first:0.5 extent:1:0.2:0@last:0.5",
+  // the same, and a hundredth of them far out
+  "boxes2 follow:1:2:1@all:1 extent:1:0.2:0@others:0.5 extent:0:0.2:0@every:0.5"
+  " squeeze:1:30:30r@sampled:0.01",
+  "boxes2_sets squeeze:1:30:30r@every:0.01 extent:0:0.2:0@first:0.5 extent:1:0.2:0@last:0.5",
   // two kinds of boxes in turn, of which one begins in one place along two axes
   "boxes3 r=1.2e-06 place:2:4.5:0@all:1 span:0:0.5r:0.09r@others:0.33",
   // sizes

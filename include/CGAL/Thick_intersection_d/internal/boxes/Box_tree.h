@@ -81,10 +81,9 @@ private:
 
   static void sort(Boxes& boxes, int axis)
   {
-    std::vector<Keyed_value> ends;
-    ends.reserve(boxes.size());
+    std::vector<Keyed_value> ends(boxes.size());
     for(std::size_t i = 0; i < boxes.size(); ++i)
-      ends.push_back({radix_key(low(boxes[i], axis)), static_cast<Place>(i)});
+      ends[i] = {radix_key(low(boxes[i], axis)), static_cast<Place>(i)};
     radix_sort(ends);
     const Boxes unsorted = boxes;
     std::transform(ends.begin(), ends.end(), boxes.begin(),
@@ -94,8 +93,9 @@ private:
       last = first + 1;
       while(last != boxes.size() && ends[last].key == ends[first].key)
         ++last;
-      std::sort(boxes.begin() + first, boxes.begin() + last,
-                [](const Box* a, const Box* b) { return a->position < b->position; });
+      if(last - first > 1)
+        std::sort(boxes.begin() + first, boxes.begin() + last,
+                  [](const Box* a, const Box* b) { return a->position < b->position; });
     }
   }
 
