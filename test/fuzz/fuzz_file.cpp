@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Gives any bytes to near_pairs as a file of one format, THICK_FUZZ_FORMAT, in each way to read it.
-// A reader may refuse them, by Error, or return a scene that keeps its promises; nothing else.
+// Gives any bytes to near_pairs as a file of one format, in each way to read it. A reader may
+// refuse them, by Error, or return a scene that keeps its promises; nothing else.
 
 #include "error.h"
 #include "point_file.h"
@@ -16,6 +16,8 @@
 #include <random>
 #include <string>
 
+extern const char* const fuzz_format; // the extension of the file, in fuzz_format.cpp
+
 namespace {
 
 // A file of its own for each process, removed at the end.
@@ -24,7 +26,7 @@ class Temporary_file
 public:
   Temporary_file()
     : path_(std::filesystem::temp_directory_path()
-            / ("near_pairs_fuzz_" + std::to_string(std::random_device()()) + THICK_FUZZ_FORMAT))
+            / ("near_pairs_fuzz_" + std::to_string(std::random_device()()) + fuzz_format))
   {}
 
   ~Temporary_file() { std::filesystem::remove(path_); }
