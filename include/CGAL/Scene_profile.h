@@ -21,6 +21,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 
 #include <algorithm>
@@ -167,7 +168,7 @@ public:
   /// @}
 
 #ifndef DOXYGEN_RUNNING
-  Scene_profile(const Thick_intersection_d::internal::Scene& scene, double reach)
+  CGAL_RARELY_CALLED Scene_profile(const Thick_intersection_d::internal::Scene& scene, double reach)
     : Scene_profile(scene.size, pairs_of(scene.box), reach, scene.grid_exponent)
   {}
 
@@ -203,13 +204,12 @@ public:
   }
 
 private:
-  using Intervals = std::vector<Thick_intersection_d::internal::Interval>;
-
-  static std::vector<std::pair<double, double>> pairs_of(const Intervals& intervals)
+  static std::vector<std::pair<double, double>>
+  pairs_of(const std::vector<Thick_intersection_d::internal::Interval>& intervals)
   {
-    std::vector<std::pair<double, double>> pairs;
-    for(const Thick_intersection_d::internal::Interval& interval : intervals)
-      pairs.emplace_back(interval.low, interval.high);
+    std::vector<std::pair<double, double>> pairs(intervals.size());
+    for(std::size_t i = 0; i < pairs.size(); ++i)
+      pairs[i] = {intervals[i].low, intervals[i].high};
     return pairs;
   }
 

@@ -13,6 +13,8 @@
 
 #include <CGAL/Arithmetic_tier.h>
 
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -77,6 +79,7 @@ inline bool fits_int128(double steps, int axis_count)
 
 // Returns the first tier that is exact for points that differ along `axis_count` axes. It is the
 // last tier if there is no grid, or if the reach is so large that differences may overflow.
+CGAL_RARELY_CALLED
 inline Arithmetic_tier first_exact_tier(double reach, const std::optional<int>& grid_exponent,
                                         int axis_count)
 {

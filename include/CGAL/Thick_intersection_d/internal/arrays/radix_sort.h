@@ -38,6 +38,24 @@ inline std::uint64_t radix_key(double x)
   return (bits & sign) != 0 ? ~bits : bits | sign;
 }
 
+// Sorts a few items by the keys: merges sorted runs of one, two, four items and so on. It compiles
+// faster than the stable sort of the standard library.
+inline void merge_sort(std::vector<Keyed_value>& items)
+{
+  const std::size_t size = items.size();
+  std::vector<Keyed_value> merged(size);
+  for(std::size_t length = 1; length < size; length *= 2) {
+    for(std::size_t begin = 0; begin < size; begin += 2 * length) {
+      const Keyed_value* const first = items.data() + begin;
+      const Keyed_value* const middle = items.data() + (std::min)(begin + length, size);
+      const Keyed_value* const last = items.data() + (std::min)(begin + 2 * length, size);
+      std::merge(first, middle, middle, last, merged.data() + begin,
+                 [](const Keyed_value& a, const Keyed_value& b) { return a.key < b.key; });
+    }
+    items.swap(merged);
+  }
+}
+
 // Sorts by the keys, with one pass per digit in which keys differ. Values of equal keys keep their
 // order.
 inline void radix_sort(std::vector<Keyed_value>& items)
@@ -45,8 +63,7 @@ inline void radix_sort(std::vector<Keyed_value>& items)
   constexpr int digit_bits = 11;
   constexpr std::size_t digit_count = std::size_t(1) << digit_bits;
   if(items.size() < digit_count / 8) { // a pass would spend its time on the counters
-    std::stable_sort(items.begin(), items.end(),
-                     [](const Keyed_value& a, const Keyed_value& b) { return a.key < b.key; });
+    merge_sort(items);
     return;
   }
 

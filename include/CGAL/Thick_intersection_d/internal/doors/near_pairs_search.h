@@ -71,6 +71,7 @@ public:
   // Checks the bound and the points. Finds the grid of the scene if `needs_grid`, or if the grid
   // may decide all pairs.
   template <class NT>
+  CGAL_RARELY_CALLED
   Near_pairs_search(const Elements& points, const Distance_bound<NT>& bound, bool needs_grid)
     : points_(points), bound_(bound), doubles_(points), sample_(points),
       scene_(scan_points<ConcurrencyTag>(
@@ -172,6 +173,7 @@ private:
   }
 
   template <class Sets, class Callback, class Progress>
+  CGAL_RARELY_CALLED
   bool report_by_slabs(const Is_within_distance<Point>& is_within, const Sets& sets,
                        Callback& callback, Progress& progress)
   {

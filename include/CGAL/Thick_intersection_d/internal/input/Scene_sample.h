@@ -10,6 +10,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Double_grid.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +26,7 @@ class Scene_sample
 {
 public:
   template <class Elements>
-  explicit Scene_sample(const Elements& points)
+  CGAL_RARELY_CALLED explicit Scene_sample(const Elements& points)
   {
     if(points.size() == 0)
       return;

@@ -11,6 +11,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 
 #include <algorithm>
 #include <cmath>
@@ -136,6 +137,7 @@ auto exact_squared_distance(const Point& p, const Point& q, int dimension)
 
 // Throws if a coordinate of `p` is NaN or infinite, or if its dimension is not `dimension`.
 template <class Point>
+CGAL_RARELY_CALLED
 void check_point(const Point& p, int dimension, const char* name, std::size_t position)
 {
   if(p.dimension() != dimension)

@@ -17,6 +17,9 @@
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
+
+#include <boost/config.hpp> // BOOST_NOINLINE
 
 #include <algorithm>
 #include <array>
@@ -45,6 +48,7 @@ public:
   // Adds the points [first, last), and calls store(position, axis, lower bound) for each
   // coordinate.
   template <class Elements, class Store>
+  BOOST_NOINLINE
   void add(const Elements& points, std::size_t first, std::size_t last, const Store& store)
   {
     if(finds_grid_)
@@ -144,6 +148,7 @@ private:
 // coordinate. Throws if a coordinate is NaN or infinite, or if a point has another dimension than
 // the first point; messages call a point `name`. Throws if denormal numbers are flushed to zero.
 template <class ConcurrencyTag, class Elements, class Store>
+CGAL_RARELY_CALLED
 Scene scan_points(const Elements& points, const char* name, bool finds_grid, const Store& store)
 {
   const int dimension = points.size() == 0 ? 0 : points[0].dimension();

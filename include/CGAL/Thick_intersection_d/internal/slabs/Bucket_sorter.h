@@ -31,7 +31,7 @@ namespace internal {
 
 // Sorts points that are nearly in order.
 template <class Point>
-void insertion_sort(Point* first, Point* last, std::size_t axis)
+BOOST_NOINLINE void insertion_sort(Point* first, Point* last, std::size_t axis)
 {
   // Invariant: the points before p are in order.
   for(Point* p = first; p < last; ++p) {
@@ -114,21 +114,20 @@ private:
   }
 
   // Sorts points that are too crowded for buckets: digits show what equal pieces do not.
-  void sort_by_digits(Point* first, Point* last, std::size_t axis)
+  BOOST_NOINLINE void sort_by_digits(Point* first, Point* last, std::size_t axis)
   {
-    order_.clear();
-    for(const Point* p = first; p != last; ++p)
-      order_.push_back({radix_key(p->x[axis]), static_cast<Place>(p - first)});
-    radix_sort(order_);
-    Point* const points = points_.require(order_.size());
+    std::vector<Keyed_value> order(static_cast<std::size_t>(last - first));
+    for(Place p = 0; p < order.size(); ++p)
+      order[p] = {radix_key(first[p].x[axis]), p};
+    radix_sort(order);
+    Point* const points = points_.require(order.size());
     std::copy(first, last, points);
-    for(const Keyed_value& item : order_)
+    for(const Keyed_value& item : order)
       *first++ = points[item.value];
   }
 
   std::array<Buffer<Place>, max_cut_depth> ends_;
   Buffer<Point> points_;
-  std::vector<Keyed_value> order_;
 };
 
 } // namespace internal

@@ -21,6 +21,8 @@
 #include <CGAL/Thick_intersection_d/internal/slabs/Strips.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/tuning.h>
 
+#include <boost/config.hpp> // BOOST_NOINLINE
+
 #include <cstddef>
 
 namespace CGAL {
@@ -96,8 +98,8 @@ private:
   // another block, whose thread makes its lists. So it is swept with these slabs once more, but not
   // with itself. Slabs are two reaches high, so further slabs are beyond reach.
   template <class Bins, class Report, class Progress>
-  void sweep_slabs(const Slabs<Point>& slabs, Place first, Place last, Bins& bins, Report& report,
-                   Progress& progress) const
+  BOOST_NOINLINE void sweep_slabs(const Slabs<Point>& slabs, Place first, Place last, Bins& bins,
+                                  Report& report, Progress& progress) const
   {
     using Lists = Slab_lists<Report>;
     using Sweep = Near_sweep<Numbered_test<Test, Lists>, Lists>;

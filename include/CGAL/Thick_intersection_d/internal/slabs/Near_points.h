@@ -156,11 +156,23 @@ private:
     }
     if(s > near_.filter.outside)
       return false;
-    // Numbers of a grid that decides ties have not underflowed.
-    const auto unscaled_x = [&](int axis) { return x(axis) * unscale_; };
-    const auto unscaled_y = [&](int axis) { return y(axis) * unscale_; };
+    std::array<double, Dimension> unscaled_x, unscaled_y;
+    for(int axis = 0; axis < Dimension; ++axis) {
+      unscaled_x[axis] = x(axis) * unscale_;
+      unscaled_y[axis] = y(axis) * unscale_;
+    }
+    return decide_near_tie(unscaled_x, unscaled_y, p, q, counts);
+  }
+
+  // Decides about a near tie. This does not depend on where the doubles come from, so it is
+  // compiled once. Numbers of a grid that decides ties have not underflowed.
+  bool decide_near_tie(const std::array<double, Dimension>& x,
+                       const std::array<double, Dimension>& y, Place p, Place q,
+                       Decision_counts& counts) const
+  {
     if(const std::optional<bool> is
-       = is_within_.decide_near_tie(unscaled_x, unscaled_y, Dimension, counts))
+       = is_within_.decide_near_tie([&](int axis) { return x[axis]; },
+                                    [&](int axis) { return y[axis]; }, Dimension, counts))
       return *is;
     return is_within_.decide_undecided(points_[p], points_[q], counts);
   }

@@ -22,6 +22,8 @@
 #include <CGAL/Thick_intersection_d/internal/slabs/Strips.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/tuning.h>
 
+#include <boost/config.hpp> // BOOST_NOINLINE
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -93,8 +95,8 @@ private:
 
   // Sweeps each of the slabs [first, last) with itself and with the slabs within reach behind it.
   template <class Report, class Progress>
-  void sweep_slabs(const Slabs<Point>& slabs, Place first, Place last, Report& report,
-                   Progress& progress) const
+  BOOST_NOINLINE void sweep_slabs(const Slabs<Point>& slabs, Place first, Place last,
+                                  Report& report, Progress& progress) const
   {
     Window window(slabs, reach_, first, tuning_);
     Near_sweep<Test, Report> near_sweep(test_, report);
@@ -134,7 +136,7 @@ private:
   // Reports each element with all elements behind it; each element of the first of two sets with
   // all elements of the second.
   template <class Report, class Progress>
-  bool report_all(const Point_sets& sets, Report& report, Progress& progress) const
+  BOOST_NOINLINE bool report_all(const Point_sets& sets, Report& report, Progress& progress) const
   {
     const std::size_t first = sets.are_two() ? sets.first_size : 0;
     const std::size_t end = sets.are_two() ? sets.first_size : test_.size();

@@ -15,6 +15,8 @@
 #include <CGAL/Thick_intersection_d/internal/slabs/Strips.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
 
+#include <boost/config.hpp> // BOOST_NOINLINE
+
 #include <vector>
 
 namespace CGAL {
@@ -99,9 +101,9 @@ private:
 
   // Sets `border` to the points of the strips [first, last) whose coordinate along `axis` is in
   // `interval`.
-  void collect_border(const Strips<Point>& slab, const Strip_of_points* first,
-                      const Strip_of_points* last, int axis, const Interval& interval,
-                      Strips<Point>& border)
+  BOOST_NOINLINE void collect_border(const Strips<Point>& slab, const Strip_of_points* first,
+                                     const Strip_of_points* last, int axis,
+                                     const Interval& interval, Strips<Point>& border)
   {
     Place size = 0;
     for(const Strip_of_points* strip = first; strip != last; ++strip)

@@ -18,6 +18,8 @@
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/tuning.h>
 
+#include <boost/config.hpp> // BOOST_NOINLINE
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -74,7 +76,7 @@ private:
   // the places that the block writes to. There are too many slabs for the processor to have the
   // ends of all of them at hand.
   template <class ConcurrencyTag, class Source>
-  void distribute(const Source& source, const Equal_cut& cut, Place size)
+  BOOST_NOINLINE void distribute(const Source& source, const Equal_cut& cut, Place size)
   {
     const Place count = cut.count();
     const std::size_t blocks = block_count<ConcurrencyTag>();
@@ -84,13 +86,14 @@ private:
         for(; i != end; ++i)
           ++next[block * count + cut(source.coordinate(i, axis))];
       });
+    begins_ = std::vector<Place>(count + std::size_t(1), 0);
     Place sum = 0;
     for(Place slab = 0; slab < count; ++slab) {
-      begins_.push_back(sum);
+      begins_[slab] = sum;
       for(std::size_t block = 0; block < blocks; ++block)
         sum += std::exchange(next[block * count + slab], sum);
     }
-    begins_.push_back(sum);
+    begins_[count] = sum;
     for_each_numbered_block<ConcurrencyTag>(
       blocks, size, [&](std::size_t block, std::size_t i, std::size_t end) {
         Place slabs[distance];

@@ -101,10 +101,11 @@ public:
   {
     if(!sets.are_two())
       append_if(first, last, 0, [](Place) { return true; });
-    else {
-      append_if(first, last, 1, [&](Place position) { return position < sets.first_size; });
-      append_if(first, last, 2, [&](Place position) { return position >= sets.first_size; });
-    }
+    else
+      for(const Place side : {1u, 2u})
+        append_if(first, last, side, [&](Place position) {
+          return (position < sets.first_size) == (side == 1);
+        });
   }
 
   // Appends the border of a strip of `other`: the points that meet `interval` along `axis`.
