@@ -7,8 +7,10 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <random>
+#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Random_numbers)
 
@@ -24,6 +26,18 @@ BOOST_AUTO_TEST_CASE(numbers_are_those_of_minstd_rand)
       BOOST_REQUIRE_EQUAL(numbers(), expected());
   }
   BOOST_CHECK_EQUAL(internal::Random_numbers()(), std::minstd_rand()());
+}
+
+BOOST_AUTO_TEST_CASE(numbers_below_a_limit_are_about_equally_likely)
+{
+  internal::Random_numbers random;
+  for(const std::size_t limit : {1, 2, 3, 7}) {
+    std::vector<int> counts(limit);
+    for(int i = 0; i < 7000; ++i)
+      ++counts.at(random.below(limit));
+    for(const int count : counts)
+      BOOST_CHECK_CLOSE(static_cast<double>(count), 7000. / static_cast<double>(limit), 15);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -103,7 +103,7 @@ inline std::vector<bool> sampled_of_three(std::size_t size)
   std::vector<bool> sampled(size);
   internal::Random_numbers random;
   for(std::size_t i = 0; i + 3 <= size; i += 3)
-    sampled[i + random() % 3] = true;
+    sampled[i + random.below(3)] = true;
   return sampled;
 }
 

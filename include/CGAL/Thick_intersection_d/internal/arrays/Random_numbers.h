@@ -8,6 +8,7 @@
 // Random numbers for samples, without <random>, which takes longer to compile than all headers of a
 // search.
 
+#include <cstddef>
 #include <cstdint>
 
 namespace CGAL {
@@ -31,6 +32,12 @@ public:
   {
     state_ = static_cast<std::uint32_t>(std::uint64_t(state_) * 48271 % modulus);
     return state_;
+  }
+
+  // Returns a number below n, without a division.
+  std::size_t below(std::size_t n)
+  {
+    return static_cast<std::size_t>((*this)() * std::uint64_t(n) >> 31);
   }
 
 private:

@@ -74,7 +74,7 @@ private:
     for(const auto& span : piece) {
       last_begin_ = sample_.size();
       for(std::size_t i = 0; i < span.size(); i += step)
-        sample_.push_back(span.first + i + random() % (std::min)(step, span.size() - i));
+        sample_.push_back(span.first + i + random.below((std::min)(step, span.size() - i)));
     }
   }
 
@@ -89,8 +89,8 @@ private:
     const std::size_t first_count = Sets == 1 ? sample_.size() : last_begin_;
     const std::size_t last_count = sample_.size() - last_begin_;
     for(int i = 0; i < crowd_pairs; ++i) {
-      const auto& a = *sample_[random() % first_count];
-      const auto& b = *sample_[last_begin_ + random() % last_count];
+      const auto& a = *sample_[random.below(first_count)];
+      const auto& b = *sample_[last_begin_ + random.below(last_count)];
       if(&a == &b || !do_meet(a, b, sweep_axis))
         continue;
       bool meet = true;

@@ -32,7 +32,7 @@ double meeting_share_along(const Objects& objects, int axis)
   const std::size_t step = objects.size() / box_sample + 1;
   Random_numbers random;
   for(std::size_t first = 0; first < objects.size(); first += step) {
-    const std::size_t position = first + random() % (std::min)(step, objects.size() - first);
+    const std::size_t position = first + random.below((std::min)(step, objects.size() - first));
     const Interval interval = objects.intervals(position)(axis);
     boxes.push_back({{interval.low}, {interval.high}, static_cast<Place>(position), 0});
   }
