@@ -135,20 +135,24 @@ auto exact_squared_distance(const Point& p, const Point& q, int dimension)
   return sum;
 }
 
-// Throws if a coordinate of `p` is NaN or infinite, or if its dimension is not `dimension`.
+// Throws if a coordinate of `p` is NaN or infinite, or if its dimension is not `dimension`. Texts
+// are appended, because sums of texts take long to compile.
 template <class Point>
 CGAL_RARELY_CALLED
 void check_point(const Point& p, int dimension, const char* name, std::size_t position)
 {
-  if(p.dimension() != dimension)
-    throw std::invalid_argument(std::string(name) + " " + std::to_string(position)
-                                + " has dimension "
-                                + std::to_string(p.dimension()) + " instead of "
-                                + std::to_string(dimension) + ".");
+  std::string message(name);
+  message.append(" ").append(std::to_string(position));
+  if(p.dimension() != dimension) {
+    message.append(" has dimension ").append(std::to_string(p.dimension()));
+    message.append(" instead of ").append(std::to_string(dimension)).append(".");
+    throw std::invalid_argument(message);
+  }
   for(int i = 0; i < dimension; ++i)
-    if(!is_finite_number(coordinate(p, i)))
-      throw std::invalid_argument("Coordinate " + std::to_string(i) + " of " + name + " "
-                                  + std::to_string(position) + " is NaN or infinite.");
+    if(!is_finite_number(coordinate(p, i))) {
+      message.insert(0, " of ").insert(0, std::to_string(i)).insert(0, "Coordinate ");
+      throw std::invalid_argument(message.append(" is NaN or infinite."));
+    }
 }
 
 } // namespace internal

@@ -114,10 +114,7 @@ private:
     for(; window.slab() < last && !report.is_stopped(); window.pop()) {
       window.find_within_reach(window.front()->interval(axis).high, nearby);
       if(window.slab() < first) {
-        std::size_t others = 0;
-        while(others < nearby.size() && window.slab(others) < first)
-          ++others;
-        nearby.erase(nearby.begin(), nearby.begin() + static_cast<std::ptrdiff_t>(others));
+        nearby.drop_before(first);
         sweep.between(*window.front(), nearby);
         lists.drop();
       }

@@ -27,6 +27,18 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
+// A slab that is not ready: points of Slabs, or of a buffer. It has places instead of pointers, so
+// it is compiled once for all kinds of points.
+struct Pending_slab
+{
+  Place begin;
+  Place end;
+  int cuts;   // how often the points were cut
+  int buffer; // negative for Slabs
+
+  Place size() const { return end - begin; }
+};
+
 template <class Point>
 class Slab_stream
 {
@@ -51,11 +63,11 @@ public:
     for(;;) {
       if(pending_.empty() && !take_next_slab())
         return false;
-      const Slab slab = pending_.back();
+      const Pending_slab slab = pending_.back();
       pending_.pop_back();
       if(slab.size() == 0)
         continue;
-      maker_.count(slab.first, slab.last);
+      maker_.count(begin(slab), end(slab));
       const Interval interval = maker_.interval(axis);
       if(interval.length() > max_height * reach_ && slab.cuts <= max_cut_depth
          && (maker_.is_crowded() || slab.size() > tuning_.max_slab_size)) {
@@ -70,27 +82,26 @@ public:
 private:
   static constexpr int axis = Point::slab_axis;
 
-  struct Slab
+  const Point* begin(const Pending_slab& slab) const
   {
-    const Point* first;
-    const Point* last;
-    int cuts; // how often the points were cut
-
-    Place size() const { return static_cast<Place>(last - first); }
-  };
+    return (slab.buffer < 0 ? slabs_.begin(0) : scratch_[slab.buffer].data()) + slab.begin;
+  }
+  const Point* end(const Pending_slab& slab) const { return begin(slab) + slab.size(); }
 
   bool take_next_slab()
   {
     if(next_slab_ == slabs_.count())
       return false;
-    pending_.push_back({slabs_.begin(next_slab_), slabs_.end(next_slab_), 0});
+    const Point* const first = slabs_.begin(0);
+    pending_.push_back({static_cast<Place>(slabs_.begin(next_slab_) - first),
+                        static_cast<Place>(slabs_.end(next_slab_) - first), 0, -1});
     ++next_slab_;
     return true;
   }
 
   // Cuts a slab into lower ones, which come next. They have equal heights, unless equal cuts were
   // tried max_cut_depth times, or are impossible. Then the slab is cut where the points are.
-  void cut(const Slab& slab, const Interval& interval)
+  void cut(const Pending_slab& slab, const Interval& interval)
   {
     const Equal_cut cut(interval, piece_count(interval, slab.size(), reach_,
                                               tuning_.points_per_strip));
@@ -100,29 +111,33 @@ private:
       cut_equally(slab, cut);
   }
 
-  void cut_equally(const Slab& slab, const Equal_cut& cut)
+  void cut_equally(const Pending_slab& slab, const Equal_cut& cut)
   {
+    const Point* const first = begin(slab);
+    const Point* const last = end(slab);
     std::vector<Place> ends(cut.count(), 0); // the ends of the lower slabs, once these are full
-    for(const Point* p = slab.first; p != slab.last; ++p)
+    for(const Point* p = first; p != last; ++p)
       ++ends[cut(p->x[axis])];
     replace_by_prefix_sums(ends.data(), ends.data() + ends.size());
     Point* const points = scratch_[slab.cuts].require(slab.size());
-    for(const Point* p = slab.first; p != slab.last; ++p)
+    for(const Point* p = first; p != last; ++p)
       points[ends[cut(p->x[axis])]++] = *p;
     for(Place s = cut.count(); s-- > 0;)
-      pending_.push_back({points + (s == 0 ? 0 : ends[s - 1]), points + ends[s], slab.cuts + 1});
+      pending_.push_back({s == 0 ? 0 : ends[s - 1], ends[s], slab.cuts + 1, slab.cuts});
   }
 
-  void cut_sorted(const Slab& slab)
+  void cut_sorted(const Pending_slab& slab)
   {
     Point* const points = scratch_[slab.cuts].require(slab.size());
-    std::copy(slab.first, slab.last, points);
+    std::copy(begin(slab), end(slab), points);
     sorter_.sort(points, points + slab.size(), axis);
     const auto bottom = static_cast<std::ptrdiff_t>(pending_.size());
     for_each_sorted_piece(points, points + slab.size(), axis, usual_height * reach_,
                           tuning_.points_per_sorted_strip,
                           [&](const Point* first, const Point* last) {
-                            pending_.push_back({first, last, max_cut_depth + 1});
+                            pending_.push_back({static_cast<Place>(first - points),
+                                                static_cast<Place>(last - points),
+                                                max_cut_depth + 1, slab.cuts});
                           });
     std::reverse(pending_.begin() + bottom, pending_.end());
   }
@@ -131,8 +146,8 @@ private:
   const double reach_;
   const Slab_tuning tuning_;
   Place next_slab_;
-  std::vector<Slab> pending_; // a stack: the last slab comes first
-  std::array<Buffer<Point>, max_cut_depth + 1> scratch_; // the points of cut slabs, by Slab::cuts
+  std::vector<Pending_slab> pending_; // a stack: the last slab comes first
+  std::array<Buffer<Point>, max_cut_depth + 1> scratch_; // the points of slabs that were cut
   Strips_maker<Point> maker_;
   Bucket_sorter<Point> sorter_;
 };

@@ -12,12 +12,11 @@
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Run_sweep.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slabs_nearby.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Strips.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
 
 #include <boost/config.hpp> // BOOST_NOINLINE
-
-#include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -36,7 +35,7 @@ public:
   Slab_sweep(double reach, Sweep_of_runs& sweep) : reach_(reach), sweep_(sweep) {}
 
   // Sweeps a slab with some slabs, which may include itself.
-  void between(const Strips<Point>& a, const std::vector<const Strips<Point>*>& slabs)
+  void between(const Strips<Point>& a, const Slabs_nearby<Point>& slabs)
   {
     for(const Strips<Point>* b : slabs) {
       if(b == &a)

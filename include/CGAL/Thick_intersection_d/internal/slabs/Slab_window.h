@@ -8,16 +8,17 @@
 // The slabs within reach of the slab that is being swept. Only these slabs are ready at a time, so
 // the sweep finds them in the cache.
 
+#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_stream.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slabs.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slabs_nearby.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Strips.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/tuning.h>
 
 #include <cstddef>
-#include <iterator>
-#include <list>
-#include <vector>
+#include <memory>
+#include <utility>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -36,7 +37,7 @@ template <class Point, class Number = Leave_slab>
 class Slab_window
 {
 public:
-  using Slabs_nearby = std::vector<const Strips<Point>*>;
+  using Slabs_nearby = internal::Slabs_nearby<Point>;
 
   // Starts with the slab `first`.
   Slab_window(const Slabs<Point>& slabs, double reach, Place first, const Slab_tuning& tuning,
@@ -45,69 +46,60 @@ public:
   {}
 
   // Returns the first slab in the window, or nullptr if there is none.
-  const Strips<Point>* front() { return at(0); }
+  const Strips<Point>* front() { return is_ready(first_) ? &first_->strips : nullptr; }
 
   // Returns the number of the slab that the first strips in the window belong to. Returns the
   // number of all slabs if the window is empty.
-  Place slab() { return front() ? ready_.front().slab : end_; }
-
-  // Returns the number of the slab that strips in the window belong to. `index` counts from the
-  // first ones, and is that of strips that were made ready.
-  Place slab(std::size_t index) const
-  {
-    return std::next(ready_.begin(), static_cast<std::ptrdiff_t>(index))->slab;
-  }
+  Place slab() { return front() ? first_->slab : end_; }
 
   void pop()
   {
-    spare_.clear();
-    spare_.splice(spare_.begin(), ready_, ready_.begin());
+    spare_ = std::move(first_);
+    first_ = std::move(spare_->next);
   }
 
   // Sets `slabs` to the slabs in the window that are not beyond reach above `high`. Slabs follow
   // each other. So the next slab is not made ready if the last one ends beyond reach.
   void find_within_reach(double high, Slabs_nearby& slabs)
   {
-    slabs.clear();
-    while(slabs.empty() || slabs.back()->interval(axis).high - high <= reach_) {
-      const Strips<Point>* const next = at(slabs.size());
-      if(!next || next->interval(axis).low - high > reach_)
-        return;
-      slabs.push_back(next);
+    std::size_t count = 0;
+    bool may_meet_next = true;
+    for(std::unique_ptr<Ready>* next = &first_; may_meet_next && is_ready(*next);
+        next = &(*next)->next, ++count) {
+      const Interval& interval = (*next)->strips.interval(axis);
+      if(interval.low - high > reach_)
+        break;
+      may_meet_next = interval.high - high <= reach_;
     }
+    slabs = Slabs_nearby(first_.get(), count);
   }
 
 private:
-  struct Ready_slab
-  {
-    Strips<Point> strips;
-    Place slab = 0;
-  };
+  using Ready = Ready_slab<Point>;
 
   static constexpr int axis = Point::slab_axis;
 
-  const Strips<Point>* at(std::size_t index)
+  // Whether there is a slab at this place of the list. At its end, makes the next slab ready.
+  bool is_ready(std::unique_ptr<Ready>& place)
   {
-    while(index >= ready_.size()) {
-      if(spare_.empty())
-        spare_.emplace_back();
-      Ready_slab& next = spare_.front();
-      if(!stream_.next(next.strips))
-        return nullptr;
-      next.slab = stream_.slab();
-      number_(next.strips);
-      ready_.splice(ready_.end(), spare_, spare_.begin());
-    }
-    return &std::next(ready_.begin(), static_cast<std::ptrdiff_t>(index))->strips;
+    if(place)
+      return true;
+    if(!spare_)
+      spare_ = std::make_unique<Ready>();
+    if(!stream_.next(spare_->strips))
+      return false;
+    spare_->slab = stream_.slab();
+    number_(spare_->strips);
+    place = std::move(spare_);
+    return true;
   }
 
   Slab_stream<Point> stream_;
   const double reach_;
   const Place end_;
   const Number number_;
-  // Lists, because strips stay where they are while others come and go.
-  std::list<Ready_slab> ready_;
-  std::list<Ready_slab> spare_; // at most one, whose memory is used again
+  std::unique_ptr<Ready> first_; // of a list: strips stay where they are while others come and go
+  std::unique_ptr<Ready> spare_; // at most one, whose memory is used again
 };
 
 } // namespace internal
