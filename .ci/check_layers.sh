@@ -91,6 +91,9 @@ forbid 'these headers include each other in a circle' < <(
 forbid 'only machine/ names oneTBB and calls an operating system' < <(
   find_lines '(tbb::|include *[<"](oneapi/)?tbb|CGAL_LINKED_WITH_TBB|madvise|include *<sys/|unistd)' |
     grep -v "^$internal/machine/")
+forbid 'only distributed/ calls MPI, and one public header takes a communicator' < <(
+  find_lines '(^|[^_[:alnum:]])MPI_[A-Z]' | grep -v "^$internal/distributed/" |
+    grep -v '^CGAL/distributed_fixed_radius_near_neighbors.h:')
 forbid 'only slabs/lanes/ has processor instructions' < <(
   find_lines '(_mm[0-9]*_|__m[0-9]+|immintrin|arm_neon|__builtin_(ia32|cpu)|target *\(")' |
     grep -v "^$internal/slabs/lanes/")

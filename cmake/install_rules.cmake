@@ -46,6 +46,7 @@ write_basic_package_version_file(
   ARCH_INDEPENDENT)
 
 install(FILES
+  ${CMAKE_CURRENT_LIST_DIR}/Thick_intersection_dMPI.cmake
   ${PROJECT_BINARY_DIR}/Thick_intersection_dConfig.cmake
   ${PROJECT_BINARY_DIR}/Thick_intersection_dConfigVersion.cmake
   DESTINATION ${package_dir} ${in_component})

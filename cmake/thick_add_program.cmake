@@ -8,6 +8,7 @@
 #   TBB               CGAL::TBB_support: CGAL::Parallel_tag runs in parallel
 #   Eigen3            CGAL::Eigen3_support: CGAL::Epick_d, CGAL::Epeck_d
 #   GMP MPFR          the number libraries themselves, for a program that calls them directly
+#   MPI               an implementation of MPI, without its C++ bindings
 #   Program_options   Boost.Program_options
 #   Iostreams         Boost.Iostreams, with its filters for gzip
 #   Unit_test         Boost.Test, linked dynamically
@@ -33,6 +34,11 @@ find_package(Eigen3 3.1.0 QUIET)
 include(CGAL_Eigen3_support)
 if(TARGET CGAL::Eigen3_support)
   thick_provide_support(Eigen3 CGAL::Eigen3_support)
+endif()
+
+include(${CMAKE_CURRENT_LIST_DIR}/Thick_intersection_dMPI.cmake)
+if(TARGET Thick_intersection_d::MPI)
+  thick_provide_support(MPI Thick_intersection_d::MPI)
 endif()
 
 foreach(library IN ITEMS GMP MPFR)

@@ -1,0 +1,282 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_DISTRIBUTED_POINTS_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_DISTRIBUTED_POINTS_H
+
+// The points of a distributed search: distributed to processes, with those near them.
+
+#include <CGAL/Distributed_profile.h>
+
+#include <CGAL/Thick_intersection_d/internal/distributed/Communicator.h>
+#include <CGAL/Thick_intersection_d/internal/distributed/exchange_bytes.h>
+#include <CGAL/Thick_intersection_d/internal/distributed/gather_bytes.h>
+#include <CGAL/Thick_intersection_d/internal/distributed/run_together.h>
+#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/parts/Bisection.h>
+#include <CGAL/Thick_intersection_d/internal/parts/Cell_counts.h>
+#include <CGAL/Thick_intersection_d/internal/parts/Part_box.h>
+#include <CGAL/Thick_intersection_d/internal/parts/Part_points.h>
+#include <CGAL/Thick_intersection_d/internal/parts/Point_sample.h>
+#include <CGAL/Thick_intersection_d/internal/parts/choose_sample.h>
+#include <CGAL/Thick_intersection_d/internal/parts/receives.h>
+#include <CGAL/Thick_intersection_d/internal/parts/spatial_order.h>
+#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// The points of one set that a process searches: its own come first, then those it has received
+// because they are near.
+template <class Carried>
+struct Distributed_set
+{
+  Part_points<Carried> part;
+  std::size_t own_size = 0;
+  std::uint64_t first_id = 0;
+  std::size_t consecutive_size = 0; // the ids of so many points follow each other
+
+  // Looks up an id only if it has to: two ids for each pair are as much work as the pair itself.
+  std::uint64_t id(std::size_t i) const
+  {
+    return i < consecutive_size ? first_id + i : part.ids[i];
+  }
+};
+
+template <class Carried, class Sets>
+class Distributed_points
+{
+  using Part = Part_points<Carried>;
+
+public:
+  // `reach` bounds the differences of coordinates of near points.
+  Distributed_points(const Communicator& comm, double reach, Distributed_profile& profile)
+    : comm_(comm), reach_(reach), profile_(profile)
+  {}
+
+  const std::vector<Distributed_set<Carried>>& sets() const { return sets_; }
+
+  // Copies the points, and gives each its id: the number of points of lower ranks in its set, and
+  // its position.
+  template <class Elements>
+  void read(const Elements& elements, const Sets& sets, int dimension)
+  {
+    std::size_t first_size = elements.size();
+    if constexpr(Sets::are_two)
+      first_size = sets.first_size;
+    const std::size_t sizes[set_count + 1] = {first_size, elements.size() - first_size};
+    agree_on_sizes(sizes, dimension);
+    run_together(comm_, [&] {
+      sets_.resize(set_count);
+      for(std::size_t s = 0; s < set_count; ++s) {
+        sets_[s].part.reserve(sizes[s]);
+        for(std::size_t i = 0; i < sizes[s]; ++i)
+          sets_[s].part.add(Carried(elements[s * first_size + i]), first_ids_[s] + i);
+        sets_[s].own_size = sets_[s].consecutive_size = sizes[s];
+        sets_[s].first_id = first_ids_[s];
+      }
+    });
+  }
+
+  // Cuts space into boxes, one for each process.
+  void partition()
+  {
+    std::vector<char> bytes;
+    run_together(comm_, [&] {
+      for(std::size_t s = 0; s < set_count; ++s)
+        choose_sample(sets_[s].part, sample_share(s), dimension_, bytes);
+    });
+    bytes = gather_bytes(comm_, bytes);
+    Point_sample sample;
+    std::optional<Cell_counts> cells;
+    run_together(comm_, [&] {
+      sample = read_sample(bytes, dimension_);
+      cells.emplace(sample, reach_);
+      for(const Distributed_set<Carried>& set : sets_)
+        cells->add_some(set.part);
+    });
+    comm_.add_up(cells->counts());
+    run_together(comm_, [&] {
+      cells->set_weights(sample);
+      bisection_.emplace(sample, comm_.size(), reach_);
+    });
+  }
+
+  // Moves each point to the process of its box.
+  void migrate()
+  {
+    std::uint64_t sent = 0;
+    for(Distributed_set<Carried>& set : sets_) {
+      Bytes_of_ranks outgoing;
+      run_together(comm_, [&] { pack_points_of_others(set.part, outgoing); });
+      for(const std::vector<char>& bytes : outgoing)
+        sent += bytes.size();
+      Bytes_of_ranks incoming = exchange_bytes(comm_, outgoing);
+      run_together(comm_, [&] {
+        outgoing = Bytes_of_ranks();
+        for(std::vector<char>& bytes : incoming) {
+          set.part.unpack(bytes, dimension_);
+          bytes = std::vector<char>();
+        }
+        set.own_size = set.part.size();
+        set.consecutive_size = 0;
+      });
+    }
+    run_together(comm_, [&] {
+      const Part_box box = own_box();
+      for(Distributed_set<Carried>& set : sets_)
+        sort_by_rows(set.part, box);
+    });
+    profile_.set_bytes_sent(Distributed_phase::MIGRATION, sent);
+  }
+
+  // Of each two processes, sends the points of one that are near the points of the other.
+  void add_halos()
+  {
+    std::vector<Part_box> boxes;
+    gather_boxes(boxes);
+    std::uint64_t sent = 0;
+    std::size_t own_count = 0, halo_count = 0;
+    for(Distributed_set<Carried>& set : sets_) {
+      Bytes_of_ranks outgoing;
+      run_together(comm_, [&] { pack_near_points(set, boxes, outgoing); });
+      for(const std::vector<char>& bytes : outgoing)
+        sent += bytes.size();
+      const Bytes_of_ranks incoming = exchange_bytes(comm_, outgoing);
+      run_together(comm_, [&] {
+        for(const std::vector<char>& bytes : incoming)
+          set.part.unpack(bytes, dimension_);
+      });
+      own_count += set.own_size;
+      halo_count += set.part.size() - set.own_size;
+    }
+    profile_.set_bytes_sent(Distributed_phase::HALO, sent);
+    profile_.set_sizes(own_count, halo_count);
+  }
+
+private:
+  static constexpr std::size_t set_count = Sets::are_two ? 2 : 1;
+  static constexpr std::uint64_t sample_size_per_rank = 1024; // a cut is off by 3 % of a part
+
+  // Finds the first ids, the sizes of all sets, and the dimension, which is zero without points.
+  void agree_on_sizes(const std::size_t* sizes, int dimension)
+  {
+    std::vector<std::uint64_t> all;
+    run_together(comm_, [&] { all.resize(3 * static_cast<std::size_t>(comm_.size())); });
+    const std::uint64_t mine[3]
+      = {sizes[0], set_count == 2 ? sizes[1] : 0, static_cast<std::uint64_t>(dimension)};
+    comm_.gather(mine, 3, all);
+    for(int rank = 0; rank < comm_.size(); ++rank) {
+      const std::uint64_t* const of_rank = all.data() + 3 * rank;
+      for(std::size_t s = 0; s < set_count; ++s) {
+        first_ids_[s] += rank < comm_.rank() ? of_rank[s] : 0;
+        totals_[s] += of_rank[s];
+        local_sizes_[s] = sizes[s];
+      }
+      const int other = static_cast<int>(of_rank[2]);
+      if(other != 0 && dimension_ != 0 && other != dimension_)
+        throw std::invalid_argument("The points of rank " + std::to_string(rank)
+                                    + " have dimension " + std::to_string(other) + " instead of "
+                                    + std::to_string(dimension_) + ".");
+      dimension_ = (dimension_ != 0) ? dimension_ : other;
+    }
+  }
+
+  // Returns how many points of a set this process has in the sample. The sample has about as many
+  // points of each part of the numbering of all points.
+  std::size_t sample_share(std::size_t s) const
+  {
+    std::uint64_t total = 0;
+    for(const std::uint64_t of_set : totals_)
+      total += of_set;
+    if(total == 0)
+      return 0;
+    const std::uint64_t size = sample_size_per_rank * static_cast<std::uint64_t>(comm_.size());
+    const auto before = [&](std::uint64_t id) { return id * size / total; };
+    return static_cast<std::size_t>(before(first_ids_[s] + local_sizes_[s])
+                                    - before(first_ids_[s]));
+  }
+
+  void pack_points_of_others(Part& part, Bytes_of_ranks& outgoing) const
+  {
+    outgoing.resize(static_cast<std::size_t>(comm_.size()));
+    std::size_t kept = 0;
+    for(std::size_t i = 0; i < part.size(); ++i) {
+      const int owner = bisection_->owner(part.lower_bounds(i), part.ids[i]);
+      if(owner != comm_.rank())
+        part.pack(i, outgoing[static_cast<std::size_t>(owner)]);
+      else
+        part.move(i, kept++);
+    }
+    part.resize(kept);
+  }
+
+  Part_box own_box() const
+  {
+    Part_box box(dimension_);
+    for(const Distributed_set<Carried>& set : sets_)
+      for(std::size_t i = 0; i < set.own_size; ++i)
+        box.add([&](int axis) { return set.part.points[i].bounds_along(axis); });
+    return box;
+  }
+
+  void gather_boxes(std::vector<Part_box>& boxes) const
+  {
+    std::vector<Interval> mine, all;
+    run_together(comm_, [&] {
+      mine = own_box().intervals();
+      all.resize(mine.size() * static_cast<std::size_t>(comm_.size()));
+    });
+    comm_.gather(mine.data(), mine.size(), all);
+    run_together(comm_, [&] {
+      for(auto first = all.begin(); boxes.size() < static_cast<std::size_t>(comm_.size());
+          first += dimension_)
+        boxes.emplace_back(std::vector<Interval>(first, first + dimension_));
+    });
+  }
+
+  void pack_near_points(const Distributed_set<Carried>& set, const std::vector<Part_box>& boxes,
+                        Bytes_of_ranks& outgoing) const
+  {
+    outgoing.resize(boxes.size());
+    const std::vector<Interval>& mine = boxes[static_cast<std::size_t>(comm_.rank())].intervals();
+    const auto bounds_of_box = [&](int axis) {
+      const Interval& interval = mine[static_cast<std::size_t>(axis)];
+      return std::pair<double, double>(interval.low, interval.high);
+    };
+    for(int rank = 0; rank < comm_.size(); ++rank) {
+      const Part_box& box = boxes[static_cast<std::size_t>(rank)];
+      if(!receives(rank, comm_.rank()) || set.own_size == 0 || !box.is_near(bounds_of_box, reach_))
+        continue;
+      for(std::size_t i = 0; i < set.own_size; ++i)
+        if(box.is_near([&](int axis) { return set.part.points[i].bounds_along(axis); }, reach_))
+          set.part.pack(i, outgoing[static_cast<std::size_t>(rank)]);
+    }
+  }
+
+  const Communicator& comm_;
+  double reach_;
+  Distributed_profile& profile_;
+  int dimension_ = 0;
+  std::uint64_t first_ids_[set_count] = {};
+  std::uint64_t totals_[set_count] = {}; // of all processes
+  std::size_t local_sizes_[set_count] = {};
+  std::vector<Distributed_set<Carried>> sets_;
+  std::optional<Bisection> bisection_;
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_DISTRIBUTED_POINTS_H

@@ -1,0 +1,108 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_PARTS_CELL_COUNTS_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_PARTS_CELL_COUNTS_H
+
+// How many points there are around each point of a sample: what the work of a part is made of.
+
+#include <CGAL/Thick_intersection_d/internal/arrays/Random_numbers.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
+#include <CGAL/Thick_intersection_d/internal/parts/Part_points.h>
+#include <CGAL/Thick_intersection_d/internal/parts/Point_sample.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// Counts the points in cells as wide as the reach, but only in those that hold a point of the
+// sample. Counts of all parts can be added: they depend on the sample alone, and not on where the
+// points are. Two cells with the same hash count as one.
+class Cell_counts
+{
+public:
+  Cell_counts(const Point_sample& sample, double reach)
+    : dimension_(sample.dimension), reach_(reach), hash_(dimension_, 1),
+      bits_(hash_table_bits(sample.size())), keys_(std::size_t(1) << bits_),
+      counts_(keys_.size())
+  {
+    for(std::size_t i = 0; i < sample.size(); ++i) {
+      const std::uint64_t key = key_of(sample.point(i));
+      keys_[slot_of(key)] = key;
+    }
+  }
+
+  // Adds points of a part: all of them, or random ones that stand for as many points each.
+  template <class Carried>
+  void add_some(const Part_points<Carried>& part)
+  {
+    const std::size_t step = part.size() / max_looked_at + 1;
+    Random_numbers random;
+    for(std::size_t first = 0; first < part.size(); first += step) {
+      const std::size_t count = (std::min)(step, part.size() - first);
+      const std::uint64_t key = key_of(part.lower_bounds(first + random() % count));
+      const std::size_t slot = slot_of(key);
+      counts_[slot] += keys_[slot] == key ? count : 0;
+    }
+  }
+
+  std::vector<std::uint64_t>& counts() { return counts_; }
+
+  // Sets the weight of each point of the sample to one, for the point, and half of the neighbors it
+  // may have. A ball has the volume of about four cells.
+  void set_weights(Point_sample& sample) const
+  {
+    for(std::size_t i = 0; i < sample.size(); ++i) {
+      const double count = static_cast<double>(counts_[slot_of(key_of(sample.point(i)))]);
+      sample.weights[i] = 1 + 2 * (std::max)(count - 1, 0.);
+    }
+  }
+
+private:
+  static constexpr std::size_t max_looked_at = 1 << 17;
+
+  // The key of a cell is odd, so it is not zero.
+  template <class Coordinates>
+  std::uint64_t key_of(const Coordinates& x) const
+  {
+    std::uint64_t sum = 0;
+    for(int axis = 0; axis < dimension_; ++axis) {
+      const double value = x[static_cast<std::size_t>(axis)];
+      const double cell = (reach_ > 0 ? std::floor(value / reach_) : value) + 0.; // no minus zero
+      std::uint64_t number;
+      std::memcpy(&number, &cell, sizeof number);
+      sum = hash_.add(sum, axis, number);
+    }
+    return hash_.finish(sum) | 1;
+  }
+
+  // Returns the slot with the key, or the free one where it belongs.
+  std::size_t slot_of(std::uint64_t key) const
+  {
+    std::size_t slot = static_cast<std::size_t>(key >> (64 - bits_));
+    while(keys_[slot] != 0 && keys_[slot] != key)
+      slot = (slot + 1) & (keys_.size() - 1);
+    return slot;
+  }
+
+  int dimension_;
+  double reach_;
+  Sequence_hash<> hash_; // with the same seed in all processes
+  int bits_;
+  std::vector<std::uint64_t> keys_;   // zero where a slot is free
+  std::vector<std::uint64_t> counts_; // of the slots
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_PARTS_CELL_COUNTS_H

@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_PARTS_PART_POINTS_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_PARTS_PART_POINTS_H
+
+// The points of a part, with their ids.
+
+#include <CGAL/Thick_intersection_d/internal/parts/Byte_reader.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// Ids are in a column of their own: a search reports positions, and each pair looks up two ids.
+template <class Carried>
+struct Part_points
+{
+  std::vector<Carried> points;
+  std::vector<std::uint64_t> ids;
+
+  std::size_t size() const { return points.size(); }
+
+  void reserve(std::size_t size)
+  {
+    points.reserve(size);
+    ids.reserve(size);
+  }
+
+  void resize(std::size_t size)
+  {
+    points.resize(size);
+    ids.resize(size);
+  }
+
+  void add(Carried point, std::uint64_t id)
+  {
+    points.push_back(std::move(point));
+    ids.push_back(id);
+  }
+
+  // Moves a point to another place. A point that stays is left alone: vectors do not survive a move
+  // to themselves.
+  void move(std::size_t from, std::size_t to)
+  {
+    if(from == to)
+      return;
+    points[to] = std::move(points[from]);
+    ids[to] = ids[from];
+  }
+
+  void pack(std::size_t i, std::vector<char>& bytes) const
+  {
+    write_bytes(&ids[i], 1, bytes);
+    points[i].pack(bytes);
+  }
+
+  // Adds all points that were packed.
+  void unpack(const std::vector<char>& bytes, int dimension)
+  {
+    for(Byte_reader reader(bytes); !reader.is_at_end();) {
+      std::uint64_t id;
+      reader.read(&id, 1);
+      ids.push_back(id);
+      points.emplace_back();
+      points.back().unpack(reader, dimension);
+    }
+  }
+
+  // Returns the lower bounds of the coordinates of a point, by their axes.
+  struct Lower_bounds
+  {
+    const Carried& point;
+    double operator[](std::size_t axis) const
+    {
+      return point.bounds_along(static_cast<int>(axis)).first;
+    }
+  };
+  Lower_bounds lower_bounds(std::size_t i) const { return {points[i]}; }
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_PARTS_PART_POINTS_H
