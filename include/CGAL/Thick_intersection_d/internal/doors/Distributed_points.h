@@ -124,10 +124,7 @@ public:
       Bytes_of_ranks incoming = exchange_bytes(comm_, outgoing);
       run_together(comm_, [&] {
         outgoing = Bytes_of_ranks();
-        for(std::vector<char>& bytes : incoming) {
-          set.part.unpack(bytes, dimension_);
-          bytes = std::vector<char>();
-        }
+        unpack(incoming, set.part);
         set.own_size = set.part.size();
         set.consecutive_size = 0;
       });
@@ -152,11 +149,8 @@ public:
       run_together(comm_, [&] { pack_near_points(set, boxes, outgoing); });
       for(const std::vector<char>& bytes : outgoing)
         sent += bytes.size();
-      const Bytes_of_ranks incoming = exchange_bytes(comm_, outgoing);
-      run_together(comm_, [&] {
-        for(const std::vector<char>& bytes : incoming)
-          set.part.unpack(bytes, dimension_);
-      });
+      Bytes_of_ranks incoming = exchange_bytes(comm_, outgoing);
+      run_together(comm_, [&] { unpack(incoming, set.part); });
       own_count += set.own_size;
       halo_count += set.part.size() - set.own_size;
     }
@@ -210,15 +204,35 @@ private:
   void pack_points_of_others(Part& part, Bytes_of_ranks& outgoing) const
   {
     outgoing.resize(static_cast<std::size_t>(comm_.size()));
-    std::size_t kept = 0;
+    std::vector<int> owners(part.size());
+    std::vector<std::size_t> counts(outgoing.size());
     for(std::size_t i = 0; i < part.size(); ++i) {
-      const int owner = bisection_->owner(part.lower_bounds(i), part.ids[i]);
-      if(owner != comm_.rank())
-        part.pack(i, outgoing[static_cast<std::size_t>(owner)]);
+      owners[i] = bisection_->owner(part.lower_bounds(i), part.ids[i]);
+      ++counts[static_cast<std::size_t>(owners[i])];
+    }
+    counts[static_cast<std::size_t>(comm_.rank())] = 0;
+    for(std::size_t rank = 0; rank < outgoing.size(); ++rank)
+      outgoing[rank].reserve(counts[rank] * Part::packed_size(dimension_));
+    std::size_t kept = 0;
+    for(std::size_t i = 0; i < part.size(); ++i)
+      if(owners[i] != comm_.rank())
+        part.pack(i, outgoing[static_cast<std::size_t>(owners[i])]);
       else
         part.move(i, kept++);
-    }
     part.resize(kept);
+  }
+
+  // Appends the points to the part, and gives their bytes back.
+  void unpack(Bytes_of_ranks& incoming, Part& part) const
+  {
+    std::size_t byte_count = 0;
+    for(const std::vector<char>& bytes : incoming)
+      byte_count += bytes.size();
+    part.reserve(part.size() + byte_count / Part::packed_size(dimension_));
+    for(std::vector<char>& bytes : incoming) {
+      part.unpack(bytes, dimension_);
+      bytes = std::vector<char>();
+    }
   }
 
   Part_box own_box() const

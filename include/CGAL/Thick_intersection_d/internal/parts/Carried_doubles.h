@@ -63,6 +63,12 @@ public:
     return {cartesian(axis), cartesian(axis)};
   }
 
+  // The least number of bytes that a point is packed into.
+  static std::size_t packed_size(int dimension)
+  {
+    return static_cast<std::size_t>(dimension) * sizeof(double);
+  }
+
   void pack(std::vector<char>& bytes) const { write_bytes(x_.data(), x_.size(), bytes); }
 
   void unpack(Byte_reader& bytes, int dimension)

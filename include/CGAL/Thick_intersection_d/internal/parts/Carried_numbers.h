@@ -88,9 +88,18 @@ public:
 
   Approximation approx() const { return {*this}; }
 
+  // Where the approximation is, by the name that lazy points of CGAL have for it.
+  const void* for_compact_container() const { return this; }
+
   std::pair<double, double> bounds_along(int axis) const
   {
     return bounds_[static_cast<std::size_t>(axis)];
+  }
+
+  // The least number of bytes that a point is packed into.
+  static std::size_t packed_size(int dimension)
+  {
+    return static_cast<std::size_t>(dimension) * sizeof(double) + 1;
   }
 
   void pack(std::vector<char>& bytes) const

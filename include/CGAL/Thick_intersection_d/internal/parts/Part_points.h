@@ -55,6 +55,11 @@ struct Part_points
     ids[to] = ids[from];
   }
 
+  static std::size_t packed_size(int dimension)
+  {
+    return sizeof(std::uint64_t) + Carried::packed_size(dimension);
+  }
+
   void pack(std::size_t i, std::vector<char>& bytes) const
   {
     write_bytes(&ids[i], 1, bytes);
