@@ -6,6 +6,7 @@
 
 #define BOOST_TEST_MODULE distributed_near_neighbors
 #include "support/brute_force.h"
+#include "support/mpi_fixture.h"
 #include "support/pairs.h"
 #include "support/point_generators.h"
 #include "support/scenes.h"
@@ -15,7 +16,6 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Remote_error.h>
 #include <CGAL/distributed_fixed_radius_near_neighbors.h>
-#include <CGAL/Thick_intersection_d/internal/distributed/exchange_bytes.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -36,17 +36,6 @@
 using namespace test_support;
 
 namespace {
-
-struct Mpi
-{
-  Mpi()
-  {
-    int provided;
-    MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided);
-  }
-  ~Mpi() { MPI_Finalize(); }
-};
-BOOST_TEST_GLOBAL_FIXTURE(Mpi);
 
 using Point_3 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 using Exact_kernel = CGAL::Exact_predicates_exact_constructions_kernel;
@@ -258,27 +247,6 @@ BOOST_AUTO_TEST_CASE(the_same_pairs_are_found_on_the_same_process_again)
   const auto bound = CGAL::within_distance(0.01);
   const Pairs first = pairs_of(mine, bound, balanced);
   BOOST_CHECK(first == pairs_of(mine, bound, balanced));
-}
-
-BOOST_AUTO_TEST_CASE(long_messages_go_in_chunks)
-{
-  namespace internal = CGAL::Thick_intersection_d::internal;
-  const internal::Communicator comm(MPI_COMM_WORLD);
-  for(const std::size_t chunk : {1, 7, 100, 1 << 20}) {
-    internal::Bytes_of_ranks outgoing(static_cast<std::size_t>(comm.size()));
-    for(int r = 0; r < comm.size(); ++r)
-      for(int i = 0; i < 100 * (r + comm.rank()); ++i)
-        outgoing[static_cast<std::size_t>(r)].push_back(static_cast<char>(i + 3 * comm.rank()));
-    const internal::Bytes_of_ranks incoming = exchange_bytes(comm, outgoing, chunk);
-    for(int r = 0; r < comm.size(); ++r) {
-      const std::vector<char>& bytes = incoming[static_cast<std::size_t>(r)];
-      BOOST_REQUIRE_EQUAL(bytes.size(), 100 * (r + comm.rank()));
-      bool is_good = true;
-      for(std::size_t i = 0; i < bytes.size(); ++i)
-        is_good = is_good && bytes[i] == static_cast<char>(i + 3 * static_cast<std::size_t>(r));
-      BOOST_CHECK(is_good);
-    }
-  }
 }
 
 // ---- the work -----------------------------------------------------------------------------------

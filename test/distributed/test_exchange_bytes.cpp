@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Bytes that processes send to each other, or to all.
+
+#include "support/mpi_fixture.h"
+
+#include <CGAL/Thick_intersection_d/internal/distributed/exchange_bytes.h>
+#include <CGAL/Thick_intersection_d/internal/distributed/gather_bytes.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cstddef>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(exchange_bytes)
+
+namespace internal = CGAL::Thick_intersection_d::internal;
+
+// What a process sends to another one. Some send nothing.
+std::vector<char> message(int from, int to)
+{
+  std::vector<char> bytes(static_cast<std::size_t>(100 * (from + to)));
+  for(std::size_t i = 0; i < bytes.size(); ++i)
+    bytes[i] = static_cast<char>(i + static_cast<std::size_t>(3 * from + to));
+  return bytes;
+}
+
+BOOST_AUTO_TEST_CASE(messages_of_any_length_arrive_in_chunks_of_any_size)
+{
+  const internal::Communicator comm(MPI_COMM_WORLD);
+  for(const std::size_t chunk_size : {std::size_t(1), std::size_t(7), std::size_t(100),
+                                      internal::max_chunk_size}) {
+    internal::Bytes_of_ranks outgoing;
+    for(int r = 0; r < comm.size(); ++r)
+      outgoing.push_back(message(comm.rank(), r));
+    const internal::Bytes_of_ranks incoming
+      = internal::exchange_bytes(comm, outgoing, chunk_size);
+    for(int r = 0; r < comm.size(); ++r)
+      BOOST_CHECK(incoming[static_cast<std::size_t>(r)] == message(r, comm.rank()));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(all_processes_get_the_bytes_of_all_in_the_order_of_ranks)
+{
+  const internal::Communicator comm(MPI_COMM_WORLD);
+  std::vector<char> expected;
+  for(int r = 0; r < comm.size(); ++r)
+    for(const char byte : message(r, 0))
+      expected.push_back(byte);
+  BOOST_CHECK(internal::gather_bytes(comm, message(comm.rank(), 0)) == expected);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
