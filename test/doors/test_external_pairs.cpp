@@ -1,0 +1,315 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The search of points that do not fit in memory, compared with the search in memory.
+
+#define BOOST_TEST_MODULE external_pairs
+#include "support/pairs.h"
+
+#include <CGAL/Memory_budget.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/external_fixed_radius_near_neighbors.h>
+
+#include <CGAL/Thick_intersection_d/internal/arrays/Random_numbers.h>
+#include <CGAL/Thick_intersection_d/internal/external/External_parts.h>
+#include <CGAL/Thick_intersection_d/internal/external/Scratch_file.h>
+#include <CGAL/Thick_intersection_d/internal/external/Stored_points.h>
+#include <CGAL/Thick_intersection_d/internal/external/Streamed_sample.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <vector>
+
+using namespace test_support;
+using namespace CGAL::Thick_intersection_d::internal;
+
+namespace fs = std::filesystem;
+
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Points = std::vector<Point>;
+using Bound = CGAL::Distance_bound<double>;
+
+namespace {
+
+// A budget that has room for 832 points, and one that all scenes fit in.
+constexpr std::size_t small = 1 << 16, large = 1 << 26;
+
+class Scene_maker
+{
+public:
+  double number() { return random_() / (1. + Random_numbers::largest()); }
+
+  Point in_cube(double side, const Point& corner = Point(0, 0, 0))
+  {
+    const double x = side * number(), y = side * number(), z = side * number();
+    return Point(corner.x() + x, corner.y() + y, corner.z() + z);
+  }
+
+  Points uniform(std::size_t size)
+  {
+    Points points;
+    while(points.size() < size)
+      points.push_back(in_cube(1));
+    return points;
+  }
+
+  Points clusters(std::size_t size)
+  {
+    Points points, centers = uniform(12);
+    while(points.size() < size)
+      points.push_back(in_cube(.01, centers[points.size() % centers.size()]));
+    return points;
+  }
+
+private:
+  Random_numbers random_;
+};
+
+Points lattice(int side)
+{
+  Points points;
+  for(int x = 0; x < side; ++x)
+    for(int y = 0; y < side; ++y)
+      for(int z = 0; z < side; ++z)
+        points.emplace_back(.1 * z, .1 * x, .1 * y);
+  return points;
+}
+
+// The callback and the kind of range are the same for all tests, so the search is compiled once.
+using Report = std::function<bool(std::uint64_t, std::uint64_t)>;
+using Go_on = std::function<bool(double)>;
+
+bool search(const Points& points, const Bound& bound, std::size_t bytes, const Report& report,
+            const Go_on& go_on = [](double) { return true; })
+{
+  return CGAL::external_fixed_radius_near_neighbors(points, bound, CGAL::Memory_budget(bytes),
+                                                    report, CGAL::parameters::callback(go_on));
+}
+
+Pairs pairs_of(const Points& points, const Bound& bound, std::size_t bytes)
+{
+  Pairs pairs;
+  BOOST_CHECK(search(points, bound, bytes, [&](std::uint64_t i, std::uint64_t j) {
+    BOOST_CHECK_LT(i, j);
+    pairs.emplace_back(i, j);
+    return true;
+  }));
+  return sorted(pairs);
+}
+
+// Whether the pairs are the same in parts as in memory, and there are some.
+bool has_equal_pairs(const Points& points, const Bound& bound)
+{
+  const Pairs expected = pairs_of(points, bound, large);
+  return !expected.empty() && pairs_of(points, bound, small) == expected;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(uniform_points_have_the_same_pairs_in_parts)
+{
+  const Points points = Scene_maker().uniform(20000);
+  BOOST_CHECK(has_equal_pairs(points, CGAL::within_distance(.03)));
+  BOOST_CHECK(has_equal_pairs(points, CGAL::within_squared_distance(.0009).open()));
+}
+
+BOOST_AUTO_TEST_CASE(clusters_have_the_same_pairs_in_parts)
+{
+  BOOST_CHECK(has_equal_pairs(Scene_maker().clusters(9000), CGAL::within_distance(.001)));
+}
+
+BOOST_AUTO_TEST_CASE(ties_of_a_lattice_are_the_same_in_parts)
+{
+  const Points points = lattice(20);
+  BOOST_CHECK(has_equal_pairs(points, CGAL::within_distance(.1)));
+  BOOST_CHECK(has_equal_pairs(points, CGAL::within_distance(.1).open()));
+}
+
+BOOST_AUTO_TEST_CASE(near_ties_far_from_zero_are_the_same_in_parts)
+{
+  Points points;
+  for(const Point& p : lattice(16))
+    points.emplace_back(std::round(10 * p.x()) + 0x1p50, std::round(10 * p.y()) + 0x1p51,
+                        std::round(10 * p.z()) / 8 + 0x1p49);
+  BOOST_CHECK(has_equal_pairs(points, CGAL::within_distance(1.)));
+}
+
+BOOST_AUTO_TEST_CASE(points_of_a_plane_and_of_a_line_have_the_same_pairs_in_parts)
+{
+  Scene_maker maker;
+  Points plane, line;
+  for(int i = 0; i < 10000; ++i) {
+    plane.emplace_back(3, maker.number(), maker.number());
+    line.emplace_back(maker.number(), 0, 0);
+  }
+  BOOST_CHECK(has_equal_pairs(plane, CGAL::within_distance(.01)));
+  BOOST_CHECK(has_equal_pairs(line, CGAL::within_distance(.0001)));
+}
+
+BOOST_AUTO_TEST_CASE(a_crowd_that_fits_has_its_pairs)
+{
+  Scene_maker maker;
+  Points points = maker.uniform(10000);
+  for(int i = 0; i < 400; ++i)
+    points.push_back(maker.in_cube(1e-6, Point(.5, .5, .5)));
+  std::reverse(points.begin() + 5000, points.end());
+  BOOST_CHECK(has_equal_pairs(points, CGAL::within_distance(.01)));
+}
+
+BOOST_AUTO_TEST_CASE(equal_points_are_pairs_across_parts)
+{
+  Points points = Scene_maker().uniform(2500);
+  const Points copy = points;
+  for(int round = 0; round < 3; ++round)
+    points.insert(points.end(), copy.begin(), copy.end());
+  BOOST_CHECK_EQUAL(pairs_of(points, CGAL::within_distance(0.), small).size(), 6 * copy.size());
+}
+
+BOOST_AUTO_TEST_CASE(a_crowd_that_does_not_fit_is_refused)
+{
+  const Points equal(3000, Point(1, 2, 3));
+  BOOST_CHECK_THROW(pairs_of(equal, CGAL::within_distance(0.), small), std::length_error);
+  const Points points = Scene_maker().uniform(5000);
+  BOOST_CHECK_THROW(pairs_of(points, CGAL::within_distance(.7), small), std::length_error);
+  BOOST_CHECK_THROW(pairs_of(points, Bound(std::numeric_limits<double>::infinity(), false), small),
+                    std::length_error);
+}
+
+BOOST_AUTO_TEST_CASE(no_point_and_one_point_have_no_pair)
+{
+  for(std::size_t size : {0, 1})
+    for(std::size_t bytes : {small, large})
+      BOOST_CHECK(pairs_of(Points(size), CGAL::within_distance(1.), bytes).empty());
+}
+
+BOOST_AUTO_TEST_CASE(callback_stops_the_search_in_a_later_part)
+{
+  const Points points = Scene_maker().uniform(20000);
+  std::size_t count = 0;
+  BOOST_CHECK(!search(points, CGAL::within_distance(.03), small,
+                      [&](std::uint64_t, std::uint64_t) { return ++count < 5000; }));
+  BOOST_CHECK_EQUAL(count, 5000);
+}
+
+BOOST_AUTO_TEST_CASE(progress_grows_up_to_one_and_stops_the_search)
+{
+  const Points points = Scene_maker().uniform(20000);
+  const Report report = [](std::uint64_t, std::uint64_t) { return true; };
+  std::vector<double> told;
+  BOOST_CHECK(search(points, CGAL::within_distance(.03), small, report, [&](double done) {
+    told.push_back(done);
+    return true;
+  }));
+  BOOST_CHECK(std::is_sorted(told.begin(), told.end()));
+  BOOST_CHECK_CLOSE(told.back(), 1, 1e-9);
+  for(double last : {0., .1, .5})
+    BOOST_CHECK(!search(points, CGAL::within_distance(.03), small, report,
+                        [&](double done) { return done < last; }));
+}
+
+BOOST_AUTO_TEST_CASE(bad_arguments_are_refused_before_any_pair)
+{
+  Points points = Scene_maker().uniform(3000);
+  BOOST_CHECK_THROW(pairs_of(points, CGAL::within_distance(-1.), small), std::invalid_argument);
+  BOOST_CHECK_THROW(pairs_of(points, CGAL::within_distance(1.), 1000), std::invalid_argument);
+  points.back() = Point(0, std::nan(""), 0);
+  const auto names_position = [](const std::invalid_argument& error) {
+    return std::string(error.what()).find("point 2999") != std::string::npos;
+  };
+  BOOST_CHECK_EXCEPTION(pairs_of(points, CGAL::within_distance(.01), small), std::invalid_argument,
+                        names_position);
+}
+
+BOOST_AUTO_TEST_CASE(a_folder_that_is_missing_is_an_error)
+{
+  const fs::path missing = fs::temp_directory_path() / "thick_intersection_d_no_such_folder";
+  BOOST_CHECK_THROW(Scratch_file file(missing), std::system_error);
+}
+
+BOOST_AUTO_TEST_CASE(a_scratch_file_leaves_nothing_behind)
+{
+  const fs::path folder = fs::temp_directory_path() / "thick_intersection_d_test_scratch";
+  fs::create_directory(folder);
+  {
+    Scratch_file file(folder), other(folder);
+    const std::array<double, 3> written = {1, 2, 3};
+    std::array<double, 3> read = {};
+    const std::uint64_t far = std::uint64_t(5) << 30; // beyond 32 bits; the file has a hole
+    file.write(far, written.data(), sizeof written);
+    file.read(far, read.data(), sizeof read);
+    BOOST_CHECK(read == written);
+    BOOST_CHECK_THROW(other.read(0, read.data(), sizeof read), std::system_error);
+  }
+  BOOST_CHECK(fs::is_empty(folder));
+  fs::remove(folder);
+}
+
+BOOST_AUTO_TEST_CASE(a_list_on_disk_gives_its_chunks_to_the_next_list)
+{
+  Chunk_store store(fs::temp_directory_path(), 5);
+  Stored_points list, next;
+  for(std::uint64_t i = 0; i < 23; ++i)
+    list.add(store, {{1. * i, 0, 0}, i});
+  std::vector<std::uint64_t> ids;
+  list.take_chunks(store, [&](const std::vector<Stored_point>& points) {
+    for(const Stored_point& point : points) {
+      ids.push_back(point.id);
+      next.add(store, point);
+    }
+  });
+  next.flush(store);
+  BOOST_CHECK_EQUAL(ids.size(), 23);
+  BOOST_CHECK(std::is_sorted(ids.begin(), ids.end()));
+  BOOST_CHECK_EQUAL(list.size(), 0);
+  BOOST_CHECK_EQUAL(next.size(), 23);
+  BOOST_CHECK_LE(store.size(), 5);
+}
+
+BOOST_AUTO_TEST_CASE(a_sample_has_a_point_of_each_block)
+{
+  Streamed_sample sample(100);
+  for(std::uint64_t i = 0; i < 6400; ++i)
+    sample.add({{0, 0, 1. * i}, i});
+  BOOST_CHECK_EQUAL(sample.count(), 6400);
+  const auto& ids = sample.sample().ids;
+  BOOST_CHECK_GE(ids.size(), 50);
+  BOOST_CHECK_LE(ids.size(), 100);
+  for(std::size_t i = 0; i < ids.size(); ++i) {
+    BOOST_CHECK_EQUAL(ids[i] * ids.size() / 6400, i);
+    BOOST_CHECK_EQUAL(sample.sample().point(i)[2], 1. * ids[i]);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(parts_fit_in_the_budget_with_the_points_near_them)
+{
+  const Points points = Scene_maker().uniform(20000);
+  External_parts parts(CGAL::Memory_budget(small), .03);
+  Streamed_sample sample(parts.limits().points_per_sample());
+  const auto visit_points = [&](const auto& visit) {
+    for(std::size_t i = 0; i < points.size(); ++i)
+      visit(Stored_point{{points[i].x(), points[i].y(), points[i].z()}, i});
+  };
+  visit_points([&](const Stored_point& point) { sample.add(point); });
+  parts.make(sample, visit_points);
+  std::size_t owned = 0, count = 0;
+  while(parts.find_next()) {
+    const auto loaded = parts.take_next<Point>();
+    BOOST_CHECK_LE(loaded.points.size(), parts.limits().points_per_search());
+    owned += loaded.owned;
+    ++count;
+  }
+  BOOST_CHECK_EQUAL(owned, points.size());
+  BOOST_CHECK_GE(count, points.size() / parts.limits().points_per_search());
+  BOOST_CHECK_LE(count, 4 * points.size() / parts.limits().points_per_search());
+}
