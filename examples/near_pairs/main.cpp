@@ -7,6 +7,7 @@
 
 #include "error.h"
 #include "exact_decimal.h"
+#include "external.h"
 #include "groups.h"
 #include "hints.h"
 #include "options.h"
@@ -16,9 +17,8 @@
 #include "row_reader.h"
 #include "search.h"
 #include "standard_streams.h"
+#include "summary.h"
 #include "tables.h"
-
-#include <sys/resource.h>
 
 #include <exception>
 #include <iomanip>
@@ -50,40 +50,6 @@ std::unique_ptr<Output_file> open_output(const std::string& name, const Options&
   return name.empty() ? nullptr : std::make_unique<Output_file>(name, options.files);
 }
 
-// The most memory that this process ever had, in MiB.
-double peak_memory()
-{
-  rusage usage;
-  getrusage(RUSAGE_SELF, &usage);
-  return usage.ru_maxrss / 1024.; // Linux counts in KiB
-}
-
-std::string distance_in_words(const Scene& scene, const Options& options)
-{
-  std::string words = options.open ? "< " : "\u2264 ";
-  words += options.squared ? "sqrt(" + options.distance_text + ")" : options.distance_text;
-  const std::string& unit = options.distance_unit.empty() ? scene.unit : options.distance_unit;
-  return words + (unit.empty() ? "" : " ") + unit;
-}
-
-std::ostream& print_name(std::ostream& out, const char* name)
-{
-  return out << std::left << std::setw(13) << name;
-}
-
-void print_costs(std::ostream& out, double seconds, const char* of_what)
-{
-  out << std::fixed << std::setprecision(6);
-  print_name(out, "search") << seconds << " s" << of_what << '\n';
-  out << std::setprecision(1);
-  print_name(out, "peak memory") << peak_memory() << " MiB\n";
-}
-
-void print_kernel(std::ostream& out, const Options& options)
-{
-  print_name(out, "kernel") << options.kernel << (options.parallel ? ", parallel" : "") << '\n';
-}
-
 void print_points(std::ostream& out, const Scene& scene)
 {
   print_name(out, "points");
@@ -99,7 +65,7 @@ void print_summary(std::ostream& out, const Scene& scene, const Options& options
   print_name(out, "pairs") << result.pairs << '\n';
   if(!options.open)
     print_name(out, "on boundary") << result.on_boundary << '\n';
-  print_name(out, "distance") << distance_in_words(scene, options) << '\n';
+  print_name(out, "distance") << distance_in_words(options, scene.unit) << '\n';
   print_kernel(out, options);
   print_name(out, "arithmetic") << result.tier << '\n';
   print_costs(out, result.seconds, ", with its outputs");
@@ -152,7 +118,7 @@ public:
       pairs_ = make_pair_writer(options_.pairs, pairs_file_->stream(), scene_,
                                 options_.coordinates);
     if(picture_file_)
-      picture_.emplace(scene_, drawn, distance_in_words(scene_, drawn));
+      picture_.emplace(scene_, drawn, distance_in_words(drawn, scene_.unit));
     if(points_file_ || options_.components)
       groups_.emplace(scene_.size());
   }
@@ -277,6 +243,8 @@ int main(int argc, char** argv)
       near_pairs::finish(std::cout << near_pairs::help_text(), "the help");
     else if(options.version)
       near_pairs::finish(std::cout << near_pairs::version_text(), "the version");
+    else if(options.memory != 0)
+      near_pairs::run_external(options);
     else
       near_pairs::run(options);
     return 0;

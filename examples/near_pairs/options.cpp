@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <limits>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -48,7 +49,7 @@ void add_scene_options(po::options_description& all, Options& options)
   po::options_description points = group("How a file is read");
   points.add_options()
     ("format", po::value<std::string>(&options.format)->value_name("NAME"),
-     "csv (any table), xyz, off, ply, obj, pdb or tsp")
+     "csv (any table), xyz, off, ply, obj, pdb, tsp or bin")
     ("separator", po::value<std::string>()->value_name("CHAR"),
      "of a table; also tab, blanks (default: found)")
     ("no-header", po::bool_switch(&options.no_header), "the first row of a table is a point")
@@ -70,7 +71,11 @@ void add_search_options(po::options_description& all, Options& options)
   search.add_options()
     ("kernel", po::value<std::string>(&options.kernel)->value_name("NAME"),
      "of CGAL's points: epick (default) or exact")
-    ("parallel", po::bool_switch(&options.parallel), "use all cores");
+    ("parallel", po::bool_switch(&options.parallel), "use all cores")
+    ("memory", po::value<std::string>()->value_name("SIZE"),
+     "at most so much, as 200M or 1G; only counts, --pairs")
+    ("scratch", po::value<std::string>(&options.scratch)->value_name("DIR"),
+     "for points that do not fit (default: $TMPDIR)");
   po::options_description output = group("What is written (FILE may be -)");
   output.add_options()
     ("pairs", po::value<std::string>(&options.pairs)->value_name("FILE"),
@@ -241,6 +246,40 @@ void check_outputs(const po::variables_map& map, const Options& options)
                 + format + " file of it)");
 }
 
+// Reads bytes, with or without one of the letters K, M and G behind them.
+std::size_t parse_size(const std::string& text)
+{
+  const std::string letters = "KMG";
+  const std::size_t letter = text.empty() ? std::string::npos : letters.find(text.back());
+  const bool has_letter = letter != std::string::npos;
+  const auto count = parse_count(text.substr(0, text.size() - has_letter));
+  const std::size_t unit = has_letter ? std::size_t(1) << 10 * (letter + 1) : 1;
+  if(!count || *count == 0 || *count > std::numeric_limits<std::size_t>::max() / unit)
+    throw Error("--memory: '" + text + "' is no size, such as 200M or 1G");
+  return *count * unit;
+}
+
+void read_memory(const po::variables_map& map, Options& options)
+{
+  if(!map.count("memory")) {
+    if(map.count("scratch"))
+      throw Error("--scratch is for --memory");
+    return;
+  }
+  options.memory = parse_size(map["memory"].as<std::string>());
+  if(options.files.size() != 1 || options.files.front() == "-")
+    throw Error("--memory is for one file, which is read twice");
+  if(options.kernel == "exact" || options.decimal)
+    throw Error("--memory holds coordinates as doubles");
+  if(extension(options.pairs) == ".geojson")
+    throw Error("--memory writes pairs as .csv");
+  for(const char* name : {"points", "picture", "id"})
+    if(map.count(name))
+      throw Error(std::string("--memory has no --") + name + ": not all points are there at once");
+  if(options.closest || options.coordinates || options.components || options.explain)
+    throw Error("--memory has no --closest, --coordinates, --components and --explain");
+}
+
 // Boost's messages in one line each are good enough for what it finds by itself.
 Options parse_and_check(int argc, const char* const* argv)
 {
@@ -257,6 +296,7 @@ Options parse_and_check(int argc, const char* const* argv)
   read_separator(map, options);
   check_choices(map, options);
   check_outputs(map, options);
+  read_memory(map, options);
   read_columns(map, options);
   return options;
 }
@@ -282,7 +322,8 @@ std::string help_text()
   std::ostringstream text;
   text << "near_pairs [options] FILE [FILE]\n"
           "reports every pair of points of FILE, or between two files, within a distance.\n"
-          "FILE is a table (.csv), .xyz, .off, .ply, .obj, .pdb or .tsp, also .gz, or -\n"
+          "FILE is a table (.csv), .xyz, .off, .ply, .obj, .pdb or .tsp, also .gz, or -,\n"
+          "or three doubles per point, least byte first (.bin).\n"
        << visible << "\nExit status: 0, or 2 with one line on the standard error.\n";
   return text.str();
 }

@@ -10,6 +10,7 @@
 #include "read_options.h"
 #include "search_options.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,8 @@ struct Options : Search_options, Read_options
   bool closest = false;      // the closest pair instead; there is no distance then
 
   std::string kernel = "epick";
+  std::size_t memory = 0; // in bytes; 0: as much as the points take
+  std::string scratch;    // the folder for what does not fit; empty: that of the system
 
   // Names of files, "-" for the standard output, or empty.
   std::string pairs;

@@ -9,56 +9,18 @@
 #include "error.h"
 #include "exact_decimal.h"
 #include "input.h"
+#include "point_stream.h"
+#include "row_numbers.h"
 #include "row_reader.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <optional>
 #include <utility>
 #include <vector>
 
 namespace near_pairs {
 namespace {
-
-// The row in hand, and where it comes from.
-struct Place
-{
-  const Input& input;
-  const Row_reader& reader;
-  const Row& row;
-};
-
-// Says what is wrong with coordinate `axis` of a row.
-Error bad_coordinate(const Place& place, int axis)
-{
-  const std::string name = place.reader.names[axis];
-  const std::string& text = place.row.coordinates[axis];
-  return Error(place.input.name(), place.row.line,
-               text.empty() ? name + " is empty" : name + ": '" + text + "' is no finite number");
-}
-
-Decimal read_decimal(const Place& place, int axis)
-{
-  const std::optional<Decimal> decimal = parse_decimal(place.row.coordinates[axis]);
-  if(!decimal)
-    throw bad_coordinate(place, axis);
-  return *decimal;
-}
-
-// Of a text that is a decimal.
-double finite_double(const Place& place, int axis)
-{
-  const double value = nearest_double(place.row.coordinates[axis]);
-  if(!std::isfinite(value))
-    throw bad_coordinate(place, axis);
-  return value;
-}
-
-double read_double(const Place& place, int axis)
-{
-  read_decimal(place, axis);
-  return finite_double(place, axis);
-}
 
 class Scene_maker
 {
@@ -92,6 +54,8 @@ private:
   {
     int scale = 0;
     for(const Input& input : inputs_) {
+      if(is_binary(input, options_))
+        throw Error(input.name(), "--decimal is for numbers that are written in decimal");
       const auto reader = open_rows(input, options_);
       for(Row row; reader->next(row); )
         for(int axis = 0; axis < reader->dimension; ++axis)
@@ -102,8 +66,15 @@ private:
 
   void add(const Input& input)
   {
+    if(is_binary(input, options_)) {
+      add_binary(input);
+      return;
+    }
     const auto reader = open_rows(input, options_);
-    begin(input, *reader);
+    begin(input, reader->dimension);
+    scene_.names = reader->names;
+    if(!options_.geographic)
+      scene_.unit = reader->unit;
     const bool names_points
       = options_.closest || !options_.pairs.empty() || !options_.points.empty();
     const bool keeps_ids = reader->has_ids && names_points;
@@ -116,17 +87,26 @@ private:
     }
   }
 
-  void begin(const Input& input, const Row_reader& reader)
+  void add_binary(const Input& input)
   {
-    if(scene_.first_size && reader.dimension != inputs_dimension_)
-      throw Error(input.name(), "has " + std::to_string(reader.dimension) + " coordinates, and "
+    Point_stream points(input, options_);
+    begin(input, points.dimension());
+    scene_.names = {"x", "y", "z"};
+    for(std::array<double, 3> point; points.next(point); )
+      scene_.doubles.insert(scene_.doubles.end(), point.begin(),
+                            point.begin() + scene_.dimension);
+  }
+
+  void begin(const Input& input, int dimension)
+  {
+    if(scene_.first_size && dimension != inputs_dimension_)
+      throw Error(input.name(), "has " + std::to_string(dimension) + " coordinates, and "
                   + inputs_.front().name() + " has " + std::to_string(inputs_dimension_)
                   + "; choose with --dimension or --columns");
-    inputs_dimension_ = reader.dimension;
-    scene_.dimension = options_.geographic ? 3 : reader.dimension;
+    inputs_dimension_ = dimension;
+    scene_.dimension = options_.geographic ? 3 : dimension;
     scene_.is_geographic = options_.geographic;
-    scene_.names = reader.names;
-    scene_.unit = options_.geographic ? "m" : reader.unit;
+    scene_.unit = options_.geographic ? "m" : "";
   }
 
   void add_point(const Place& place)
@@ -151,16 +131,8 @@ private:
 
   void add_on_sphere(const Place& place)
   {
-    const double radian = std::acos(-1.) / 180;
-    const double latitude = read_double(place, 0);
-    const double longitude = read_double(place, 1);
-    if(std::abs(latitude) > 90)
-      throw Error(place.input.name(), place.row.line, place.reader.names[0] + ": latitude "
-                  + place.row.coordinates[0] + " is outside [-90, 90]");
-    const double ring = earth_radius * std::cos(latitude * radian);
-    scene_.doubles.push_back(ring * std::cos(longitude * radian));
-    scene_.doubles.push_back(ring * std::sin(longitude * radian));
-    scene_.doubles.push_back(earth_radius * std::sin(latitude * radian));
+    const std::array<double, 3> coordinates = place_on_sphere(place);
+    scene_.doubles.insert(scene_.doubles.end(), coordinates.begin(), coordinates.end());
   }
 
   void add_decimal(const Place& place, int axis)

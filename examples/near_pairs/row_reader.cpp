@@ -173,6 +173,13 @@ std::string advice_on(const std::string& format)
                                             : "";
 }
 
+void refuse_options_for_tables(const Input& input, const Read_options& options)
+{
+  const std::string option = option_for_tables(options);
+  if(!option.empty())
+    throw Error(input.name(), option + " needs a table, such as a .csv file");
+}
+
 } // namespace
 
 std::unique_ptr<Row_reader> open_rows(const Input& input, const Read_options& options)
@@ -181,14 +188,20 @@ std::unique_ptr<Row_reader> open_rows(const Input& input, const Read_options& op
   const std::initializer_list<const char*> tables = {"csv", "tsv", "txt", "dat"};
   if(std::find(tables.begin(), tables.end(), format) != tables.end())
     return std::make_unique<Csv_reader>(input, options);
-  const std::string option = option_for_tables(options);
   auto reader = reader_of(format, input, options);
   if(!reader)
     throw Error(input.name(), "unknown format; name one of csv (for any table), xyz, off, ply, "
-                "obj, pdb and tsp by --format" + advice_on(format));
-  if(!option.empty())
-    throw Error(input.name(), option + " needs a table, such as a .csv file");
+                "obj, pdb, tsp and bin by --format" + advice_on(format));
+  refuse_options_for_tables(input, options);
   return reader;
+}
+
+bool is_binary(const Input& input, const Read_options& options)
+{
+  if(format_of(input, options) != "bin")
+    return false;
+  refuse_options_for_tables(input, options);
+  return true;
 }
 
 std::string extension(const std::string& file)

@@ -48,6 +48,9 @@ public:
 // With --geographic the coordinates of a row are latitude and longitude, in this order.
 std::unique_ptr<Row_reader> open_rows(const Input& input, const Read_options& options);
 
+// Whether the input is no text, but three doubles for each point (.bin).
+bool is_binary(const Input& input, const Read_options& options);
+
 // The extension of a file name, in lower case, with its point.
 std::string extension(const std::string& file);
 

@@ -8,6 +8,7 @@
 
 #include "error.h"
 #include "exact_decimal.h"
+#include "progress.h"
 #include "search.h"
 #include "stop.h"
 
@@ -20,7 +21,6 @@
 
 #include <chrono>
 #include <cstddef>
-#include <cstdio>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -64,13 +64,6 @@ inline CGAL::Distance_bound<CGAL::Exact_rational> bound_of(const Scene& scene,
   const auto bound = options.squared ? CGAL::within_squared_distance(value)
                                      : CGAL::within_distance(value);
   return options.open ? bound.open() : bound;
-}
-
-// Shows the percentage that is done on the standard error.
-inline void show_progress(double done)
-{
-  const int percent = static_cast<int>(100 * done);
-  std::fprintf(stderr, "\r%3d %%%s", percent, percent >= 100 ? "\n" : "");
 }
 
 // Searches one set, or two if the first of them has a size.

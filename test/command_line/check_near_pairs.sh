@@ -722,5 +722,55 @@ else
   verdict "  also on the sphere" same_pairs parallel.csv sphere.csv
 fi
 
+# ---------------------------------------------------------------- beyond memory
+
+zero='\0\0\0\0\0\0\0\0'
+one='\0\0\0\0\0\0\xf0\x3f'
+two='\0\0\0\0\0\0\0\x40'
+nan='\0\0\0\0\0\0\xf8\x7f'
+printf "$zero$zero$zero$one$zero$zero$one$two$zero" > three.bin
+printf "$zero$zero$zero$one$zero$nan" > nan.bin
+{ cat three.bin; printf .; } > long.bin
+expect_pairs "binary points" 1 three.bin --distance 1
+expect_pairs "  at most 2 apart" 2 three.bin --distance 2
+expect_pairs "  in the plane of x and y" 2 three.bin --distance 2 --dimension 2
+expect_pairs "  by another name" 1 <(cat three.bin) --format bin --distance 1
+expect_error "binary NaN" "nan.bin: point 1: z is no finite number" nan.bin --distance 1
+expect_error "part of a point" "long.bin: ends inside a point" long.bin --distance 1
+expect_error "binary decimals" "--decimal is for numbers" three.bin --distance 1 --decimal
+expect_error "binary columns" "--columns needs a table" three.bin --distance 1 --columns x,y
+
+# The least memory that the program takes, as it says itself, is too small for these points.
+awk 'BEGIN { srand(1); print "x,y,z"; for(i = 0; i < 60000; ++i) print rand() "," rand() "," rand() }' > many.csv
+run many.csv --distance 0.02 --memory 1K
+verdict "too little memory" is_one_error "--memory: the program itself takes "
+memory=$(sed 's/.* takes //' err)
+mkdir scratch
+run many.csv --distance 0.02 --pairs many_pairs.csv
+run many.csv --distance 0.02 --memory "$memory" --scratch scratch --pairs part_pairs.csv
+verdict "points beyond the memory" test "$status $(summary points)" = "0 60000"
+verdict "  have the same pairs" same_pairs many_pairs.csv part_pairs.csv
+verdict "  and leave no scratch file" test -z "$(ls -A scratch)"
+run three.bin --distance 2 --memory 1G --pairs -
+verdict "pairs of points that fit" test "$(tail -n +2 out | sort | tr '\n' ' ')" = "0,1 1,2 "
+run many.csv --distance 1 --memory "$memory"
+verdict "a crowd beyond the memory" is_one_error "take a larger budget or a smaller bound"
+run many.csv --distance 0.02 --memory "$memory" --scratch no/such/place
+verdict "no folder for scratch" is_one_error "The scratch file in no/such/place cannot be made"
+(trap '' XFSZ; ulimit -f 100; exec "$binary" many.csv --distance 0.02 --memory "$memory" --scratch scratch \
+   > out 2> err)
+status=$?
+verdict "a scratch file that is too large" is_one_error "The scratch file in scratch cannot be written"
+verdict "  and leaves nothing" test -z "$(ls -A scratch)"
+run "$ships" --geographic --distance 69 --memory 1G
+verdict "ships by a budget" test "$status $(summary pairs)" = "0 5092"
+for wrong in "--memory 5X" "--memory 0" "--scratch ." "--memory 1G --components" \
+             "--memory 1G --points points.csv" "--memory 1G --decimal" "--memory 1G ties.csv"; do
+  run many.csv --distance 1 $wrong
+  verdict "refused: $wrong" is_one_error "--${wrong:2:6}"
+done
+run - --distance 1 --memory 1G < ties.csv
+verdict "the standard input is read once" is_one_error "--memory is for one file"
+
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

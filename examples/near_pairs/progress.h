@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The option --progress.
+
+#ifndef NEAR_PAIRS_PROGRESS_H
+#define NEAR_PAIRS_PROGRESS_H
+
+#include <cstdio>
+
+namespace near_pairs {
+
+// Shows the percentage that is done on the standard error.
+inline void show_progress(double done)
+{
+  const int percent = static_cast<int>(100 * done);
+  std::fprintf(stderr, "\r%3d %%%s", percent, percent >= 100 ? "\n" : "");
+}
+
+} // namespace near_pairs
+
+#endif // NEAR_PAIRS_PROGRESS_H

@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Texts to numbers; see row_numbers.h.
+
+#include "row_numbers.h"
+
+#include "error.h"
+#include "scene.h"
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+namespace near_pairs {
+namespace {
+
+// Says what is wrong with coordinate `axis` of a row.
+Error bad_coordinate(const Place& place, int axis)
+{
+  const std::string name = place.reader.names[axis];
+  const std::string& text = place.row.coordinates[axis];
+  return Error(place.input.name(), place.row.line,
+               text.empty() ? name + " is empty" : name + ": '" + text + "' is no finite number");
+}
+
+} // namespace
+
+Decimal read_decimal(const Place& place, int axis)
+{
+  const std::optional<Decimal> decimal = parse_decimal(place.row.coordinates[axis]);
+  if(!decimal)
+    throw bad_coordinate(place, axis);
+  return *decimal;
+}
+
+double finite_double(const Place& place, int axis)
+{
+  const double value = nearest_double(place.row.coordinates[axis]);
+  if(!std::isfinite(value))
+    throw bad_coordinate(place, axis);
+  return value;
+}
+
+double read_double(const Place& place, int axis)
+{
+  read_decimal(place, axis);
+  return finite_double(place, axis);
+}
+
+std::array<double, 3> place_on_sphere(const Place& place)
+{
+  const double radian = std::acos(-1.) / 180;
+  const double latitude = read_double(place, 0);
+  const double longitude = read_double(place, 1);
+  if(std::abs(latitude) > 90)
+    throw Error(place.input.name(), place.row.line, place.reader.names[0] + ": latitude "
+                + place.row.coordinates[0] + " is outside [-90, 90]");
+  const double ring = earth_radius * std::cos(latitude * radian);
+  return {ring * std::cos(longitude * radian), ring * std::sin(longitude * radian),
+          earth_radius * std::sin(latitude * radian)};
+}
+
+} // namespace near_pairs

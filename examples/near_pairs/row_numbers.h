@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The numbers that the texts of a row mean.
+
+#ifndef NEAR_PAIRS_ROW_NUMBERS_H
+#define NEAR_PAIRS_ROW_NUMBERS_H
+
+#include "decimal.h"
+#include "input.h"
+#include "row_reader.h"
+
+#include <array>
+
+namespace near_pairs {
+
+// The row in hand, and where it comes from.
+struct Place
+{
+  const Input& input;
+  const Row_reader& reader;
+  const Row& row;
+};
+
+// A coordinate of a row. They throw Error if it is no finite number.
+Decimal read_decimal(const Place& place, int axis);
+double read_double(const Place& place, int axis);
+
+// Of a coordinate that is a decimal.
+double finite_double(const Place& place, int axis);
+
+// The place in space that latitude and longitude name. Throws Error if they name none.
+std::array<double, 3> place_on_sphere(const Place& place);
+
+} // namespace near_pairs
+
+#endif // NEAR_PAIRS_ROW_NUMBERS_H

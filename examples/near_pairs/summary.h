@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// What the summaries of all searches have in common.
+
+#ifndef NEAR_PAIRS_SUMMARY_H
+#define NEAR_PAIRS_SUMMARY_H
+
+#include "options.h"
+
+#include <ostream>
+#include <string>
+
+namespace near_pairs {
+
+// The most memory that this process ever had, in MiB.
+double peak_memory();
+
+// As it was typed; `unit` is that of the scene.
+std::string distance_in_words(const Options& options, const std::string& unit);
+
+// Prints the name of a line of the summary.
+std::ostream& print_name(std::ostream& out, const char* name);
+
+void print_kernel(std::ostream& out, const Options& options);
+void print_costs(std::ostream& out, double seconds, const char* of_what);
+
+} // namespace near_pairs
+
+#endif // NEAR_PAIRS_SUMMARY_H
