@@ -8,11 +8,9 @@
 // A part in memory.
 
 #include <CGAL/Thick_intersection_d/internal/external/Stored_points.h>
-#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_box.h>
+#include <CGAL/Thick_intersection_d/internal/parts/spatial_order.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -20,52 +18,6 @@
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
-
-// A grid of cells of equal size on the last two axes. The cells of a row of the last axis follow
-// each other: slabs are cut along the last axis, and strips along the one before it.
-class Part_grid
-{
-public:
-  // For so many points, all in the box. The cache is to hold the ends of all cells.
-  Part_grid(const Part_box& box, std::size_t size)
-    : rows_(static_cast<std::size_t>((std::min)(std::sqrt(static_cast<double>(size) / 256), 63.))
-            + 1),
-      slabs_(box.intervals()[2], rows_), strips_(box.intervals()[1], rows_)
-  {}
-
-  std::size_t cell_count() const { return rows_ * rows_; }
-
-  std::size_t cell_of(const Stored_point& point) const
-  {
-    return slabs_.row_of(point.x[2]) * rows_ + strips_.row_of(point.x[1]);
-  }
-
-private:
-  class Axis
-  {
-  public:
-    Axis(const Interval& interval, std::size_t rows)
-      : low_(interval.low), scale_(static_cast<double>(rows) / interval.length()),
-        last_(rows - 1)
-    {}
-
-    // All rows will do for an interval without length, or one whose length overflows.
-    std::size_t row_of(double x) const
-    {
-      const double row = (x - low_) * scale_;
-      return row < static_cast<double>(last_) ? static_cast<std::size_t>(row) : last_;
-    }
-
-  private:
-    double low_;
-    double scale_;
-    std::size_t last_;
-  };
-
-  std::size_t rows_;
-  Axis slabs_;
-  Axis strips_;
-};
 
 // The points of a part, in the order in which a search sweeps them, roughly: it looks up the id of
 // both points of each pair. In the order of the input, these ids are all over the memory, and
@@ -82,14 +34,14 @@ struct Loaded_points
                 const Part_box& box)
     : points(stored.size()), ids(stored.size()), owned(owned_count)
   {
-    const Part_grid grid(box, owned);
-    std::vector<std::size_t> places(grid.cell_count() + 1);
+    const Cell_rows rows(box);
+    std::vector<std::size_t> places(Cell_rows::size() + 1);
     for(std::size_t i = 0; i < owned; ++i)
-      ++places[grid.cell_of(stored[i]) + 1];
-    for(std::size_t cell = 0; cell < grid.cell_count(); ++cell)
+      ++places[rows(stored[i].x) + 1];
+    for(std::size_t cell = 0; cell < Cell_rows::size(); ++cell)
       places[cell + 1] += places[cell];
     for(std::size_t i = 0; i < owned; ++i)
-      put(stored[i], places[grid.cell_of(stored[i])]++);
+      put(stored[i], places[rows(stored[i].x)]++);
     for(std::size_t i = owned; i < stored.size(); ++i)
       put(stored[i], i);
   }
