@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -239,7 +240,8 @@ BOOST_AUTO_TEST_CASE(a_folder_that_is_missing_is_an_error)
 
 BOOST_AUTO_TEST_CASE(a_scratch_file_leaves_nothing_behind)
 {
-  const fs::path folder = fs::temp_directory_path() / "thick_intersection_d_test_scratch";
+  const auto now = std::chrono::system_clock::now().time_since_epoch().count();
+  const fs::path folder = fs::temp_directory_path() / ("thick_test_" + std::to_string(now));
   fs::create_directory(folder);
   {
     Scratch_file file(folder), other(folder);
@@ -252,7 +254,7 @@ BOOST_AUTO_TEST_CASE(a_scratch_file_leaves_nothing_behind)
     BOOST_CHECK_THROW(other.read(0, read.data(), sizeof read), std::system_error);
   }
   BOOST_CHECK(fs::is_empty(folder));
-  fs::remove(folder);
+  fs::remove_all(folder);
 }
 
 BOOST_AUTO_TEST_CASE(a_list_on_disk_gives_its_chunks_to_the_next_list)
