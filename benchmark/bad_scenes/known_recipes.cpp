@@ -46,6 +46,8 @@ const char* const lines[] = {
   "closest2 steps:2:0.14:0.0088@all:1",
   "closest3 steps:3:0.14:0.0088@all:1",
   "close2 r=1/n steps:2:0:1@all:1",
+  "close2 r=2e-05 steps:1:0:0.21@first:1 span:0:1:0/n@others:0.38 nested:1:600/n:1.1@last:0.1",
+  "close3 seed=51 r=1/n steps:3:0.5:6.2e-07@last:0.99 steps:1:0.00039:1@unseen:0.18",
   "close2 r=0",
   "close3 r=0",
   // short boxes on a lattice
@@ -59,6 +61,8 @@ const char* const lines[] = {
   "boxes2 follow:1:2:1@all:1 extent:1:0.2:0@others:0.5 extent:0:0.2:0@every:0.5"
   " squeeze:1:30:30r@sampled:0.01",
   "boxes2_sets squeeze:1:30:30r@every:0.01 extent:0:0.2:0@first:0.5 extent:1:0.2:0@last:0.5",
+  "boxes2 r=1/n extent:0:0.0009/n^-0.5:0@every:0.5 follow:1:5.6e-05:2@all:0.99"
+  " nested:1:0.87:2.1e-11@sampled:0.5 extent:1:0.2:0@others:0.5",
   // two kinds of boxes in turn, of which one begins in one place along two axes
   "boxes3 r=1.2e-06 place:2:4.5:0@all:1 span:0:0.5r:0.09r@others:0.33",
   // sizes
