@@ -44,13 +44,15 @@ struct Has_approximation : std::false_type {};
 template <class Point>
 struct Has_approximation<Point, std::void_t<Approximate_coordinate_t<Point>>> : std::true_type {};
 
-// Asks for the memory of the approximation of a lazy point. A handle to it is all that the point
-// itself holds.
-template <class Point>
-void ask_for_approximation([[maybe_unused]] const Point& p)
+// Asks for the memory of the approximation of a lazy point, if the range holds the point. A handle
+// to this memory is all that the point itself holds.
+template <class Elements>
+void ask_for_approximation([[maybe_unused]] const Elements& points,
+                           [[maybe_unused]] std::size_t position)
 {
-  if constexpr(Has_approximation<Point>::value)
-    prefetch_to_read(p.for_compact_container());
+  if constexpr(Has_approximation<typename Elements::value_type>::value
+               && std::is_lvalue_reference_v<decltype(points[position])>)
+    prefetch_to_read(points[position].for_compact_container());
 }
 
 // Returns doubles that enclose coordinate i of p. A lazy point has them in its approximation. Its
