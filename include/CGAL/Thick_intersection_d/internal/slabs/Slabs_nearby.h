@@ -22,7 +22,9 @@ namespace internal {
 template <class Point>
 struct Ready_slab
 {
-  CGAL_RARELY_CALLED ~Ready_slab() {} // compilers would expand it where lists end, again and again
+  // Destroys the slabs behind it as well. They are few: only slabs within reach are ready, and none
+  // is cut lower than the reach. Compilers would expand this wherever a list ends.
+  CGAL_RARELY_CALLED ~Ready_slab() {}
 
   Strips<Point> strips;
   Place slab = 0; // the number of the slab that the strips belong to
