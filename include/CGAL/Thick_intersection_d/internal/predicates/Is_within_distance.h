@@ -16,6 +16,7 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_tier.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
@@ -160,18 +161,19 @@ private:
   {
     if(const std::optional<bool> is_within = decide_by_filter(p, q, counts))
       return *is_within;
-    // A near tie is decided only if the coordinates are doubles, so their bounds are equal.
-    const auto x = [&](int i) { return coordinate_bounds(p, i).first; };
-    const auto y = [&](int i) { return coordinate_bounds(q, i).first; };
-    if(const std::optional<bool> is_within = near_tie().decide(x, y, dimension_, counts))
-      return *is_within;
+    if(are_doubles_exact_) { // so the bounds of a coordinate are equal
+      const auto x = [&](int i) { return coordinate_bounds(p, i).first; };
+      const auto y = [&](int i) { return coordinate_bounds(q, i).first; };
+      if(const std::optional<bool> is_within = near_tie().decide(x, y, dimension_, counts))
+        return *is_within;
+    }
     return decide_exactly(p, q, counts);
   }
 
   std::optional<bool> decide_by_filter(const Point& p, const Point& q,
                                        Decision_counts& counts) const
   {
-    const Gap s = squared_distance_bounds(p, q, dimension_);
+    const Gap s = squared_distance_bounds(p, q, dimension_or<Point>(dimension_));
     if(s.sup <= filter_.inside) {
       counts.add(Arithmetic_tier::DOUBLE);
       return true;
