@@ -137,24 +137,35 @@ auto exact_squared_distance(const Point& p, const Point& q, int dimension)
   return sum;
 }
 
-// Throws if a coordinate of `p` is NaN or infinite, or if its dimension is not `dimension`. Texts
-// are appended, because sums of texts take long to compile.
-template <class Point>
-CGAL_RARELY_CALLED
-void check_point(const Point& p, int dimension, const char* name, std::size_t position)
+// Texts are made only for an error, and appended, because sums of texts take long to compile.
+[[noreturn]] CGAL_RARELY_CALLED inline
+void throw_wrong_dimension(const char* name, std::size_t position, int dimension, int expected)
 {
   std::string message(name);
   message.append(" ").append(std::to_string(position));
-  if(p.dimension() != dimension) {
-    message.append(" has dimension ").append(std::to_string(p.dimension()));
-    message.append(" instead of ").append(std::to_string(dimension)).append(".");
-    throw std::invalid_argument(message);
-  }
+  message.append(" has dimension ").append(std::to_string(dimension));
+  message.append(" instead of ").append(std::to_string(expected)).append(".");
+  throw std::invalid_argument(message);
+}
+
+[[noreturn]] CGAL_RARELY_CALLED inline
+void throw_not_finite(const char* name, std::size_t position, int axis)
+{
+  std::string message("Coordinate ");
+  message.append(std::to_string(axis)).append(" of ").append(name).append(" ");
+  message.append(std::to_string(position)).append(" is NaN or infinite.");
+  throw std::invalid_argument(message);
+}
+
+// Throws if a coordinate of `p` is NaN or infinite, or if its dimension is not `dimension`.
+template <class Point>
+void check_point(const Point& p, int dimension, const char* name, std::size_t position)
+{
+  if(p.dimension() != dimension)
+    throw_wrong_dimension(name, position, p.dimension(), dimension);
   for(int i = 0; i < dimension; ++i)
-    if(!is_finite_number(coordinate(p, i))) {
-      message.insert(0, " of ").insert(0, std::to_string(i)).insert(0, "Coordinate ");
-      throw std::invalid_argument(message.append(" is NaN or infinite."));
-    }
+    if(!is_finite_number(coordinate(p, i)))
+      throw_not_finite(name, position, i);
 }
 
 } // namespace internal
