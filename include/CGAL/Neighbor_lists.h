@@ -24,18 +24,20 @@ namespace CGAL {
 holds a list of neighbors for each point of a range, as positions in ascending order. The neighbors
 are points of the same range, or of a second one.
 
-`fixed_radius_neighbor_lists()` makes the lists. They do not refer to the points;
-`neighbor_squared_distances()` computes the distances when they are wanted. The lists are stored one
-after another, in \f$ 8 (n + 1) \f$ bytes for \f$ n \f$ points and 4 bytes for each neighbor.
-Positions have 32 bits, so ranges have less than \f$ 2^{32} \f$ points. Where lists begin is of the
-type `std::size_t`, with 64 bits on common machines. So only the memory limits how many neighbors
-there are in all. Several threads may read the lists at once.
+The lists do not refer to the points. They are stored one after another, in \f$ 8 (n + 1) \f$ bytes
+for \f$ n \f$ points, and the size of a position for each neighbor. Where lists begin is of the type
+`std::size_t`, with 64 bits on common machines. So only the memory limits how many neighbors there
+are in all. Several threads may read the lists at once.
+
+\tparam Position_ is an unsigned integer: `std::uint32_t` in `Neighbor_lists`, `std::uint64_t` in
+`Distributed_neighbor_lists`.
 */
-class Neighbor_lists
+template <class Position_>
+class Basic_neighbor_lists
 {
 public:
   /// the position of a point.
-  using Position = std::uint32_t;
+  using Position = Position_;
   /// a range of positions with random access.
   using Neighbors = boost::iterator_range<const Position*>;
 
@@ -54,7 +56,7 @@ public:
 
   private:
     friend class boost::iterator_core_access;
-    friend class Neighbor_lists;
+    friend Basic_neighbor_lists;
     const_iterator(const std::size_t* begin, const Position* positions)
       : begin_(begin), positions_(positions)
     {}
@@ -72,14 +74,14 @@ public:
 #endif
 
   /// constructs the lists of no points.
-  Neighbor_lists() : begins_(1, 0) {}
+  Basic_neighbor_lists() : begins_(1, 0) {}
 
   /// constructs lists from compressed rows: the neighbors of point `i` are `positions[begins[i]]`
   /// up to but excluding `positions[begins[i + 1]]`. If the neighbors are points of the same range,
   /// each pair is in two lists. \pre `begins` is ascending, begins with 0 and ends with the size of
   /// `positions`.
-  Neighbor_lists(std::vector<std::size_t> begins, std::vector<Position> positions,
-                 bool are_of_one_range = true)
+  Basic_neighbor_lists(std::vector<std::size_t> begins, std::vector<Position> positions,
+                       bool are_of_one_range = true)
     : begins_(std::move(begins)), positions_(std::move(positions)),
       are_of_one_range_(are_of_one_range)
   {}
@@ -118,7 +120,7 @@ public:
   std::vector<Position> positions() && { return std::move(positions_); }
 
   /// returns whether `a` and `b` hold the same lists.
-  friend bool operator==(const Neighbor_lists& a, const Neighbor_lists& b)
+  friend bool operator==(const Basic_neighbor_lists& a, const Basic_neighbor_lists& b)
   {
     return a.begins_ == b.begins_ && a.positions_ == b.positions_;
   }
@@ -128,6 +130,23 @@ private:
   std::vector<Position> positions_;
   bool are_of_one_range_ = true;
 };
+
+/*!
+\ingroup PkgThickIntersectionDRef
+
+holds the lists that `fixed_radius_neighbor_lists()` makes. Positions have 32 bits, so ranges have
+less than \f$ 2^{32} \f$ points. `neighbor_squared_distances()` computes the distances when they are
+wanted.
+*/
+using Neighbor_lists = Basic_neighbor_lists<std::uint32_t>;
+
+/*!
+\ingroup PkgThickIntersectionDRef
+
+holds the lists that `distributed_fixed_radius_neighbor_lists()` makes. The positions are the ids of
+points, which may be on other processes.
+*/
+using Distributed_neighbor_lists = Basic_neighbor_lists<std::uint64_t>;
 
 } // namespace CGAL
 
