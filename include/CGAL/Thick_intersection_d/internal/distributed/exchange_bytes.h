@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -38,11 +39,13 @@ void for_each_chunk(Bytes_of_ranks& bytes, std::size_t chunk_size, const Post& p
 }
 
 // Returns what the processes have sent to this one. Nothing is allocated while messages are in
-// flight. Chunks between two processes arrive in the order in which they were sent.
+// flight. Chunks between two processes arrive in the order in which they were sent. What a process
+// sends to itself is moved.
 inline Bytes_of_ranks exchange_bytes(const Communicator& comm, Bytes_of_ranks& outgoing,
                                      std::size_t chunk_size = max_chunk_size)
 {
   const std::size_t count = outgoing.size();
+  std::vector<char> own = std::exchange(outgoing[static_cast<std::size_t>(comm.rank())], {});
   std::vector<std::uint64_t> sent, received;
   Bytes_of_ranks incoming;
   std::vector<MPI_Request> requests;
@@ -72,6 +75,7 @@ inline Bytes_of_ranks exchange_bytes(const Communicator& comm, Bytes_of_ranks& o
     MPI_Isend(bytes, size, MPI_BYTE, rank, 0, comm.get(), new_request());
   });
   MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+  own.swap(incoming[static_cast<std::size_t>(comm.rank())]);
   return incoming;
 }
 
