@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 // Points on several processes of MPI: each process has some layers of a lattice, and counts the
-// pairs that it finds. Run it as: mpirun -n 4 distributed_pairs
+// pairs that it finds. Then it gets the neighbors of its points. Run it as:
+// mpirun -n 4 distributed_pairs
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/distributed_fixed_radius_near_neighbors.h>
@@ -37,8 +38,11 @@ int main(int argc, char* argv[])
 
     std::uint64_t sum = 0;
     MPI_Reduce(&count, &sum, 1, MPI_UINT64_T, MPI_SUM, 0, MPI_COMM_WORLD);
+    const CGAL::Distributed_neighbor_lists lists = CGAL::distributed_fixed_radius_neighbor_lists(
+      MPI_COMM_WORLD, points, CGAL::within_distance(1));
     if(rank == 0)
-      std::cout << sum << " pairs on " << size << " processes\n";
+      std::cout << sum << " pairs on " << size << " processes\n"
+                << lists[0].size() << " neighbors of the first point\n";
   }
   catch(const std::exception& error) { // on all processes, if it is thrown on one
     std::cerr << error.what() << '\n';

@@ -35,7 +35,8 @@ enum class Distributed_phase {
   PARTITION, ///< A sample decides where to cut space.
   MIGRATION, ///< Points move to the process that searches them.
   HALO,      ///< Points near those of another process are sent to it.
-  SEARCH     ///< Each process searches its points.
+  SEARCH,    ///< Each process searches its points.
+  LISTS      ///< Lists of neighbors, if wanted, are sent to the processes whose points they are of.
 };
 
 /*!
@@ -45,6 +46,7 @@ says how the points of a distributed search are to be distributed, and describes
 afterwards, on each process.
 
 \sa `distributed_fixed_radius_near_neighbors()`
+\sa `distributed_fixed_radius_neighbor_lists()`
 */
 class Distributed_profile
 {
@@ -60,7 +62,8 @@ public:
   /// returns the time that a phase has taken on this process, with the time it waited for others.
   double seconds(Distributed_phase phase) const { return seconds_[index(phase)]; }
 
-  /// returns the number of bytes that this process has sent in a phase, in messages with points.
+  /// returns the number of bytes that this process has sent in a phase, in messages with points
+  /// or lists.
   std::uint64_t bytes_sent(Distributed_phase phase) const { return bytes_sent_[index(phase)]; }
 
   /// returns the number of points that this process has searched, of both sets if there are two.
@@ -86,8 +89,8 @@ private:
   static std::size_t index(Distributed_phase phase) { return static_cast<std::size_t>(phase); }
 
   Point_distribution distribution_;
-  std::array<double, 5> seconds_{};
-  std::array<std::uint64_t, 5> bytes_sent_{};
+  std::array<double, 6> seconds_{};
+  std::array<std::uint64_t, 6> bytes_sent_{};
   std::size_t point_count_ = 0;
   std::size_t halo_count_ = 0;
 };

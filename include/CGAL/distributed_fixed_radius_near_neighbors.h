@@ -5,16 +5,18 @@
 #ifndef CGAL_DISTRIBUTED_FIXED_RADIUS_NEAR_NEIGHBORS_H
 #define CGAL_DISTRIBUTED_FIXED_RADIUS_NEAR_NEIGHBORS_H
 
-// All pairs of points within a distance, of points that are on several processes. The only header
-// that needs MPI.
+// All pairs of points within a distance, or the neighbors of each point, of points that are on
+// several processes. The only header that needs MPI.
 
 #include <CGAL/Distance_bound.h>
 #include <CGAL/Distributed_profile.h>
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/Neighbor_lists.h>
 #include <CGAL/Remote_error.h>
 #include <CGAL/tags.h>
 
 #include <CGAL/Thick_intersection_d/internal/distributed/Communicator.h>
+#include <CGAL/Thick_intersection_d/internal/doors/distributed_lists_search.h>
 #include <CGAL/Thick_intersection_d/internal/doors/distributed_pairs_search.h>
 
 #include <mpi.h>
@@ -154,6 +156,103 @@ bool distributed_fixed_radius_near_neighbors(
   const internal::Communicator together(comm);
   return internal::search_distributed_ranges<ConcurrencyTag>(together, points_a, points_b, bound,
                                                              callback, profile, np);
+}
+
+/*!
+\ingroup PkgThickIntersectionDRef
+
+returns for each point of this process all other points of all processes whose distance is within a
+bound, as ids.
+
+All processes of a communicator of MPI call this function together, as
+`distributed_fixed_radius_near_neighbors()`. Each process gets the lists of the points of its own
+range, in their order, wherever the neighbors are and whichever processes have found them. They are
+the lists that `fixed_radius_neighbor_lists()` returns for the ranges of all processes put one after
+another: for every number of processes, every distribution of the points and every kernel, ties
+included. The result does not depend on the number of threads.
+
+Beside what the search for pairs sends, each neighbor that is found by another process than the one
+that has the point takes 8 bytes, and each part of a list 16 more.
+
+The parameters, exceptions and messages are those of `distributed_fixed_radius_near_neighbors()`.
+
+\return the lists of the points of this process. As their neighbors may be on other processes,
+`Distributed_neighbor_lists::number_of_pairs()` counts all neighbors: its sum over all processes is
+twice the number of pairs. If a progress functor cancels the search on one process, it stops on all
+of them. The lists then hold some of the pairs, each in both of its lists.
+
+\sa `fixed_radius_neighbor_lists()`
+\sa `Distributed_profile`
+*/
+template <class ConcurrencyTag = Sequential_tag, class PointRange, class NT,
+          class NamedParameters = parameters::Default_named_parameters>
+Distributed_neighbor_lists distributed_fixed_radius_neighbor_lists(
+  MPI_Comm comm, PointRange&& points, const Distance_bound<NT>& bound,
+  const NamedParameters& np = parameters::default_values())
+{
+  Distributed_profile profile;
+  return distributed_fixed_radius_neighbor_lists<ConcurrencyTag>(comm, points, bound, profile, np);
+}
+
+/*!
+\ingroup PkgThickIntersectionDRef
+
+returns for each point of this process all other points of all processes whose distance is within a
+bound, as the version above, with points distributed as `profile` says. Then `profile` holds what
+the search has done on this process.
+*/
+template <class ConcurrencyTag = Sequential_tag, class PointRange, class NT,
+          class NamedParameters = parameters::Default_named_parameters>
+Distributed_neighbor_lists distributed_fixed_radius_neighbor_lists(
+  MPI_Comm comm, PointRange&& points, const Distance_bound<NT>& bound,
+  Distributed_profile& profile, const NamedParameters& np = parameters::default_values())
+{
+  namespace internal = Thick_intersection_d::internal;
+  const internal::Communicator together(comm);
+  return internal::collect_distributed_neighbors<ConcurrencyTag>(together, points, bound, profile,
+                                                                 np);
+}
+
+/*!
+\ingroup PkgThickIntersectionDRef
+
+returns for each point of the first set that this process has all points of a second set whose
+distance is within a bound. Both sets are on all processes.
+
+Points of each set have ids as in `distributed_fixed_radius_near_neighbors()`. The lists are those
+of the points of `points_a`, and hold ids of the second set. Otherwise the function is as the
+version for one set.
+
+\return the lists. If a progress functor cancels the search on one process, they hold some of the
+pairs.
+*/
+template <class ConcurrencyTag = Sequential_tag, class PointRangeA, class PointRangeB, class NT,
+          class NamedParameters = parameters::Default_named_parameters>
+Distributed_neighbor_lists distributed_fixed_radius_neighbor_lists(
+  MPI_Comm comm, PointRangeA&& points_a, PointRangeB&& points_b, const Distance_bound<NT>& bound,
+  const NamedParameters& np = parameters::default_values())
+{
+  Distributed_profile profile;
+  return distributed_fixed_radius_neighbor_lists<ConcurrencyTag>(comm, points_a, points_b, bound,
+                                                                 profile, np);
+}
+
+/*!
+\ingroup PkgThickIntersectionDRef
+
+returns for each point of the first set that this process has all points of a second set whose
+distance is within a bound, as the version above, with points distributed as `profile` says.
+*/
+template <class ConcurrencyTag = Sequential_tag, class PointRangeA, class PointRangeB, class NT,
+          class NamedParameters = parameters::Default_named_parameters>
+Distributed_neighbor_lists distributed_fixed_radius_neighbor_lists(
+  MPI_Comm comm, PointRangeA&& points_a, PointRangeB&& points_b, const Distance_bound<NT>& bound,
+  Distributed_profile& profile, const NamedParameters& np = parameters::default_values())
+{
+  namespace internal = Thick_intersection_d::internal;
+  const internal::Communicator together(comm);
+  return internal::collect_distributed_neighbors<ConcurrencyTag>(together, points_a, points_b,
+                                                                 bound, profile, np);
 }
 
 } // namespace CGAL

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The distributed search, run by any number of processes: the pairs are those of brute force,
-// however points are distributed, and if a process fails or stops, all of them do.
+// The distributed search, run by any number of processes: the pairs and the lists of neighbors are
+// those of brute force, however points are distributed, and if a process fails or stops, all
+// processes do.
 
 #define BOOST_TEST_MODULE distributed_near_neighbors
 #include "support/brute_force.h"
@@ -14,8 +15,11 @@
 #include <CGAL/Distributed_profile.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Neighbor_lists.h>
 #include <CGAL/Remote_error.h>
 #include <CGAL/distributed_fixed_radius_near_neighbors.h>
+#include <CGAL/tags.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -249,6 +253,95 @@ BOOST_AUTO_TEST_CASE(the_same_pairs_are_found_on_the_same_process_again)
   BOOST_CHECK(first == pairs_of(mine, bound, balanced));
 }
 
+// ---- the lists ----------------------------------------------------------------------------------
+
+Pairs both_ways(const Pairs& pairs)
+{
+  Pairs both = pairs;
+  for(const Pair& pair : pairs)
+    both.emplace_back(pair.second, pair.first);
+  return both;
+}
+
+// The ids of the points of this process, each with the ids in its list.
+Pairs pairs_in(const CGAL::Distributed_neighbor_lists& lists)
+{
+  std::uint64_t size = lists.size(), first_id = 0;
+  MPI_Exscan(&size, &first_id, 1, MPI_UINT64_T, MPI_SUM, MPI_COMM_WORLD);
+  Pairs pairs;
+  for(std::size_t i = 0; i < lists.size(); ++i) {
+    BOOST_CHECK(std::is_sorted(lists[i].begin(), lists[i].end()));
+    for(const std::uint64_t j : lists[i])
+      pairs.emplace_back((rank() == 0 ? 0 : first_id) + i, j);
+  }
+  BOOST_CHECK_EQUAL(lists.number_of_pairs(), pairs.size());
+  return pairs;
+}
+
+template <class ConcurrencyTag = CGAL::Sequential_tag, class Point, class NT>
+void check_lists(const Pairs& expected, const std::vector<Point>& mine,
+                 const CGAL::Distance_bound<NT>& bound, CGAL::Point_distribution distribution)
+{
+  CGAL::Distributed_profile profile(distribution);
+  const auto lists = CGAL::distributed_fixed_radius_neighbor_lists<ConcurrencyTag>(
+    MPI_COMM_WORLD, mine, bound, profile);
+  BOOST_CHECK_EQUAL(lists.size(), mine.size());
+  check_equal(both_ways(expected), pairs_in(lists));
+}
+
+BOOST_AUTO_TEST_CASE(lists_are_those_of_one_process_however_points_are_distributed)
+{
+  bool is_even = false;
+  for(const Point_scene& scene : scenes(3)) {
+    const Truth& truth = truth_of(scene);
+    const std::vector<Point_3> points = points_3(scene.points);
+    const auto bound = CGAL::within_distance(*scene.radius.length());
+    is_even = !is_even;
+    for(const Shares shares : {is_even ? Shares::SKEWED : Shares::EVEN,
+                               is_even ? Shares::LAST : Shares::FIRST})
+      BOOST_TEST_CONTEXT(scene << ", shares " << static_cast<int>(shares))
+      {
+        const std::vector<Point_3> mine = my_share_of(points, shares);
+        check_lists(truth.pairs, mine, bound, balanced);
+        check_lists(truth.open_pairs, mine, bound.open(), as_is);
+      }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(lists_of_two_sets_have_the_ids_of_the_second)
+{
+  for(const Point_scene& scene : scenes(3))
+    BOOST_TEST_CONTEXT(scene)
+    {
+      const std::vector<Point_3> points = points_3(scene.points);
+      const std::size_t size_a = points.size() / 3;
+      const auto middle = points.begin() + static_cast<std::ptrdiff_t>(size_a);
+      const auto mine_a = my_share_of(std::vector<Point_3>(points.begin(), middle), Shares::EVEN);
+      const auto mine_b = my_share_of(std::vector<Point_3>(middle, points.end()), Shares::SKEWED);
+      Pairs expected;
+      for(const Pair& pair : truth_of(scene).pairs)
+        if(pair.first < size_a && pair.second >= size_a)
+          expected.emplace_back(pair.first, pair.second - size_a);
+      const auto lists = CGAL::distributed_fixed_radius_neighbor_lists(
+        MPI_COMM_WORLD, mine_a, mine_b, CGAL::within_distance(*scene.radius.length()));
+      BOOST_CHECK_EQUAL(lists.size(), mine_a.size());
+      check_equal(expected, pairs_in(lists));
+    }
+}
+
+// As many points as several threads share. A third of each coordinate is no double.
+BOOST_AUTO_TEST_CASE(lists_of_exact_numbers_are_made_by_several_threads)
+{
+  const Point_scene lattice = scene("thirds", 2, shuffled(lattice_points(2, 40, 1), 9),
+                                    Radius::of_length(2));
+  std::vector<Exact_kernel::Point_2> points;
+  for(const Coordinates& x : lattice.points)
+    points.emplace_back(Exact_kernel::FT(x[0]) / 3, Exact_kernel::FT(x[1]) / 3);
+  const auto bound = CGAL::within_distance(Exact_kernel::FT(2) / 3);
+  const std::vector<Exact_kernel::Point_2> mine = my_share_of(points, Shares::SKEWED);
+  check_lists<CGAL::Parallel_if_available_tag>(truth_of(lattice).pairs, mine, bound, balanced);
+}
+
 // ---- the work -----------------------------------------------------------------------------------
 
 BOOST_AUTO_TEST_CASE(uniform_points_and_clustered_pairs_are_shared_evenly)
@@ -401,6 +494,41 @@ BOOST_AUTO_TEST_CASE(all_processes_may_stop_or_throw_at_once)
   const auto fail = [](std::uint64_t, std::uint64_t) -> bool { throw Fault(); };
   BOOST_CHECK_THROW(search(mine, near_bound, fail), Fault);
   BOOST_CHECK(search(mine, near_bound, ignore));
+}
+
+// ---- failures of lists --------------------------------------------------------------------------
+
+// The lists of all points, from a search that one process ends in the middle by `fail`.
+CGAL::Distributed_neighbor_lists lists_until(const std::function<bool()>& fail)
+{
+  const auto progress
+    = [&](double done) { return done < 0.5 || rank() != failing_rank() || fail(); };
+  return CGAL::distributed_fixed_radius_neighbor_lists(
+    MPI_COMM_WORLD, my_share_of(many_points(), Shares::EVEN), near_bound,
+    CGAL::parameters::callback(progress));
+}
+
+BOOST_AUTO_TEST_CASE(pairs_of_a_cancelled_search_are_in_both_of_their_lists)
+{
+  const auto all = lists_until([] { return true; });
+  const auto some = lists_until([] { return false; });
+  BOOST_CHECK_EQUAL(some.size(), all.size());
+  const Pairs pairs = gathered(pairs_in(some));
+  BOOST_CHECK_LT(pairs.size(), sum_of_all(all.number_of_pairs()));
+  BOOST_CHECK_GT(pairs.size(), 0);
+  Pairs mirrored;
+  for(const Pair& pair : pairs)
+    mirrored.emplace_back(pair.second, pair.first);
+  BOOST_CHECK(sorted(mirrored) == sorted(pairs));
+}
+
+BOOST_AUTO_TEST_CASE(no_process_gets_lists_if_one_throws)
+{
+  check_failure<Fault>([&] { lists_until([]() -> bool { throw Fault(); }); });
+  const auto bound = CGAL::within_distance(rank() == failing_rank() ? -1. : 1.);
+  check_failure<std::invalid_argument>([&] {
+    CGAL::distributed_fixed_radius_neighbor_lists(MPI_COMM_WORLD, std::vector<Point_3>(), bound);
+  });
 }
 
 } // namespace
