@@ -41,6 +41,27 @@ BOOST_AUTO_TEST_CASE(messages_of_any_length_arrive_in_chunks_of_any_size)
   }
 }
 
+// To be run by two processes with --run_test=*/messages_beyond_2_31_bytes_arrive, which needs 6 GB.
+BOOST_AUTO_TEST_CASE(messages_beyond_2_31_bytes_arrive, *boost::unit_test::disabled())
+{
+  const internal::Communicator comm(MPI_COMM_WORLD);
+  const std::size_t size = (std::size_t(1) << 31) + (std::size_t(1) << 29) + 12345;
+  const auto byte_at = [](std::size_t i) { return static_cast<char>(i % 251); };
+  internal::Bytes_of_ranks outgoing(static_cast<std::size_t>(comm.size()));
+  if(comm.rank() == 0) {
+    outgoing.back().resize(size);
+    for(std::size_t i = 0; i < size; ++i)
+      outgoing.back()[i] = byte_at(i);
+  }
+  const internal::Bytes_of_ranks incoming = internal::exchange_bytes(comm, outgoing);
+  const std::vector<char>& received = incoming.front();
+  BOOST_CHECK_EQUAL(received.size(), comm.rank() + 1 == comm.size() ? size : 0);
+  std::size_t wrong = 0;
+  for(std::size_t i = 0; i < received.size(); ++i)
+    wrong += received[i] != byte_at(i);
+  BOOST_CHECK_EQUAL(wrong, 0);
+}
+
 BOOST_AUTO_TEST_CASE(all_processes_get_the_bytes_of_all_in_the_order_of_ranks)
 {
   const internal::Communicator comm(MPI_COMM_WORLD);
