@@ -28,9 +28,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <iostream>
 #include <limits>
 #include <new>
 #include <stdexcept>
@@ -494,6 +496,16 @@ BOOST_AUTO_TEST_CASE(all_processes_may_stop_or_throw_at_once)
   const auto fail = [](std::uint64_t, std::uint64_t) -> bool { throw Fault(); };
   BOOST_CHECK_THROW(search(mine, near_bound, fail), Fault);
   BOOST_CHECK(search(mine, near_bound, ignore));
+}
+
+// Only check_killed_process.sh runs it, which expects that it ends in the search.
+BOOST_AUTO_TEST_CASE(a_killed_process_ends_the_job, *boost::unit_test::disabled())
+{
+  search(my_share_of(many_points(), Shares::EVEN), near_bound, at_pair(1, [] {
+    std::cout << "rank " << rank() << " is killed now" << std::endl;
+    return std::raise(SIGKILL) == 0;
+  }));
+  MPI_Barrier(MPI_COMM_WORLD);
 }
 
 // ---- failures of lists --------------------------------------------------------------------------
