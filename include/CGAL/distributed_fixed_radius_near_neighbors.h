@@ -18,8 +18,11 @@
 #include <CGAL/Thick_intersection_d/internal/distributed/Communicator.h>
 #include <CGAL/Thick_intersection_d/internal/doors/distributed_lists_search.h>
 #include <CGAL/Thick_intersection_d/internal/doors/distributed_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 
 #include <mpi.h>
+
+#include <type_traits>
 
 namespace CGAL {
 
@@ -254,6 +257,40 @@ Distributed_neighbor_lists distributed_fixed_radius_neighbor_lists(
   return internal::collect_distributed_neighbors<ConcurrencyTag>(together, points_a, points_b,
                                                                  bound, profile, np);
 }
+
+#ifndef DOXYGEN_RUNNING
+// Bare numbers as bounds: each call that has one stops with a sentence that says so.
+template <class ConcurrencyTag = Sequential_tag, class PointRange, class Number, class... Arguments>
+std::enable_if_t<Thick_intersection_d::internal::is_number_v<Number>, bool>
+distributed_fixed_radius_near_neighbors(MPI_Comm, PointRange&&, const Number&, Arguments&&...)
+{
+  return Thick_intersection_d::internal::check_bound<Number>();
+}
+template <class ConcurrencyTag = Sequential_tag, class PointRangeA, class PointRangeB, class Number,
+          class... Arguments>
+std::enable_if_t<Thick_intersection_d::internal::is_number_v<Number>, bool>
+distributed_fixed_radius_near_neighbors(MPI_Comm, PointRangeA&&, PointRangeB&&, const Number&,
+                                        Arguments&&...)
+{
+  return Thick_intersection_d::internal::check_bound<Number>();
+}
+template <class ConcurrencyTag = Sequential_tag, class PointRange, class Number, class... Arguments>
+std::enable_if_t<Thick_intersection_d::internal::is_number_v<Number>, Distributed_neighbor_lists>
+distributed_fixed_radius_neighbor_lists(MPI_Comm, PointRange&&, const Number&, Arguments&&...)
+{
+  Thick_intersection_d::internal::check_bound<Number>();
+  return Distributed_neighbor_lists();
+}
+template <class ConcurrencyTag = Sequential_tag, class PointRangeA, class PointRangeB, class Number,
+          class... Arguments>
+std::enable_if_t<Thick_intersection_d::internal::is_number_v<Number>, Distributed_neighbor_lists>
+distributed_fixed_radius_neighbor_lists(MPI_Comm, PointRangeA&&, PointRangeB&&, const Number&,
+                                        Arguments&&...)
+{
+  Thick_intersection_d::internal::check_bound<Number>();
+  return Distributed_neighbor_lists();
+}
+#endif
 
 } // namespace CGAL
 
