@@ -349,7 +349,8 @@ BOOST_AUTO_TEST_CASE(lists_of_exact_numbers_are_made_by_several_threads)
 BOOST_AUTO_TEST_CASE(uniform_points_and_clustered_pairs_are_shared_evenly)
 {
   const Points uniform = uniform_points(3, 20000, 0, 1, 6);
-  const Points clustered = clustered_points(3, 20000, 20, 0.02, 7);
+  Points clustered = clustered_points(3, 20000, 20, 0.02, 7);
+  clustered.insert(clustered.end(), uniform.begin(), uniform.end()); // with few pairs
   CGAL::Distributed_profile profile;
   std::uint64_t count = 0;
   const On_pair add = [&](std::uint64_t, std::uint64_t) { return ++count > 0; };
@@ -361,7 +362,8 @@ BOOST_AUTO_TEST_CASE(uniform_points_and_clustered_pairs_are_shared_evenly)
   count = 0;
   CGAL::distributed_fixed_radius_near_neighbors(
     MPI_COMM_WORLD, my_share_of(points_3(clustered), Shares::EVEN), CGAL::within_distance(0.01),
-    add);
+    add, profile);
+  BOOST_CHECK_LE(largest_over_average(profile.size_of_points()), 1.1);
   BOOST_CHECK_LE(largest_over_average(count), 1.3);
 }
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The weights of samples, and the samples.
+// Samples of points, and samples by their pairs.
 
 #include <CGAL/Thick_intersection_d/internal/parts/Cell_counts.h>
 #include <CGAL/Thick_intersection_d/internal/parts/choose_sample.h>
@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -43,46 +44,86 @@ Part points_of_cells(const std::vector<int>& counts, double reach)
   return part;
 }
 
+internal::Point_sample sample_in(const std::vector<char>& bytes)
+{
+  internal::Point_sample sample;
+  sample.dimension = 2;
+  internal::read_sample(bytes, {1, 0}, sample);
+  return sample;
+}
+
 internal::Point_sample sample_of(const Part& part, std::size_t count)
 {
   std::vector<char> bytes;
   internal::choose_sample(part, count, 2, bytes);
-  return internal::read_sample(bytes, 2);
+  return sample_in(bytes);
 }
 
-BOOST_AUTO_TEST_CASE(weights_grow_with_the_points_in_a_cell)
+// Returns points of a part, chosen by their pairs, if `part_count` such parts choose them.
+internal::Point_sample chosen_by_pairs(const Part& part, double reach, std::size_t sample_size,
+                                       std::size_t count, std::uint64_t part_count = 1)
 {
-  const Part part = points_of_cells({1, 10, 1000}, 0.25);
-  internal::Point_sample sample = sample_of(part, part.size());
-  internal::Cell_counts cells(sample, 0.25);
+  const internal::Point_sample sample = sample_of(part, sample_size);
+  internal::Cell_counts cells(sample, part_count * part.size(), reach);
   cells.add_some(part);
-  cells.set_weights(sample);
-  BOOST_CHECK_EQUAL(sample.weights.front(), 1);
-  BOOST_CHECK_EQUAL(sample.weights[5], 1 + 2 * 9);
-  BOOST_CHECK_EQUAL(sample.weights.back(), 1 + 2 * 999);
+  for(std::uint64_t& number : cells.counts())
+    number *= part_count;
+  std::vector<char> bytes;
+  cells.choose_by_pairs(part, count, bytes);
+  return sample_in(bytes);
 }
 
-// What one process counts, others add.
+// How many of the points are beyond x.
+std::ptrdiff_t count_beyond(const internal::Point_sample& points, double x)
+{
+  std::ptrdiff_t count = 0;
+  for(std::size_t i = 0; i < points.size(); ++i)
+    count += points.point(i)[0] >= x;
+  return count;
+}
+
+BOOST_AUTO_TEST_CASE(points_are_chosen_by_the_pairs_in_their_cells)
+{
+  const Part part = points_of_cells({1, 100, 0, 200}, 0.25);
+  const internal::Point_sample chosen = chosen_by_pairs(part, 0.25, part.size(), 500);
+  BOOST_CHECK_LE(std::abs(count_beyond(chosen, 0.75) - 400), 5);
+  BOOST_CHECK_LE(std::abs(count_beyond(chosen, 0.25) - 500), 1);
+  BOOST_CHECK_LE(std::abs(count_beyond(chosen, 0) - 500), 1);
+}
+
+// A thousand cells of two points have as many pairs as a cell of 45 points, and a fifth of them is
+// in the sample.
+BOOST_AUTO_TEST_CASE(cells_stand_for_those_without_a_sampled_point)
+{
+  std::vector<int> counts(2000, 0);
+  for(std::size_t cell = 0; cell < counts.size(); cell += 2)
+    counts[cell] = 2;
+  counts.push_back(45);
+  const internal::Point_sample chosen = chosen_by_pairs(points_of_cells(counts, 1), 1, 200, 1000);
+  BOOST_CHECK_LE(std::abs(count_beyond(chosen, 2000) - 500), 100);
+}
+
+// What one process counts, others add, and each of them chooses its share.
 BOOST_AUTO_TEST_CASE(counts_of_processes_are_added)
 {
-  const Part part = points_of_cells({7}, 1);
-  internal::Point_sample sample = sample_of(part, 1);
-  internal::Cell_counts cells(sample, 1);
-  cells.add_some(part);
-  for(std::uint64_t& count : cells.counts())
-    count *= 3;
-  cells.set_weights(sample);
-  BOOST_CHECK_EQUAL(sample.weights[0], 1 + 2 * 20);
+  const internal::Point_sample chosen = chosen_by_pairs(points_of_cells({90}, 1), 1, 10, 60, 3);
+  BOOST_CHECK_EQUAL(chosen.size(), 20);
+}
+
+BOOST_AUTO_TEST_CASE(no_points_are_chosen_where_there_are_no_pairs)
+{
+  BOOST_CHECK_EQUAL(chosen_by_pairs(points_of_cells({1, 1, 1}, 1), 1, 3, 10).size(), 0);
+  BOOST_CHECK_EQUAL(chosen_by_pairs(Part(), 1, 3, 10).size(), 0);
 }
 
 BOOST_AUTO_TEST_CASE(some_of_many_points_stand_for_all)
 {
   const Part part = points_of_cells({1000000}, 1);
-  internal::Point_sample sample = sample_of(part, 10);
-  internal::Cell_counts cells(sample, 1);
+  internal::Cell_counts cells(sample_of(part, 10), part.size(), 1);
   cells.add_some(part);
   const std::vector<std::uint64_t>& counts = cells.counts();
   BOOST_CHECK_EQUAL(std::accumulate(counts.begin(), counts.end(), std::uint64_t(0)), 1000000);
+  BOOST_CHECK_EQUAL(chosen_by_pairs(part, 1, 10, 50).size(), 50);
 }
 
 BOOST_AUTO_TEST_CASE(a_reach_of_zero_counts_equal_points)
@@ -90,12 +131,8 @@ BOOST_AUTO_TEST_CASE(a_reach_of_zero_counts_equal_points)
   Part part;
   for(int i = 0; i < 30; ++i)
     part.add(Point{i < 20 ? 0.5 : i * 0.25, 0}, part.size());
-  internal::Point_sample sample = sample_of(part, 30);
-  internal::Cell_counts cells(sample, 0);
-  cells.add_some(part);
-  cells.set_weights(sample);
-  BOOST_CHECK_EQUAL(sample.weights.front(), 1 + 2 * 19);
-  BOOST_CHECK_EQUAL(sample.weights.back(), 1);
+  BOOST_CHECK_EQUAL(count_beyond(chosen_by_pairs(part, 0, 30, 40), 0.5), 40);
+  BOOST_CHECK_EQUAL(count_beyond(chosen_by_pairs(part, 0, 30, 40), 1), 0);
 }
 
 BOOST_AUTO_TEST_CASE(samples_have_a_point_of_each_stretch_of_positions)
@@ -111,17 +148,24 @@ BOOST_AUTO_TEST_CASE(samples_have_a_point_of_each_stretch_of_positions)
   BOOST_CHECK_EQUAL(sample_of(Part(), 10).size(), 0);
 }
 
+// With more processes, the sample grows more slowly than their number.
+BOOST_AUTO_TEST_CASE(samples_have_fewer_points_for_each_of_many_processes)
+{
+  BOOST_CHECK_EQUAL(internal::sample_size_of_parts(1), 1024);
+  BOOST_CHECK_EQUAL(internal::sample_size_of_parts(64), 64 * 1024);
+  BOOST_CHECK_EQUAL(internal::sample_size_of_parts(1024), 1024 * 256);
+  BOOST_CHECK_EQUAL(internal::sampled_before(500, 1000, 64), 32 * 1024);
+  BOOST_CHECK_EQUAL(internal::sampled_before(0, 0, 64), 0);
+}
+
 BOOST_AUTO_TEST_CASE(points_in_rows_keep_their_ids)
 {
   Part part;
-  internal::Part_box box(2);
-  for(int i = 0; i < 1000; ++i) {
+  for(int i = 0; i < 1000; ++i)
     part.add(Point{static_cast<double>(i * 7 % 10), static_cast<double>(i * 37 % 100)},
              part.size());
-    box.add([&](int axis) { return part.points.back().bounds_along(axis); });
-  }
   const Part before = part;
-  internal::sort_by_rows(part, box);
+  internal::sort_by_rows(part, 2);
   std::vector<std::uint64_t> ids = part.ids;
   std::sort(ids.begin(), ids.end());
   BOOST_CHECK(ids == before.ids);

@@ -13,19 +13,19 @@
 #include <CGAL/Thick_intersection_d/internal/distributed/exchange_bytes.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/gather_bytes.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/run_together.h>
-#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Bisection.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Cell_counts.h>
+#include <CGAL/Thick_intersection_d/internal/parts/Near_boxes.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_box.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_points.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Point_sample.h>
 #include <CGAL/Thick_intersection_d/internal/parts/choose_sample.h>
-#include <CGAL/Thick_intersection_d/internal/parts/receives.h>
 #include <CGAL/Thick_intersection_d/internal/parts/spatial_order.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -94,20 +94,27 @@ public:
     std::vector<char> bytes;
     run_together(comm_, [&] {
       for(std::size_t s = 0; s < set_count; ++s)
-        choose_sample(sets_[s].part, sample_share(s), dimension_, bytes);
+        choose_sample(sets_[s].part, share_of_sample(s), dimension_, bytes);
     });
     bytes = gather_bytes(comm_, bytes);
     Point_sample sample;
     std::optional<Cell_counts> cells;
     run_together(comm_, [&] {
-      sample = read_sample(bytes, dimension_);
-      cells.emplace(sample, reach_);
+      sample.dimension = dimension_;
+      read_sample(bytes, {1, 0}, sample);
+      cells.emplace(sample, total_size(), reach_);
       for(const Distributed_set<Carried>& set : sets_)
         cells->add_some(set.part);
     });
     comm_.add_up(cells->counts());
     run_together(comm_, [&] {
-      cells->set_weights(sample);
+      bytes.clear();
+      for(const Distributed_set<Carried>& set : sets_)
+        cells->choose_by_pairs(set.part, sample_size_of_parts(comm_.size()), bytes);
+    });
+    bytes = gather_bytes(comm_, bytes);
+    run_together(comm_, [&] {
+      read_sample(bytes, {0, 1}, sample);
       bisection_.emplace(sample, comm_.size(), reach_);
     });
   }
@@ -119,48 +126,60 @@ public:
     for(Distributed_set<Carried>& set : sets_) {
       Bytes_of_ranks outgoing;
       run_together(comm_, [&] { pack_points_of_others(set.part, outgoing); });
-      for(const std::vector<char>& bytes : outgoing)
-        sent += bytes.size();
+      sent += size_of(outgoing);
       Bytes_of_ranks incoming = exchange_bytes(comm_, outgoing);
       run_together(comm_, [&] {
         outgoing = Bytes_of_ranks();
         unpack(incoming, set.part);
         set.own_size = set.part.size();
         set.consecutive_size = 0;
+        sort_by_rows(set.part, dimension_);
       });
     }
-    run_together(comm_, [&] {
-      const Part_box box = own_box();
-      for(Distributed_set<Carried>& set : sets_)
-        sort_by_rows(set.part, box);
-    });
     profile_.set_bytes_sent(Distributed_phase::MIGRATION, sent);
   }
 
   // Of each two processes, sends the points of one that are near the points of the other.
   void add_halos()
   {
-    std::vector<Part_box> boxes;
-    gather_boxes(boxes);
-    std::uint64_t sent = 0;
-    std::size_t own_count = 0, halo_count = 0;
-    for(Distributed_set<Carried>& set : sets_) {
-      Bytes_of_ranks outgoing;
-      run_together(comm_, [&] { pack_near_points(set, boxes, outgoing); });
-      for(const std::vector<char>& bytes : outgoing)
-        sent += bytes.size();
-      Bytes_of_ranks incoming = exchange_bytes(comm_, outgoing);
-      run_together(comm_, [&] { unpack(incoming, set.part); });
+    if(comm_.size() > 1)
+      send_near_points();
+    std::size_t own_count = 0, all_count = 0;
+    for(const Distributed_set<Carried>& set : sets_) {
       own_count += set.own_size;
-      halo_count += set.part.size() - set.own_size;
+      all_count += set.part.size();
     }
-    profile_.set_bytes_sent(Distributed_phase::HALO, sent);
-    profile_.set_sizes(own_count, halo_count);
+    profile_.set_sizes(own_count, all_count - own_count);
   }
 
 private:
   static constexpr std::size_t set_count = Sets::are_two ? 2 : 1;
-  static constexpr std::uint64_t sample_size_per_rank = 1024; // a cut is off by 3 % of a part
+
+  void send_near_points()
+  {
+    std::vector<Part_box> mine;
+    std::vector<std::vector<Part_box>> all;
+    std::optional<Near_boxes> near;
+    std::vector<char> bytes;
+    run_together(comm_, [&] {
+      mine = own_boxes();
+      write_boxes(mine, bytes);
+    });
+    bytes = gather_bytes(comm_, bytes);
+    run_together(comm_, [&] {
+      all = read_boxes_of_parts(bytes, dimension_);
+      near.emplace(mine, comm_.rank(), all, reach_);
+    });
+    std::uint64_t sent = 0;
+    for(Distributed_set<Carried>& set : sets_) {
+      Bytes_of_ranks outgoing;
+      run_together(comm_, [&] { pack_near_points(set, *near, outgoing); });
+      sent += size_of(outgoing);
+      Bytes_of_ranks incoming = exchange_bytes(comm_, outgoing);
+      run_together(comm_, [&] { unpack(incoming, set.part); });
+    }
+    profile_.set_bytes_sent(Distributed_phase::HALO, sent);
+  }
 
   // Finds the first ids, the sizes of all sets, and the dimension, which is zero without points.
   void agree_on_sizes(const std::size_t* sizes, int dimension)
@@ -186,19 +205,18 @@ private:
     }
   }
 
-  // Returns how many points of a set this process has in the sample. The sample has about as many
-  // points of each part of the numbering of all points.
-  std::size_t sample_share(std::size_t s) const
+  // Returns the number of points of all sets on all processes.
+  std::uint64_t total_size() const
   {
-    std::uint64_t total = 0;
-    for(const std::uint64_t of_set : totals_)
-      total += of_set;
-    if(total == 0)
-      return 0;
-    const std::uint64_t size = sample_size_per_rank * static_cast<std::uint64_t>(comm_.size());
-    const auto before = [&](std::uint64_t id) { return id * size / total; };
-    return static_cast<std::size_t>(before(first_ids_[s] + local_sizes_[s])
-                                    - before(first_ids_[s]));
+    return std::accumulate(totals_, totals_ + set_count, std::uint64_t(0));
+  }
+
+  // Returns how many points of a set this process has in the sample.
+  std::size_t share_of_sample(std::size_t s) const
+  {
+    const std::uint64_t end = first_ids_[s] + local_sizes_[s];
+    return sampled_before(end, total_size(), comm_.size())
+           - sampled_before(first_ids_[s], total_size(), comm_.size());
   }
 
   void pack_points_of_others(Part& part, Bytes_of_ranks& outgoing) const
@@ -222,59 +240,45 @@ private:
     part.resize(kept);
   }
 
+  static std::size_t size_of(const Bytes_of_ranks& messages)
+  {
+    return std::accumulate(
+      messages.begin(), messages.end(), std::size_t(0),
+      [](std::size_t size, const std::vector<char>& bytes) { return size + bytes.size(); });
+  }
+
   // Appends the points to the part, and gives their bytes back.
   void unpack(Bytes_of_ranks& incoming, Part& part) const
   {
-    std::size_t byte_count = 0;
-    for(const std::vector<char>& bytes : incoming)
-      byte_count += bytes.size();
-    part.reserve(part.size() + byte_count / Part::packed_size(dimension_));
+    part.reserve(part.size() + size_of(incoming) / Part::packed_size(dimension_));
     for(std::vector<char>& bytes : incoming) {
       part.unpack(bytes, dimension_);
       bytes = std::vector<char>();
     }
   }
 
-  Part_box own_box() const
+  // Returns which box of this process a point of its own is in.
+  std::size_t own_box_of(const Part& part, std::size_t i) const
   {
-    Part_box box(dimension_);
+    return bisection_ ? bisection_->find(part.lower_bounds(i), part.ids[i]).box : 0;
+  }
+
+  std::vector<Part_box> own_boxes() const
+  {
+    std::vector<Part_box> boxes(bisection_ ? Bisection::max_boxes : 1, Part_box(dimension_));
     for(const Distributed_set<Carried>& set : sets_)
       for(std::size_t i = 0; i < set.own_size; ++i)
-        box.add([&](int axis) { return set.part.points[i].bounds_along(axis); });
-    return box;
+        boxes[own_box_of(set.part, i)].add(set.part.bounds_of(i));
+    return boxes;
   }
 
-  void gather_boxes(std::vector<Part_box>& boxes) const
-  {
-    std::vector<Interval> mine, all;
-    run_together(comm_, [&] {
-      mine = own_box().intervals();
-      all.resize(mine.size() * static_cast<std::size_t>(comm_.size()));
-    });
-    comm_.gather(mine.data(), mine.size(), all);
-    run_together(comm_, [&] {
-      for(auto first = all.begin(); boxes.size() < static_cast<std::size_t>(comm_.size());
-          first += dimension_)
-        boxes.emplace_back(std::vector<Interval>(first, first + dimension_));
-    });
-  }
-
-  void pack_near_points(const Distributed_set<Carried>& set, const std::vector<Part_box>& boxes,
+  void pack_near_points(const Distributed_set<Carried>& set, const Near_boxes& near,
                         Bytes_of_ranks& outgoing) const
   {
-    outgoing.resize(boxes.size());
-    const std::vector<Interval>& mine = boxes[static_cast<std::size_t>(comm_.rank())].intervals();
-    const auto bounds_of_box = [&](int axis) {
-      const Interval& interval = mine[static_cast<std::size_t>(axis)];
-      return std::pair<double, double>(interval.low, interval.high);
-    };
-    for(int rank = 0; rank < comm_.size(); ++rank) {
-      const Part_box& box = boxes[static_cast<std::size_t>(rank)];
-      if(!receives(rank, comm_.rank()) || set.own_size == 0 || !box.is_near(bounds_of_box, reach_))
-        continue;
-      for(std::size_t i = 0; i < set.own_size; ++i)
-        if(box.is_near([&](int axis) { return set.part.points[i].bounds_along(axis); }, reach_))
-          set.part.pack(i, outgoing[static_cast<std::size_t>(rank)]);
+    outgoing.resize(static_cast<std::size_t>(comm_.size()));
+    for(std::size_t i = 0; i < set.own_size; ++i) {
+      const auto pack = [&](std::size_t rank) { set.part.pack(i, outgoing[rank]); };
+      near.for_receivers(own_box_of(set.part, i), set.part.bounds_of(i), pack);
     }
   }
 

@@ -37,7 +37,7 @@ public:
     if(count_ == chosen_) {
       sample_.coordinates.insert(sample_.coordinates.end(), point.x.begin(), point.x.end());
       sample_.ids.push_back(point.id);
-      sample_.weights.push_back(1);
+      sample_.loads.push_back({1, 0});
     }
     if(++count_ == block_end_)
       begin_block();
@@ -64,7 +64,7 @@ private:
     }
     sample_.coordinates.resize(most_ / 2 * dimension);
     sample_.ids.resize(most_ / 2);
-    sample_.weights.resize(most_ / 2);
+    sample_.loads.resize(most_ / 2);
     block_ *= 2;
   }
 

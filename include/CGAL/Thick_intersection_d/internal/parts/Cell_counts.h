@@ -11,6 +11,7 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_points.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Point_sample.h>
+#include <CGAL/Thick_intersection_d/internal/parts/choose_sample.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,10 +30,12 @@ namespace internal {
 class Cell_counts
 {
 public:
-  Cell_counts(const Point_sample& sample, double reach)
-    : dimension_(sample.dimension), reach_(reach), hash_(dimension_, 1),
-      bits_(hash_table_bits(sample.size())), keys_(std::size_t(1) << bits_),
-      counts_(keys_.size())
+  // The sample is of `point_count` points.
+  Cell_counts(const Point_sample& sample, std::uint64_t point_count, double reach)
+    : dimension_(sample.dimension), reach_(reach),
+      share_(static_cast<double>(sample.size()) / static_cast<double>(point_count)),
+      hash_(dimension_, 1), bits_(hash_table_bits(sample.size())),
+      keys_(std::size_t(1) << bits_), counts_(keys_.size())
   {
     for(std::size_t i = 0; i < sample.size(); ++i) {
       const std::uint64_t key = key_of(sample.point(i));
@@ -44,30 +47,58 @@ public:
   template <class Carried>
   void add_some(const Part_points<Carried>& part)
   {
-    const std::size_t step = part.size() / max_looked_at + 1;
-    Random_numbers random;
-    for(std::size_t first = 0; first < part.size(); first += step) {
-      const std::size_t count = (std::min)(step, part.size() - first);
-      const std::uint64_t key = key_of(part.lower_bounds(first + random() % count));
-      const std::size_t slot = slot_of(key);
-      counts_[slot] += keys_[slot] == key ? count : 0;
-    }
+    for_some(part, [&](std::size_t, std::size_t slot, std::size_t count) {
+      counts_[slot] += count;
+    });
   }
 
   std::vector<std::uint64_t>& counts() { return counts_; }
 
-  // Sets the weight of each point of the sample to one, for the point, and half of the neighbors it
-  // may have. A ball has the volume of about four cells.
-  void set_weights(Point_sample& sample) const
+  // Appends points of a part to `bytes`, so that each stands for as many pairs. All parts together
+  // append about `total` points. A point of a crowd is there as often as it has to be.
+  template <class Carried>
+  void choose_by_pairs(const Part_points<Carried>& part, std::size_t total,
+                       std::vector<char>& bytes) const
   {
-    for(std::size_t i = 0; i < sample.size(); ++i) {
-      const double count = static_cast<double>(counts_[slot_of(key_of(sample.point(i)))]);
-      sample.weights[i] = 1 + 2 * (std::max)(count - 1, 0.);
-    }
+    double all = 0;
+    for(std::size_t slot = 0; slot < keys_.size(); ++slot)
+      all += pairs_of_point(slot) * static_cast<double>(counts_[slot]);
+    const double step = all / static_cast<double>(total);
+    double sum = step / 2;
+    for_some(part, [&](std::size_t position, std::size_t slot, std::size_t count) {
+      sum += pairs_of_point(slot) * static_cast<double>(count);
+      for(; step > 0 && sum >= step; sum -= step)
+        write_sampled(part, position, dimension_, bytes);
+    });
   }
 
 private:
   static constexpr std::size_t max_looked_at = 1 << 17;
+
+  // Calls visit(position, slot, count) for points in cells of the sample. Each stands for `count`
+  // points.
+  template <class Carried, class Visit>
+  void for_some(const Part_points<Carried>& part, const Visit& visit) const
+  {
+    const std::size_t step = part.size() / max_looked_at + 1;
+    Random_numbers random;
+    for(std::size_t first = 0; first < part.size(); first += step) {
+      const std::size_t count = (std::min)(step, part.size() - first);
+      const std::size_t position = first + random() % count;
+      const std::uint64_t key = key_of(part.lower_bounds(position));
+      const std::size_t slot = slot_of(key);
+      if(keys_[slot] == key)
+        visit(position, slot, count);
+    }
+  }
+
+  // Returns a number in proportion to the pairs of a point in a cell. A cell stands for those like
+  // it that hold no point of the sample: it is divided by the probability that it holds one.
+  double pairs_of_point(std::size_t slot) const
+  {
+    const double count = static_cast<double>(counts_[slot]);
+    return count > 1 ? (count - 1) / -std::expm1(-share_ * count) : 0;
+  }
 
   // The key of a cell is odd, so it is not zero.
   template <class Coordinates>
@@ -95,6 +126,7 @@ private:
 
   int dimension_;
   double reach_;
+  double share_; // of the sample
   Sequence_hash<> hash_; // with the same seed in all processes
   int bits_;
   std::vector<std::uint64_t> keys_;   // zero where a slot is free

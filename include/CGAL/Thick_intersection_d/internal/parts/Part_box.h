@@ -28,6 +28,12 @@ public:
   const std::vector<Interval>& intervals() const { return intervals_; }
   bool is_empty() const { return intervals_.empty() || intervals_[0].low > intervals_[0].high; }
 
+  std::pair<double, double> bounds_along(int axis) const
+  {
+    const Interval& interval = intervals_[static_cast<std::size_t>(axis)];
+    return {interval.low, interval.high};
+  }
+
   // Extends the box until it holds a point. `bounds_along(axis)` encloses its coordinate.
   template <class Bounds>
   void add(const Bounds& bounds_along)

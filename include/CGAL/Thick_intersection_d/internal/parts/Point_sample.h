@@ -5,7 +5,7 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_PARTS_POINT_SAMPLE_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_PARTS_POINT_SAMPLE_H
 
-// A sample of points, each for some of the work of a search.
+// A sample of points, with what each of them stands for.
 
 #include <cstddef>
 #include <cstdint>
@@ -15,12 +15,19 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
+// Memory goes with the points of a part, and time with its pairs as well.
+struct Point_load
+{
+  double points = 0;
+  double pairs = 0;
+};
+
 struct Point_sample
 {
   int dimension = 0;
   std::vector<double> coordinates; // of one point after another
   std::vector<std::uint64_t> ids;
-  std::vector<double> weights;
+  std::vector<Point_load> loads;
 
   std::size_t size() const { return ids.size(); }
   const double* point(std::size_t i) const

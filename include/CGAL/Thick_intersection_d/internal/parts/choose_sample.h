@@ -12,6 +12,8 @@
 #include <CGAL/Thick_intersection_d/internal/parts/Part_points.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Point_sample.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -19,6 +21,34 @@
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
+
+template <class Carried>
+void write_sampled(const Part_points<Carried>& part, std::size_t position, int dimension,
+                   std::vector<char>& bytes)
+{
+  write_bytes(&part.ids[position], 1, bytes);
+  for(int axis = 0; axis < dimension; ++axis) {
+    const double x = part.lower_bounds(position)[static_cast<std::size_t>(axis)];
+    write_bytes(&x, 1, bytes);
+  }
+}
+
+// Returns the number of points in a sample of all points. With 1024 for each part, a part is off by
+// 3 %. All processes have the whole sample, so there are fewer for each of many.
+inline std::uint64_t sample_size_of_parts(int part_count)
+{
+  return static_cast<std::uint64_t>(1024. * part_count
+                                    / (std::max)(1., std::sqrt(part_count / 64.)));
+}
+
+// Returns how many points of a sample have lower ids. So a sample has about as many points of each
+// stretch of ids.
+inline std::size_t sampled_before(std::uint64_t id, std::uint64_t point_count, int part_count)
+{
+  if(point_count == 0)
+    return 0;
+  return static_cast<std::size_t>(id * sample_size_of_parts(part_count) / point_count);
+}
 
 // Appends `count` random points, one of each of `count` ranges of positions, to `bytes`.
 template <class Carried>
@@ -32,29 +62,23 @@ void choose_sample(const Part_points<Carried>& part, std::size_t count, int dime
     if(begin == end)
       continue;
     const std::size_t position = begin + random() % (end - begin);
-    write_bytes(&part.ids[position], 1, bytes);
-    for(int axis = 0; axis < dimension; ++axis) {
-      const double x = part.lower_bounds(position)[static_cast<std::size_t>(axis)];
-      write_bytes(&x, 1, bytes);
-    }
+    write_sampled(part, position, dimension, bytes);
   }
 }
 
-// Returns the points in `bytes`, with equal weights.
-inline Point_sample read_sample(const std::vector<char>& bytes, int dimension)
+// Appends the points in `bytes` to a sample, each with the same load.
+inline void read_sample(const std::vector<char>& bytes, const Point_load& load,
+                        Point_sample& sample)
 {
-  Point_sample sample;
-  sample.dimension = dimension;
+  const auto dimension = static_cast<std::size_t>(sample.dimension);
   for(Byte_reader reader(bytes); !reader.is_at_end();) {
     std::uint64_t id;
     reader.read(&id, 1);
     sample.ids.push_back(id);
-    sample.coordinates.resize(sample.coordinates.size() + static_cast<std::size_t>(dimension));
-    reader.read(sample.coordinates.data() + sample.coordinates.size() - dimension,
-                static_cast<std::size_t>(dimension));
-    sample.weights.push_back(1);
+    sample.coordinates.resize(sample.coordinates.size() + dimension);
+    reader.read(sample.coordinates.data() + sample.coordinates.size() - dimension, dimension);
+    sample.loads.push_back(load);
   }
-  return sample;
 }
 
 } // namespace internal

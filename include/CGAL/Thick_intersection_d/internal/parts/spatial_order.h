@@ -71,10 +71,13 @@ void move_to_places(std::vector<Value>& values, const std::vector<std::uint32_t>
 // A search reports pairs of positions slab by slab and strip by strip. Ids that are in this order
 // as well are found in the cache. A part has fewer than 2^32 points, or its search refuses them.
 template <class Carried>
-void sort_by_rows(Part_points<Carried>& part, const Part_box& box)
+void sort_by_rows(Part_points<Carried>& part, int dimension)
 {
   if(part.size() == 0)
     return;
+  Part_box box(dimension);
+  for(const Carried& point : part.points)
+    box.add([&](int axis) { return point.bounds_along(axis); });
   const Cell_rows rows(box);
   std::vector<std::size_t> begins(rows.size() + 1);
   std::vector<std::uint32_t> places(part.size());
