@@ -32,14 +32,14 @@ std::size_t bytes_for_search(const Options& options)
   return options.memory - static_cast<std::size_t>(own);
 }
 
-// The input is read twice.
+// What can be read only once is kept in memory by Input.
 void check_input(const std::string& name)
 {
   std::error_code error;
   if(!std::filesystem::exists(name, error))
     throw Error(name, "No such file or directory");
   if(!std::filesystem::is_regular_file(name, error))
-    throw Error(name, "--memory reads a file twice, so it is to be a regular file");
+    throw Error(name, "--memory is for a regular file: a pipe is kept in memory");
 }
 
 void print_summary(std::ostream& out, const Options& options, const External_result& result)

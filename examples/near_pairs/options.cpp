@@ -268,7 +268,7 @@ void read_memory(const po::variables_map& map, Options& options)
   }
   options.memory = parse_size(map["memory"].as<std::string>());
   if(options.files.size() != 1 || options.files.front() == "-")
-    throw Error("--memory is for one file, which is read twice");
+    throw Error("--memory is for one file, and the standard input is kept in memory");
   if(options.kernel == "exact" || options.decimal)
     throw Error("--memory holds coordinates as doubles");
   if(extension(options.pairs) == ".geojson")

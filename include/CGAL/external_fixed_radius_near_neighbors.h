@@ -23,14 +23,14 @@ reports all pairs of points of a range whose distance is within a bound, each ex
 budget of memory. The points that do not fit are written to a scratch file.
 
 The pairs are those of `fixed_radius_near_neighbors()`, in another order. The search passes over the
-range twice, and holds only some of its points at a time. So the elements of the range may be made
+range once, and holds only some of its points at a time. So the elements of the range may be made
 when they are read, as from a file: the range need not be in memory. A chapter of the manual,
 \ref thickBeyondMemory, shows such a range.
 
 The budget is for the data of the search. It covers neither the program itself nor what the range
-and the callback hold. The scratch file takes 32 bytes per point, and up to as many for points near
-the borders of parts. It has no name, so it vanishes with the process, however that ends; on systems
-where an open file keeps its name, the search removes it.
+and the callback hold. The scratch file takes 32 bytes per point in space and 24 in the plane, and
+up to as many for points near the borders of parts. It has no name, so it vanishes with the process,
+however that ends; on systems where an open file keeps its name, the search removes it.
 
 If all points fit in the budget, they are searched at once, and nothing is written. Otherwise the
 search takes \f$ O(n \log n + k) \f$ time if most points are farther than the bound from the borders
@@ -42,8 +42,7 @@ pairs are reported in any order. Several threads call the callback at once, so i
 `Parallel_tag` requires \tbb.
 
 \tparam PointRange is a range of `Point_2` or `Point_3` of a kernel of \cgal whose number type is
-`double` or `float`, with input iterators that can be copied, or better. Each pass begins with
-`begin()`, and meets the same points in the same order.
+`double` or `float`, with input iterators that can be copied, or better. `begin()` is called once.
 
 \tparam NT is a number type as described for `Distance_bound`.
 
@@ -83,8 +82,7 @@ searched with all points within the bound of it, as measured along the axes, and
 have too many of them. Pairs may have been reported.
 \throws std::system_error if the scratch file cannot be made, written or read, as when the disk is
 full. Pairs may have been reported.
-\throws std::runtime_error if the range has more or fewer points when it is read again, or if the
-processor is set to flush denormal numbers to zero.
+\throws std::runtime_error if the processor is set to flush denormal numbers to zero.
 
 \sa `fixed_radius_near_neighbors()`
 */

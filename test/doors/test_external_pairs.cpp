@@ -11,10 +11,13 @@
 #include <CGAL/external_fixed_radius_near_neighbors.h>
 
 #include <CGAL/Thick_intersection_d/internal/arrays/Random_numbers.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/external/External_parts.h>
+#include <CGAL/Thick_intersection_d/internal/external/Loaded_points.h>
 #include <CGAL/Thick_intersection_d/internal/external/Scratch_file.h>
 #include <CGAL/Thick_intersection_d/internal/external/Stored_points.h>
 #include <CGAL/Thick_intersection_d/internal/external/Streamed_sample.h>
+#include <CGAL/Thick_intersection_d/internal/external/Stripes.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -43,7 +46,7 @@ using Bound = CGAL::Distance_bound<double>;
 
 namespace {
 
-// A budget that has room for 832 points, and one that all scenes fit in.
+// A budget that has room for 858 points, and one that all scenes fit in.
 constexpr std::size_t small = 1 << 16, large = 1 << 26;
 
 class Scene_maker
@@ -158,6 +161,50 @@ BOOST_AUTO_TEST_CASE(points_of_a_plane_and_of_a_line_have_the_same_pairs_in_part
   BOOST_CHECK(has_equal_pairs(line, CGAL::within_distance(.0001)));
 }
 
+// The first points tell where to cut, and here they are all on one side.
+BOOST_AUTO_TEST_CASE(points_in_order_have_the_same_pairs_in_parts)
+{
+  Points points = Scene_maker().uniform(20000);
+  for(const int axis : {0, 2}) {
+    std::sort(points.begin(), points.end(), [&](const Point& p, const Point& q) {
+      return p.cartesian(axis) < q.cartesian(axis);
+    });
+    BOOST_CHECK(has_equal_pairs(points, CGAL::within_distance(.03)));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(points_of_all_sizes_have_the_same_pairs_in_parts)
+{
+  Scene_maker maker;
+  Points points;
+  for(int i = 0; i < 6000; ++i) {
+    const double size = std::ldexp(1., -i % 900);
+    points.push_back(maker.in_cube(size));
+  }
+  BOOST_CHECK(has_equal_pairs(points, CGAL::within_distance(0x1p-880)));
+}
+
+BOOST_AUTO_TEST_CASE(points_of_type_Point_2_have_the_same_pairs_in_parts)
+{
+  using Plane_point = CGAL::Simple_cartesian<double>::Point_2;
+  Scene_maker maker;
+  std::vector<Plane_point> points;
+  for(int i = 0; i < 10000; ++i) {
+    const double x = maker.number();
+    points.emplace_back(x, maker.number());
+  }
+  const auto pairs_within = [&](std::size_t bytes) {
+    Pairs pairs;
+    CGAL::external_fixed_radius_near_neighbors(
+      points, CGAL::within_distance(.01), CGAL::Memory_budget(bytes),
+      [&](std::uint64_t i, std::uint64_t j) { pairs.emplace_back(i, j); });
+    return sorted(pairs);
+  };
+  const Pairs expected = pairs_within(large);
+  BOOST_CHECK_GT(expected.size(), 10000);
+  BOOST_CHECK(pairs_within(small) == expected);
+}
+
 BOOST_AUTO_TEST_CASE(a_crowd_that_fits_has_its_pairs)
 {
   Scene_maker maker;
@@ -259,18 +306,23 @@ BOOST_AUTO_TEST_CASE(a_scratch_file_leaves_nothing_behind)
 
 BOOST_AUTO_TEST_CASE(a_list_on_disk_gives_its_chunks_to_the_next_list)
 {
-  Chunk_store store(fs::temp_directory_path(), 5);
-  Stored_points list, next;
+  using Record = Point_record<3>;
+  Chunk_store<3> store(fs::temp_directory_path(), 5);
+  Stored_points<3> list, next;
   for(std::uint64_t i = 0; i < 23; ++i)
-    list.add(store, {{1. * i, 0, 0}, i});
+    list.add(store, {{1. * i, 0, 0}}, i);
+  list.flush(store);
+  BOOST_CHECK_EQUAL(list.box()[0].high, 22);
   std::vector<std::uint64_t> ids;
-  list.take_chunks(store, [&](const std::vector<Stored_point>& points) {
-    for(const Stored_point& point : points) {
-      ids.push_back(point.id);
-      next.add(store, point);
+  Buffer<Record> buffer;
+  list.take(store, 10, buffer, [&](const Record* records, std::size_t count) {
+    BOOST_CHECK_LE(count, 10);
+    for(std::size_t i = 0; i < count; ++i) {
+      BOOST_CHECK_EQUAL(records[i].point.x[0], 1. * records[i].id);
+      ids.push_back(records[i].id);
+      next.add(store, records[i].point, records[i].id);
     }
   });
-  next.flush(store);
   BOOST_CHECK_EQUAL(ids.size(), 23);
   BOOST_CHECK(std::is_sorted(ids.begin(), ids.end()));
   BOOST_CHECK_EQUAL(list.size(), 0);
@@ -280,36 +332,64 @@ BOOST_AUTO_TEST_CASE(a_list_on_disk_gives_its_chunks_to_the_next_list)
 
 BOOST_AUTO_TEST_CASE(a_sample_has_a_point_of_each_block)
 {
-  Streamed_sample sample(100);
-  for(std::uint64_t i = 0; i < 6400; ++i)
-    sample.add({{0, 0, 1. * i}, i});
-  BOOST_CHECK_EQUAL(sample.count(), 6400);
-  const auto& ids = sample.sample().ids;
-  BOOST_CHECK_GE(ids.size(), 50);
-  BOOST_CHECK_LE(ids.size(), 100);
-  for(std::size_t i = 0; i < ids.size(); ++i) {
-    BOOST_CHECK_EQUAL(ids[i] * ids.size() / 6400, i);
-    BOOST_CHECK_EQUAL(sample.sample().point(i)[2], 1. * ids[i]);
+  Streamed_sample<int> sample(100);
+  for(int i = 0; i < 6400; ++i)
+    sample.add(i);
+  const std::vector<int>& chosen = sample.points();
+  BOOST_CHECK_GE(chosen.size(), 50);
+  BOOST_CHECK_LE(chosen.size(), 100);
+  for(std::size_t i = 0; i < chosen.size(); ++i)
+    BOOST_CHECK_EQUAL(chosen[i] * chosen.size() / 6400, i);
+}
+
+BOOST_AUTO_TEST_CASE(stripes_have_about_as_many_numbers_each)
+{
+  Scene_maker maker;
+  std::vector<double> values;
+  for(int i = 0; i < 6400; ++i)
+    values.push_back(std::ldexp(maker.number(), i % 600)); // hardly any are in other cells
+  std::sort(values.begin(), values.end());
+  const Stripes stripes(values, 32);
+  std::array<int, 32> counts = {};
+  std::size_t last = 0;
+  for(const double x : values) {
+    BOOST_REQUIRE_GE(stripes(x), last);
+    last = stripes(x);
+    ++counts[last];
+  }
+  BOOST_CHECK_EQUAL(*std::min_element(counts.begin(), counts.end()), 200);
+  const double infinite = std::numeric_limits<double>::max();
+  BOOST_CHECK_EQUAL(stripes(-infinite), 0);
+  BOOST_CHECK_EQUAL(stripes(infinite), 31);
+}
+
+BOOST_AUTO_TEST_CASE(stripes_separate_a_number_from_many_equal_ones)
+{
+  for(const double other : {1., 3.}) {
+    std::vector<double> values(100, 2);
+    values.push_back(other);
+    std::sort(values.begin(), values.end());
+    const Stripes stripes(values, 4);
+    BOOST_CHECK_NE(stripes(2), stripes(other));
   }
 }
 
 BOOST_AUTO_TEST_CASE(parts_fit_in_the_budget_with_the_points_near_them)
 {
   const Points points = Scene_maker().uniform(20000);
-  External_parts parts(CGAL::Memory_budget(small), .03);
-  Streamed_sample sample(parts.limits().points_per_sample());
+  External_parts<3> parts(CGAL::Memory_budget(small), .03);
+  External_parts<3>::Sample sample(parts.limits().points_per_sample());
   const auto visit_points = [&](const auto& visit) {
     for(std::size_t i = 0; i < points.size(); ++i)
-      visit(Stored_point{{points[i].x(), points[i].y(), points[i].z()}, i});
+      visit(Stored_point<3>{{points[i].x(), points[i].y(), points[i].z()}}, i);
   };
-  visit_points([&](const Stored_point& point) { sample.add(point); });
+  visit_points([&](const Stored_point<3>& point, std::size_t) { sample.add(point); });
   parts.make(sample, visit_points);
   std::size_t owned = 0, count = 0;
-  while(parts.find_next()) {
-    const auto loaded = parts.take_next<Point>();
-    BOOST_CHECK_LE(loaded.points.size(), parts.limits().points_per_search());
-    owned += loaded.owned;
-    ++count;
+  Loaded_points<3> loaded;
+  for(; parts.find_next(); ++count) {
+    owned += parts.take_next(loaded);
+    BOOST_CHECK_LE(loaded.size(), parts.limits().points_per_search());
   }
   BOOST_CHECK_EQUAL(owned, points.size());
   BOOST_CHECK_GE(count, points.size() / parts.limits().points_per_search());

@@ -9,9 +9,9 @@
 // for points in memory.
 
 #include <CGAL/Distance_bound.h>
+#include <CGAL/Iterator_range.h>
 #include <CGAL/Memory_budget.h>
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/Simple_cartesian.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/check_denormals.h>
@@ -19,9 +19,7 @@
 #include <CGAL/Thick_intersection_d/internal/doors/near_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/external/External_parts.h>
 #include <CGAL/Thick_intersection_d/internal/external/Loaded_points.h>
-#include <CGAL/Thick_intersection_d/internal/external/Part_limits.h>
 #include <CGAL/Thick_intersection_d/internal/external/Stored_points.h>
-#include <CGAL/Thick_intersection_d/internal/external/Streamed_sample.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
@@ -29,11 +27,11 @@
 #include <CGAL/Thick_intersection_d/internal/input/iterators.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <stdexcept>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -46,15 +44,14 @@ namespace internal {
 constexpr double share_of_writing = .25;
 
 // `Go_on` takes the progress and returns whether to go on.
-template <class ConcurrencyTag, class Range, class Map, class NT, class Callback, class Go_on>
+template <class ConcurrencyTag, int Dimension, class Range, class Map, class NT, class Callback,
+          class Go_on>
 class External_search
 {
   using Readable = Read_range<Range>;
+  using Iterator = Iterator_of<Readable>;
   using Exact = Exact_number_t<double>;
-
-  // Points in the plane get z = 0: the search neither stores nor searches an axis along which all
-  // points are equal.
-  using Point = Simple_cartesian<double>::Point_3;
+  using Point = Stored_point<Dimension>;
 
 public:
   External_search(Readable& range, const Map& map, const Distance_bound<NT>& bound,
@@ -63,95 +60,107 @@ public:
       parts_(budget, Squared_bound<Exact>(bound).reach()), callback_(callback), go_on_(go_on)
   {}
 
-  // Returns false iff the search was stopped.
+  // Reads as many points as can be searched at once. Returns false iff the search was stopped.
   bool run()
   {
     check_denormals();
-    Streamed_sample sample(parts_.limits().points_per_sample());
-    if(!visit_points([&](const Stored_point& point) { sample.add(point); }, [] { return 0.; }))
-      return false;
-    size_ = sample.count();
-    return size_ <= parts_.limits().points_per_search() ? search_at_once() : search_parts(sample);
+    const std::size_t most = parts_.limits().points_per_search();
+    std::vector<Point> points;
+    Iterator it = std::begin(range_);
+    const auto last = std::end(range_);
+    for(; points.size() < most && it != last; ++it) {
+      if(!may_read_next())
+        return false;
+      if(points.size() == points.capacity())
+        points.reserve((std::min)(most, 2 * points.size() + (1 << 20)));
+      points.push_back(stored_point(*it));
+    }
+    if(it != last)
+      return search_parts(std::move(points), it);
+    return search(points.data(), points.size(), 0, 1,
+                  [&](std::size_t i, std::size_t j) { return put(i, j); });
   }
 
 private:
-  // Passes over the range, which takes the progress from `done()`. Returns false iff the user
-  // stopped it.
-  template <class Visit, class Done>
-  bool visit_points(const Visit& visit, const Done& done) const
+  // Counts the points, and shows from time to time that there are more of them. Their number is not
+  // known, so the progress only comes near to its share. Returns false iff the user stops the
+  // search.
+  bool may_read_next()
   {
     constexpr std::uint64_t block = 1 << 16;
-    std::uint64_t id = 0;
-    const auto last = std::end(range_);
-    for(auto it = std::begin(range_); it != last; ++it, ++id) {
-      if(id % block == 0 && !go_on_(done()))
-        return false;
-      visit(stored_point(*it, id));
-    }
-    return true;
+    if(size_++ % block != 0)
+      return true;
+    const double most = static_cast<double>(parts_.limits().points_per_search());
+    const double beyond = (std::max)(static_cast<double>(size_) - most, 0.);
+    return go_on_(share_of_writing * beyond / static_cast<double>(size_));
   }
 
   template <class Element>
-  Stored_point stored_point(Element&& element, std::uint64_t id) const
+  Point stored_point(Element&& element) const
   {
     if constexpr(!std::is_same_v<Map, No_map>)
-      return read_point(get(map_, element), id);
+      return read_point(get(map_, element));
     else
-      return read_point(element, id);
+      return read_point(element);
   }
 
-  template <class Point>
-  static Stored_point read_point(const Point& point, std::uint64_t id)
+  // The point was counted.
+  template <class Given_point>
+  Point read_point(const Given_point& point) const
   {
-    constexpr int dimension = dimension_or<Point>(3);
-    Stored_point stored = {{0, 0, 0}, id};
+    Point stored;
     bool is_finite = true;
-    for(int axis = 0; axis < dimension; ++axis) {
+    for(int axis = 0; axis < Dimension; ++axis) {
       const double x = static_cast<double>(coordinate(point, axis));
       stored.x[static_cast<std::size_t>(axis)] = x;
       is_finite = is_finite && std::isfinite(x);
     }
     if(!is_finite)
-      check_point(point, dimension, "point", static_cast<std::size_t>(id));
+      check_point(point, Dimension, "point", static_cast<std::size_t>(size_ - 1));
     return stored;
   }
 
-  void check_second_pass(std::uint64_t size) const
+  // `points` come before the others.
+  bool search_parts(std::vector<Point>&& points, Iterator it)
   {
-    if(size != size_)
-      throw std::runtime_error("The range had other points when it was read again.");
-  }
-
-  bool search_at_once()
-  {
-    std::vector<Point> points;
-    points.reserve(static_cast<std::size_t>(size_));
-    const auto add = [&](const Stored_point& p) { points.emplace_back(p.x[0], p.x[1], p.x[2]); };
-    if(!visit_points(add, [] { return 0.; }))
-      return false;
-    check_second_pass(points.size());
-    return search(points, 0, 1, [&](std::size_t i, std::size_t j) { return put(i, j); });
-  }
-
-  bool search_parts(const Streamed_sample& sample)
-  {
-    std::uint64_t written = 0;
+    typename External_parts<Dimension>::Sample sample(parts_.limits().points_per_sample());
+    for(const Point& point : points)
+      sample.add(point);
     bool is_complete = true;
     parts_.make(sample, [&](const auto& visit) {
-      is_complete = visit_points([&](const Stored_point& point) { visit(point); ++written; },
-                                 [&] { return share_of_writing * part_of_all(written); });
+      for(std::size_t id = 0; id < points.size(); ++id)
+        visit(points[id], id);
+      std::vector<Point>().swap(points);
+      is_complete = visit_rest(it, visit);
     });
-    if(!is_complete)
-      return false;
-    check_second_pass(written);
-    for(std::uint64_t done = 0; parts_.find_next(); ) {
-      const auto loaded = parts_.template take_next<Point>();
-      const double share = (1 - share_of_writing) * part_of_all(loaded.owned);
-      const double start = share_of_writing + (1 - share_of_writing) * part_of_all(done);
-      if(!search(loaded.points, start, share,
-                 [&](std::size_t i, std::size_t j) { return put_of_part(loaded, i, j); }))
+    return is_complete && search_each_part();
+  }
+
+  // Returns false iff the search was stopped.
+  template <class Visit>
+  bool visit_rest(Iterator it, const Visit& visit)
+  {
+    for(const auto last = std::end(range_); it != last; ++it) {
+      if(!may_read_next())
         return false;
-      done += loaded.owned;
+      visit(stored_point(*it), size_ - 1);
+    }
+    return true;
+  }
+
+  bool search_each_part()
+  {
+    Loaded_points<Dimension> loaded;
+    for(std::uint64_t done = 0; parts_.find_next(); ) {
+      const std::size_t owned = parts_.take_next(loaded);
+      const double share = (1 - share_of_writing) * part_of_all(owned);
+      const double start = share_of_writing + (1 - share_of_writing) * part_of_all(done);
+      done += owned;
+      const auto report = [this, owned, ids = loaded.ids()](std::size_t i, std::size_t j) {
+        return i >= owned || put_ids(ids[i], ids[j]);
+      };
+      if(!search(loaded.points(), loaded.size(), start, share, report))
+        return false;
     }
     return true;
   }
@@ -161,22 +170,21 @@ private:
     return static_cast<double>(count) / static_cast<double>(size_);
   }
 
-  // Searches points in memory, and calls report(i, j) with positions among them. The search has a
-  // share of the progress, from `start` on.
+  // Searches points in memory, and calls report(i, j) with positions i < j among them. The search
+  // has a share of the progress, from `start` on.
   template <class Report>
-  bool search(const std::vector<Point>& points, double start, double share, const Report& report)
+  bool search(const Point* points, std::size_t size, double start, double share,
+              const Report& report)
   {
     const auto go_on = [&](double done) { return go_on_(start + share * done); };
+    const auto range = make_range(points, points + size);
     return report_near_pairs<ConcurrencyTag>(
-      make_elements(points, parameters::default_values()), One_set(), bound_, report,
+      make_elements(range, parameters::default_values()), One_set(), bound_, report,
       parameters::callback(go_on));
   }
 
-  bool put_of_part(const Loaded_points<Point>& loaded, std::size_t i, std::size_t j)
+  bool put_ids(std::uint64_t a, std::uint64_t b)
   {
-    if(i >= loaded.owned && j >= loaded.owned)
-      return true;
-    const std::uint64_t a = loaded.ids[i], b = loaded.ids[j];
     const std::uint64_t swapped = (a ^ b) & -std::uint64_t(b < a); // a branch is mispredicted
     return put(a ^ swapped, b ^ swapped);
   }
@@ -195,10 +203,10 @@ private:
   Readable& range_;
   const Map map_;
   const Distance_bound<NT>& bound_;
-  External_parts parts_;
+  External_parts<Dimension> parts_;
   Callback& callback_;
   const Go_on& go_on_;
-  std::uint64_t size_ = 0;
+  std::uint64_t size_ = 0; // of the points that were read
 };
 
 template <class Point>
@@ -244,8 +252,9 @@ bool search_externally(Range& range, const Distance_bound<NT>& bound, const Memo
         return parameters::get_parameter(np, internal_np::callback)(done);
     };
     using Map = std::decay_t<decltype(element_map(range, np))>;
-    using Search = External_search<ConcurrencyTag, std::remove_const_t<Range>, Map, NT, Callback,
-                                   decltype(go_on)>;
+    using Point = typename decltype(make_elements(range, np))::value_type;
+    using Search = External_search<ConcurrencyTag, dimension_or<Point>(0),
+                                   std::remove_const_t<Range>, Map, NT, Callback, decltype(go_on)>;
     return Search(range, element_map(range, np), bound, budget, callback, go_on).run();
   }
   else

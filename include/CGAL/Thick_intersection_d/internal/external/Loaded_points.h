@@ -7,51 +7,108 @@
 
 // A part in memory.
 
+#include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/external/Stored_points.h>
-#include <CGAL/Thick_intersection_d/internal/parts/Part_box.h>
-#include <CGAL/Thick_intersection_d/internal/parts/spatial_order.h>
+#include <CGAL/Thick_intersection_d/internal/external/Stripes.h>
+#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// The points of a part, in the order in which a search sweeps them, roughly: it looks up the id of
-// both points of each pair. In the order of the input, these ids are all over the memory, and
-// looking them up takes longer than the search.
-template <class Point>
-struct Loaded_points
+// Rows of cells in a box, across the last two axes, as slabs and strips are.
+template <int Dimension>
+class Tile_rows
 {
-  std::vector<Point> points;
-  std::vector<std::uint64_t> ids;
-  std::size_t owned = 0; // the first ones; pairs of the others are found elsewhere
-
-  // The first `owned_count` points are the part's own, with their box.
-  Loaded_points(const std::vector<Stored_point>& stored, std::size_t owned_count,
-                const Part_box& box)
-    : points(stored.size()), ids(stored.size()), owned(owned_count)
+public:
+  explicit Tile_rows(const std::array<Interval, Dimension>& box)
   {
-    const Cell_rows rows(box);
-    std::vector<std::size_t> places(Cell_rows::size() + 1);
-    for(std::size_t i = 0; i < owned; ++i)
-      ++places[rows(stored[i].x) + 1];
-    for(std::size_t cell = 0; cell < Cell_rows::size(); ++cell)
-      places[cell + 1] += places[cell];
-    for(std::size_t i = 0; i < owned; ++i)
-      put(stored[i], places[rows(stored[i].x)]++);
-    for(std::size_t i = owned; i < stored.size(); ++i)
-      put(stored[i], i);
+    for(std::size_t i = 0; i < 2; ++i) {
+      const Interval& interval = box[Dimension - 1 - i];
+      low_[i] = interval.low;
+      scale_[i] = interval.length() > 0 ? side / interval.length() : 0; // zero if it is infinite
+    }
+  }
+
+  static constexpr std::size_t size() { return std::size_t(side) * side; }
+
+  std::size_t operator()(const std::array<double, Dimension>& x) const
+  {
+    return cell(x, 0) * side + cell(x, 1);
   }
 
 private:
-  void put(const Stored_point& point, std::size_t place)
+  static constexpr int side = 16;
+
+  std::size_t cell(const std::array<double, Dimension>& x, std::size_t i) const
   {
-    points[place] = Point(point.x[0], point.x[1], point.x[2]);
-    ids[place] = point.id;
+    return static_cast<std::size_t>(
+      cell_number((x[Dimension - 1 - i] - low_[i]) * scale_[i], side));
   }
+
+  std::array<double, 2> low_;
+  std::array<double, 2> scale_;
+};
+
+// The points of a part, in the order in which a search sweeps them, roughly: it looks up the id of
+// both points of each pair. In the order of the input, these ids are all over the memory, and
+// looking them up takes longer than the search. Ids are in a column of their own.
+template <int Dimension>
+class Loaded_points
+{
+  using Record = Point_record<Dimension>;
+
+public:
+  const Stored_point<Dimension>* points() const { return points_.data(); }
+  const std::uint64_t* ids() const { return ids_.data(); }
+  std::size_t size() const { return size_; }
+
+  // Forgets all points, and makes room for others.
+  void clear(std::size_t room)
+  {
+    points_.require(room);
+    ids_.require(room);
+    size_ = 0;
+  }
+
+  void add(const Record* records, std::size_t count)
+  {
+    for(std::size_t i = 0; i < count; ++i)
+      put(records[i], size_ + i);
+    size_ += count;
+  }
+
+  // The same, row by row.
+  void add_rows(const Tile_rows<Dimension>& rows, const Record* records, std::size_t count)
+  {
+    std::array<std::uint32_t, Tile_rows<Dimension>::size() + 1> begins = {};
+    std::uint16_t* const cells = cells_.require(count);
+    for(std::size_t i = 0; i < count; ++i) {
+      cells[i] = static_cast<std::uint16_t>(rows(records[i].point.x));
+      ++begins[cells[i] + 1];
+    }
+    for(std::size_t cell = 0; cell + 1 < begins.size(); ++cell)
+      begins[cell + 1] += begins[cell];
+    for(std::size_t i = 0; i < count; ++i)
+      put(records[i], size_ + begins[cells[i]]++);
+    size_ += count;
+  }
+
+private:
+  void put(const Record& record, std::size_t place)
+  {
+    points_.data()[place] = record.point;
+    ids_.data()[place] = record.id;
+  }
+
+  Buffer<Stored_point<Dimension>> points_;
+  Buffer<std::uint64_t> ids_;
+  Buffer<std::uint16_t> cells_;
+  std::size_t size_ = 0;
 };
 
 } // namespace internal

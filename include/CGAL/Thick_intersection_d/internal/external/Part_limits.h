@@ -7,11 +7,10 @@
 
 // How a budget of memory is shared.
 
-#include <CGAL/Thick_intersection_d/internal/external/Stored_points.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <stdexcept>
+#include <string>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -20,43 +19,58 @@ namespace internal {
 class Part_limits
 {
 public:
-  // Parts are cut into at most so many parts at a time.
-  static constexpr int most_parts = 64;
-
-  // Throws std::invalid_argument if the budget is too small for any search.
-  explicit Part_limits(std::size_t bytes) : bytes_(bytes)
+  // `point_size` is that of a point with its id. Throws std::invalid_argument if the budget is too
+  // small for any search.
+  Part_limits(std::size_t bytes, std::size_t point_size) : bytes_(bytes), point_size_(point_size)
   {
     if(bytes < least_bytes)
       throw std::invalid_argument("The memory budget is less than 64 KiB.");
   }
 
-  // The points of a chunk. A part that is cut and the parts that it becomes have two lists each,
-  // and each list may have a chunk in memory; they share an eighth of the budget.
+  // Tiles have a chunk in memory each. All of these share an eighth of the budget, and at most 2
+  // MiB: points are written to any of them, and then find most of them in the cache (2 10^7 points
+  // in space: 512 tiles with 512 points each took 1.12 times as long in all).
+  std::size_t tile_count() const { return bytes_ < most_tiles << 16 ? 64 : most_tiles; }
+
   std::size_t points_per_chunk() const
   {
-    const std::size_t fair = bytes_ / 8 / (2 * most_parts * sizeof(Stored_point));
-    return (std::min)((std::max)(fair, std::size_t(4)), std::size_t(2048));
+    const std::size_t fair = bytes_for_chunks() / (tile_count() * point_size_);
+    return (std::min)((std::max)(fair, std::size_t(4)), std::size_t(512));
   }
 
   // The points of a sample, which takes a sixteenth of the budget, with the cuts made of it.
   std::size_t points_per_sample() const
   {
     const std::size_t fair = bytes_ / 16 / 64 & ~std::size_t(1);
-    return (std::min)(fair, std::size_t(1) << 16);
+    return (std::min)(fair, std::size_t(1) << 13);
   }
 
-  // The points that are searched at the same time.
-  std::size_t points_per_search() const { return bytes_ / 16 * 13 / bytes_per_point; }
+  // The points that are put in order at a time, in the cache.
+  std::size_t points_per_batch() const
+  {
+    return (std::min)(bytes_for_chunks() / point_size_, std::size_t(1) << 15);
+  }
+
+  // The points that are searched at the same time. A search takes up to 30 bytes for each of them
+  // (benchmark/results.md, memory).
+  std::size_t points_per_search() const { return bytes_ / 16 * 13 / (point_size_ + 30); }
 
 private:
   static constexpr std::size_t least_bytes = 1 << 16;
+  static constexpr std::size_t most_tiles = 128;
 
-  // A point has 24 bytes and a position of 8. A search takes up to 30 bytes more
-  // (benchmark/results.md, memory).
-  static constexpr std::size_t bytes_per_point = 64;
+  std::size_t bytes_for_chunks() const { return bytes_ / 8; }
 
   std::size_t bytes_;
+  std::size_t point_size_;
 };
+
+[[noreturn]] inline void refuse_crowd(std::size_t points_per_search)
+{
+  throw std::length_error("The points near a part of the points do not fit in the memory budget, "
+                          "which has room for " + std::to_string(points_per_search)
+                          + " points: take a larger budget or a smaller bound.");
+}
 
 } // namespace internal
 } // namespace Thick_intersection_d

@@ -7,12 +7,18 @@
 
 // Lists of points that are too long for the memory.
 
-#include <CGAL/Thick_intersection_d/internal/external/Scratch_file.h>
+#include <CGAL/Dimension.h>
 
+#include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
+#include <CGAL/Thick_intersection_d/internal/external/Scratch_file.h>
+#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
+
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -20,17 +26,33 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// A point as it lies on disk: its coordinates and its position in the user's range.
+// A point as searches read it, like a point of CGAL.
+template <int Dimension>
 struct Stored_point
 {
-  std::array<double, 3> x;
-  std::uint64_t id;
+  using Ambient_dimension = Dimension_tag<Dimension>;
+
+  std::array<double, Dimension> x;
+
+  int dimension() const { return Dimension; }
+  double cartesian(int axis) const { return x[static_cast<std::size_t>(axis)]; }
+};
+
+// A point as it lies on disk.
+template <int Dimension>
+struct Point_record
+{
+  Stored_point<Dimension> point;
+  std::uint64_t id; // its position in the user's range
 };
 
 // Places for chunks of points in a scratch file. Each has room for the same number of points.
 // Places that were released are used again.
+template <int Dimension>
 class Chunk_store
 {
+  using Record = Point_record<Dimension>;
+
 public:
   Chunk_store(const std::filesystem::path& directory, std::size_t points_per_chunk)
     : directory_(directory), points_per_chunk_(points_per_chunk)
@@ -39,110 +61,154 @@ public:
   std::size_t points_per_chunk() const { return points_per_chunk_; }
 
   // The places that were ever in use at the same time.
-  std::uint64_t size() const { return size_; }
+  std::uint32_t size() const { return size_; }
 
   // Writes at most a chunk of points and returns its place.
-  std::uint64_t put(const std::vector<Stored_point>& points)
+  std::uint32_t put(const Record* records, std::size_t count)
   {
     if(!file_)
       file_.emplace(directory_);
-    const std::uint64_t place = free_.empty() ? size_++ : free_.back();
+    const std::uint32_t place = free_.empty() ? size_++ : free_.back();
     if(!free_.empty())
       free_.pop_back();
-    file_->write(byte_of(place), points.data(), points.size() * sizeof(Stored_point));
+    file_->write(byte_of(place), records, count * sizeof(Record));
     return place;
   }
 
-  // Reads points.size() points of the chunk at a place.
-  void read(std::uint64_t place, std::vector<Stored_point>& points)
+  // Reads as many points as were put into a place.
+  void read(std::uint32_t place, Record* records, std::size_t count)
   {
-    file_->read(byte_of(place), points.data(), points.size() * sizeof(Stored_point));
+    file_->read(byte_of(place), records, count * sizeof(Record));
   }
 
-  void release(std::uint64_t place) { free_.push_back(place); }
+  void release(std::uint32_t place) { free_.push_back(place); }
 
 private:
-  std::uint64_t byte_of(std::uint64_t place) const
+  std::uint64_t byte_of(std::uint32_t place) const
   {
-    return place * points_per_chunk_ * sizeof(Stored_point);
+    return std::uint64_t(place) * points_per_chunk_ * sizeof(Record);
   }
 
   std::filesystem::path directory_;
   std::size_t points_per_chunk_;
   std::optional<Scratch_file> file_; // none before it is needed
-  std::uint64_t size_ = 0;
-  std::vector<std::uint64_t> free_;
+  std::uint32_t size_ = 0;
+  std::vector<std::uint32_t> free_;
 };
 
 // A list of points, of which at most one chunk is in memory.
+template <int Dimension>
 class Stored_points
 {
+  using Record = Point_record<Dimension>;
+  using Store = Chunk_store<Dimension>;
+
 public:
-  std::uint64_t size() const { return size_; }
+  Stored_points() = default;
 
-  void add(Chunk_store& store, const Stored_point& point)
+  // Begins with memory for a chunk, which stays with the caller, until flush().
+  explicit Stored_points(Record* room, const Store& store)
+    : last_(room), room_(store.points_per_chunk())
+  {}
+
+  std::uint64_t size() const { return size_before_last_ + last_size_; }
+
+  // The intervals of the points that were written.
+  const std::array<Interval, Dimension>& box() const { return box_; }
+
+  void add(Store& store, const Stored_point<Dimension>& point, std::uint64_t id)
   {
-    if(buffer_.empty())
-      buffer_.reserve(store.points_per_chunk());
-    buffer_.push_back(point);
-    ++size_;
-    if(buffer_.size() == store.points_per_chunk())
-      write_buffer(store);
+    if(last_size_ == room_)
+      make_room(store);
+    last_[last_size_++] = {point, id};
   }
 
-  // Writes what is in memory.
-  void flush(Chunk_store& store)
+  // Writes what is in memory. Nothing can be added later.
+  void flush(Store& store)
   {
-    if(!buffer_.empty())
-      write_buffer(store);
-    std::vector<Stored_point>().swap(buffer_);
+    if(last_size_ != 0)
+      write_last(store);
+    last_ = nullptr;
+    own_.reset();
   }
 
-  // Calls visit(points) for the points of each chunk, a vector, in the order of add().
+  // Calls visit(records, count) for all points, as many chunks at a time as have at most `most`
+  // points, but at least one. They are in the order of add(). Leaves an empty list, and gives the
+  // chunks back one by one.
   template <class Visit>
-  void visit_chunks(Chunk_store& store, const Visit& visit) const
+  void take(Store& store, std::size_t most, Buffer<Record>& buffer, const Visit& visit)
   {
-    visit_and_leave(store, visit, [](std::uint64_t) {});
-  }
-
-  // The same. Leaves an empty list, and gives the chunks back one by one.
-  template <class Visit>
-  void take_chunks(Chunk_store& store, const Visit& visit)
-  {
-    visit_and_leave(store, visit, [&](std::uint64_t place) { store.release(place); });
+    const std::size_t per_chunk = store.points_per_chunk();
+    Record* const records
+      = places_.empty() ? nullptr : buffer.require((std::max)(most, per_chunk));
+    std::size_t filled = 0;
+    for(std::size_t chunk = 0; chunk < places_.size(); ++chunk) {
+      const std::size_t count = count_of(chunk, store);
+      store.read(places_[chunk], records + filled, count);
+      store.release(places_[chunk]);
+      filled += count;
+      if(chunk + 1 == places_.size() || filled + per_chunk > most) {
+        visit(static_cast<const Record*>(records), filled);
+        filled = 0;
+      }
+    }
+    if(last_)
+      visit(static_cast<const Record*>(last_), last_size_);
     *this = Stored_points();
   }
 
-private:
-  struct Chunk
+  // Calls visit(records, count) for some chunks at equal steps, of a list that was flushed.
+  template <class Visit>
+  void visit_some(Store& store, std::size_t most_chunks, const Visit& visit) const
   {
-    std::uint64_t place;
-    std::size_t size;
-  };
-
-  void write_buffer(Chunk_store& store)
-  {
-    chunks_.push_back({store.put(buffer_), buffer_.size()});
-    buffer_.clear();
-  }
-
-  template <class Visit, class Leave>
-  void visit_and_leave(Chunk_store& store, const Visit& visit, const Leave& leave) const
-  {
-    std::vector<Stored_point> points;
-    for(const Chunk& chunk : chunks_) {
-      points.resize(chunk.size);
-      store.read(chunk.place, points);
-      leave(chunk.place);
-      visit(points);
+    Buffer<Record> buffer;
+    const std::size_t step = places_.size() / most_chunks + 1;
+    for(std::size_t chunk = 0; chunk < places_.size(); chunk += step) {
+      Record* const records = buffer.require(store.points_per_chunk());
+      store.read(places_[chunk], records, count_of(chunk, store));
+      visit(static_cast<const Record*>(records), count_of(chunk, store));
     }
-    points = buffer_;
-    visit(points);
   }
 
-  std::vector<Chunk> chunks_;
-  std::vector<Stored_point> buffer_;
-  std::uint64_t size_ = 0;
+private:
+  void make_room(Store& store)
+  {
+    if(last_) {
+      write_last(store);
+      size_before_last_ += last_size_;
+      last_size_ = 0;
+    }
+    else {
+      room_ = store.points_per_chunk();
+      own_ = make_uninitialized<Record>(room_);
+      last_ = own_.get();
+    }
+  }
+
+  // Only the last chunk may have room left, after flush().
+  std::size_t count_of(std::size_t chunk, const Store& store) const
+  {
+    const bool is_flushed_last = !last_ && chunk + 1 == places_.size();
+    return is_flushed_last ? last_size_ : store.points_per_chunk();
+  }
+
+  void write_last(Store& store)
+  {
+    std::array<Interval, Dimension> box = box_; // the compiler keeps a copy in registers
+    for(std::size_t i = 0; i < last_size_; ++i)
+      for(std::size_t axis = 0; axis < Dimension; ++axis)
+        box[axis].add(last_[i].point.x[axis]);
+    box_ = box;
+    places_.push_back(store.put(last_, last_size_));
+  }
+
+  Record* last_ = nullptr;    // the last chunk, unless it was written
+  std::size_t last_size_ = 0; // of the last chunk, wherever it is
+  std::size_t room_ = 0;
+  std::uint64_t size_before_last_ = 0;
+  std::vector<std::uint32_t> places_; // of the chunks that were written
+  std::unique_ptr<Record[]> own_;
+  std::array<Interval, Dimension> box_;
 };
 
 } // namespace internal
