@@ -25,7 +25,7 @@ std::size_t bytes_for_search(const Options& options)
 {
   const double mebibyte = 1 << 20;
   const double own = (peak_memory() + 2) * mebibyte;
-  const double least = 1 * mebibyte;
+  const double least = 2 * mebibyte; // of the library
   if(static_cast<double>(options.memory) < own + least)
     throw Error("--memory: the program itself takes "
                 + std::to_string(static_cast<int>((own + least) / mebibyte) + 1) + "M");

@@ -27,10 +27,11 @@ range once, and holds only some of its points at a time. So the elements of the 
 when they are read, as from a file: the range need not be in memory. A chapter of the manual,
 \ref thickBeyondMemory, shows such a range.
 
-The budget is for the data of the search. It covers neither the program itself nor what the range
-and the callback hold. The scratch file takes 32 bytes per point in space and 24 in the plane, and
-up to as many for points near the borders of parts. It has no name, so it vanishes with the process,
-however that ends; on systems where an open file keeps its name, the search removes it.
+The budget is for the data of the search, which may exceed it by up to a tenth. It covers neither
+the program itself nor what the range and the callback hold. The scratch file takes 32 bytes per
+point in space and 24 in the plane, and up to as many for points near the borders of parts. It has
+no name, so it vanishes with the process, however that ends; on systems where an open file keeps its
+name, the search removes it.
 
 If all points fit in the budget, they are searched at once, and nothing is written. Otherwise the
 search takes \f$ O(n \log n + k) \f$ time if most points are farther than the bound from the borders
@@ -51,7 +52,7 @@ to stop the search by returning `false`.
 
 \param points the points.
 \param bound made by `within_distance()` or `within_squared_distance()`.
-\param budget the memory, at least 64 KiB, and the folder of the scratch file.
+\param budget the memory, at least 2 MiB, and the folder of the scratch file.
 \param callback is called for each pair, with the positions \f$ i < j \f$ of the two points in the
 range.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
@@ -75,7 +76,7 @@ below
 \return `false` iff the callback or the progress functor stopped the search.
 
 \throws std::invalid_argument if a coordinate is NaN or infinite, if the bound is negative or NaN,
-or if the budget is too small for any search, before anything is reported. Exceptions of the range
+or if the budget is less than 2 MiB, before anything is reported. Exceptions of the range
 and the callback pass through.
 \throws std::length_error if a crowd of points does not fit in the budget: a part of the points is
 searched with all points within the bound of it, as measured along the axes, and even small parts

@@ -753,6 +753,12 @@ verdict "  have the same pairs" same_pairs many_pairs.csv part_pairs.csv
 verdict "  and leave no scratch file" test -z "$(ls -A scratch)"
 run three.bin --distance 2 --memory 1G --pairs -
 verdict "pairs of points that fit" test "$(tail -n +2 out | sort | tr '\n' ' ')" = "0,1 1,2 "
+run long.bin --distance 1 --memory 1G
+verdict "part of a point" is_one_error "long.bin: ends inside a point"
+run nan.bin --distance 1 --memory 1G
+verdict "a NaN" is_one_error "nan.bin: point 1: z is no finite number"
+run <(cat three.bin) --format bin --distance 1 --memory 1G
+verdict "a pipe" is_one_error "--memory is for a regular file"
 run many.csv --distance 1 --memory "$memory"
 verdict "a crowd beyond the memory" is_one_error "take a larger budget or a smaller bound"
 run many.csv --distance 0.02 --memory "$memory" --scratch no/such/place

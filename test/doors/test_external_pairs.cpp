@@ -9,15 +9,18 @@
 #include <CGAL/Memory_budget.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/external_fixed_radius_near_neighbors.h>
+#include <CGAL/tags.h>
 
 #include <CGAL/Thick_intersection_d/internal/arrays/Random_numbers.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
+#include <CGAL/Thick_intersection_d/internal/doors/external_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/external/External_parts.h>
 #include <CGAL/Thick_intersection_d/internal/external/Loaded_points.h>
 #include <CGAL/Thick_intersection_d/internal/external/Scratch_file.h>
 #include <CGAL/Thick_intersection_d/internal/external/Stored_points.h>
 #include <CGAL/Thick_intersection_d/internal/external/Streamed_sample.h>
 #include <CGAL/Thick_intersection_d/internal/external/Stripes.h>
+#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -46,7 +49,8 @@ using Bound = CGAL::Distance_bound<double>;
 
 namespace {
 
-// A budget that has room for 858 points, and one that all scenes fit in.
+// A budget that has room for 858 points, which the public function refuses, and one that all scenes
+// fit in.
 constexpr std::size_t small = 1 << 16, large = 1 << 26;
 
 class Scene_maker
@@ -97,8 +101,9 @@ using Go_on = std::function<bool(double)>;
 bool search(const Points& points, const Bound& bound, std::size_t bytes, const Report& report,
             const Go_on& go_on = [](double) { return true; })
 {
-  return CGAL::external_fixed_radius_near_neighbors(points, bound, CGAL::Memory_budget(bytes),
-                                                    report, CGAL::parameters::callback(go_on));
+  using Search = External_search<CGAL::Sequential_tag, 3, Points, No_map, double, const Report,
+                                 Go_on>;
+  return Search(points, No_map(), bound, CGAL::Memory_budget(bytes), report, go_on).run();
 }
 
 Pairs pairs_of(const Points& points, const Bound& bound, std::size_t bytes)
@@ -189,20 +194,21 @@ BOOST_AUTO_TEST_CASE(points_of_type_Point_2_have_the_same_pairs_in_parts)
   using Plane_point = CGAL::Simple_cartesian<double>::Point_2;
   Scene_maker maker;
   std::vector<Plane_point> points;
-  for(int i = 0; i < 10000; ++i) {
+  for(int i = 0; i < 70000; ++i) {
     const double x = maker.number();
     points.emplace_back(x, maker.number());
   }
   const auto pairs_within = [&](std::size_t bytes) {
     Pairs pairs;
     CGAL::external_fixed_radius_near_neighbors(
-      points, CGAL::within_distance(.01), CGAL::Memory_budget(bytes),
+      points, CGAL::within_distance(.003), CGAL::Memory_budget(bytes),
       [&](std::uint64_t i, std::uint64_t j) { pairs.emplace_back(i, j); });
     return sorted(pairs);
   };
   const Pairs expected = pairs_within(large);
-  BOOST_CHECK_GT(expected.size(), 10000);
-  BOOST_CHECK(pairs_within(small) == expected);
+  BOOST_CHECK_GT(expected.size(), 60000);
+  BOOST_CHECK(pairs_within(1 << 21) == expected);
+  BOOST_CHECK_THROW(pairs_within((1 << 21) - 1), std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(a_crowd_that_fits_has_its_pairs)
@@ -270,7 +276,6 @@ BOOST_AUTO_TEST_CASE(bad_arguments_are_refused_before_any_pair)
 {
   Points points = Scene_maker().uniform(3000);
   BOOST_CHECK_THROW(pairs_of(points, CGAL::within_distance(-1.), small), std::invalid_argument);
-  BOOST_CHECK_THROW(pairs_of(points, CGAL::within_distance(1.), 1000), std::invalid_argument);
   points.back() = Point(0, std::nan(""), 0);
   const auto names_position = [](const std::invalid_argument& error) {
     return std::string(error.what()).find("point 2999") != std::string::npos;
@@ -309,10 +314,10 @@ BOOST_AUTO_TEST_CASE(a_list_on_disk_gives_its_chunks_to_the_next_list)
   using Record = Point_record<3>;
   Chunk_store<3> store(fs::temp_directory_path(), 5);
   Stored_points<3> list, next;
-  for(std::uint64_t i = 0; i < 23; ++i)
+  for(std::uint64_t i = 0; i < 203; ++i)
     list.add(store, {{1. * i, 0, 0}}, i);
   list.flush(store);
-  BOOST_CHECK_EQUAL(list.box()[0].high, 22);
+  BOOST_CHECK_EQUAL(list.box()[0].high, 202);
   std::vector<std::uint64_t> ids;
   Buffer<Record> buffer;
   list.take(store, 10, buffer, [&](const Record* records, std::size_t count) {
@@ -323,11 +328,11 @@ BOOST_AUTO_TEST_CASE(a_list_on_disk_gives_its_chunks_to_the_next_list)
       next.add(store, records[i].point, records[i].id);
     }
   });
-  BOOST_CHECK_EQUAL(ids.size(), 23);
+  BOOST_CHECK_EQUAL(ids.size(), 203);
   BOOST_CHECK(std::is_sorted(ids.begin(), ids.end()));
   BOOST_CHECK_EQUAL(list.size(), 0);
-  BOOST_CHECK_EQUAL(next.size(), 23);
-  BOOST_CHECK_LE(store.size(), 5);
+  BOOST_CHECK_EQUAL(next.size(), 203);
+  BOOST_CHECK_LE(store.size(), 4); // rows of 16 chunks
 }
 
 BOOST_AUTO_TEST_CASE(a_sample_has_a_point_of_each_block)

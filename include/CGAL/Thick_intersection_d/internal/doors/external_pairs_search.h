@@ -32,6 +32,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -209,6 +211,16 @@ private:
   std::uint64_t size_ = 0; // of the points that were read
 };
 
+// Smaller budgets would be exceeded by more than a tenth: buffers of a search have sizes of their
+// own.
+inline void check_budget(std::size_t bytes)
+{
+  constexpr std::size_t least = std::size_t(1) << 21;
+  if(bytes < least)
+    throw std::invalid_argument("The memory budget of " + std::to_string(bytes)
+                                + " bytes is too small: take at least 2 MiB.");
+}
+
 template <class Point>
 constexpr bool check_stored_points()
 {
@@ -244,6 +256,7 @@ bool search_externally(Range& range, const Distance_bound<NT>& bound, const Memo
                        Callback& callback, const NamedParameters& np)
 {
   if constexpr(check_external_search<ConcurrencyTag, Range, Callback, NamedParameters>()) {
+    check_budget(budget.bytes());
     const auto go_on = [&]([[maybe_unused]] double done) {
       if constexpr(parameters::is_default_parameter<NamedParameters,
                                                     internal_np::callback_t>::value)

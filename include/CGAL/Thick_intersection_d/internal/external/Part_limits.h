@@ -19,13 +19,8 @@ namespace internal {
 class Part_limits
 {
 public:
-  // `point_size` is that of a point with its id. Throws std::invalid_argument if the budget is too
-  // small for any search.
-  Part_limits(std::size_t bytes, std::size_t point_size) : bytes_(bytes), point_size_(point_size)
-  {
-    if(bytes < least_bytes)
-      throw std::invalid_argument("The memory budget is less than 64 KiB.");
-  }
+  // `point_size` is that of a point with its id.
+  Part_limits(std::size_t bytes, std::size_t point_size) : bytes_(bytes), point_size_(point_size) {}
 
   // Tiles have a chunk in memory each. All of these share an eighth of the budget, and at most 2
   // MiB: points are written to any of them, and then find most of them in the cache (2 10^7 points
@@ -56,7 +51,6 @@ public:
   std::size_t points_per_search() const { return bytes_ / 16 * 13 / (point_size_ + 30); }
 
 private:
-  static constexpr std::size_t least_bytes = 1 << 16;
   static constexpr std::size_t most_tiles = 128;
 
   std::size_t bytes_for_chunks() const { return bytes_ / 8; }

@@ -46,47 +46,54 @@ struct Point_record
   std::uint64_t id; // its position in the user's range
 };
 
-// Places for chunks of points in a scratch file. Each has room for the same number of points.
-// Places that were released are used again.
+// Places for chunks of points in a scratch file. Each has room for the same number of points. Lists
+// get a row of places at a time, so that the numbers of their places take little memory. Rows that
+// were released are used again.
 template <int Dimension>
 class Chunk_store
 {
   using Record = Point_record<Dimension>;
 
 public:
+  static constexpr std::size_t places_per_row = 16;
+
   Chunk_store(const std::filesystem::path& directory, std::size_t points_per_chunk)
     : directory_(directory), points_per_chunk_(points_per_chunk)
   {}
 
   std::size_t points_per_chunk() const { return points_per_chunk_; }
 
-  // The places that were ever in use at the same time.
+  // The rows that were ever in use at the same time.
   std::uint32_t size() const { return size_; }
 
-  // Writes at most a chunk of points and returns its place.
-  std::uint32_t put(const Record* records, std::size_t count)
+  std::uint32_t take_row()
+  {
+    if(free_.empty())
+      return size_++;
+    const std::uint32_t row = free_.back();
+    free_.pop_back();
+    return row;
+  }
+
+  void release(std::uint32_t row) { free_.push_back(row); }
+
+  // Writes at most a chunk of points to a place of a row.
+  void write(std::uint32_t row, std::size_t place, const Record* records, std::size_t count)
   {
     if(!file_)
       file_.emplace(directory_);
-    const std::uint32_t place = free_.empty() ? size_++ : free_.back();
-    if(!free_.empty())
-      free_.pop_back();
-    file_->write(byte_of(place), records, count * sizeof(Record));
-    return place;
+    file_->write(byte_of(row, place), records, count * sizeof(Record));
   }
 
-  // Reads as many points as were put into a place.
-  void read(std::uint32_t place, Record* records, std::size_t count)
+  void read(std::uint32_t row, std::size_t place, Record* records, std::size_t count)
   {
-    file_->read(byte_of(place), records, count * sizeof(Record));
+    file_->read(byte_of(row, place), records, count * sizeof(Record));
   }
-
-  void release(std::uint32_t place) { free_.push_back(place); }
 
 private:
-  std::uint64_t byte_of(std::uint32_t place) const
+  std::uint64_t byte_of(std::uint32_t row, std::size_t place) const
   {
-    return std::uint64_t(place) * points_per_chunk_ * sizeof(Record);
+    return (std::uint64_t(row) * places_per_row + place) * points_per_chunk_ * sizeof(Record);
   }
 
   std::filesystem::path directory_;
@@ -139,15 +146,14 @@ public:
   void take(Store& store, std::size_t most, Buffer<Record>& buffer, const Visit& visit)
   {
     const std::size_t per_chunk = store.points_per_chunk();
-    Record* const records
-      = places_.empty() ? nullptr : buffer.require((std::max)(most, per_chunk));
+    Record* const records = written_ == 0 ? nullptr : buffer.require((std::max)(most, per_chunk));
     std::size_t filled = 0;
-    for(std::size_t chunk = 0; chunk < places_.size(); ++chunk) {
-      const std::size_t count = count_of(chunk, store);
-      store.read(places_[chunk], records + filled, count);
-      store.release(places_[chunk]);
-      filled += count;
-      if(chunk + 1 == places_.size() || filled + per_chunk > most) {
+    for(std::size_t chunk = 0; chunk < written_; ++chunk) {
+      const bool is_last = chunk + 1 == written_;
+      filled += read(store, chunk, records + filled);
+      if(is_last || (chunk + 1) % Store::places_per_row == 0)
+        store.release(rows_[chunk / Store::places_per_row]);
+      if(is_last || filled + per_chunk > most) {
         visit(static_cast<const Record*>(records), filled);
         filled = 0;
       }
@@ -162,11 +168,10 @@ public:
   void visit_some(Store& store, std::size_t most_chunks, const Visit& visit) const
   {
     Buffer<Record> buffer;
-    const std::size_t step = places_.size() / most_chunks + 1;
-    for(std::size_t chunk = 0; chunk < places_.size(); chunk += step) {
-      Record* const records = buffer.require(store.points_per_chunk());
-      store.read(places_[chunk], records, count_of(chunk, store));
-      visit(static_cast<const Record*>(records), count_of(chunk, store));
+    Record* const records = buffer.require(store.points_per_chunk());
+    for(std::size_t chunk = 0; chunk < written_; chunk += written_ / most_chunks + 1) {
+      const std::size_t count = read(store, chunk, records);
+      visit(static_cast<const Record*>(records), count);
     }
   }
 
@@ -185,11 +190,13 @@ private:
     }
   }
 
-  // Only the last chunk may have room left, after flush().
-  std::size_t count_of(std::size_t chunk, const Store& store) const
+  // Returns how many points the chunk has. Only the last one may have room left, after flush().
+  std::size_t read(Store& store, std::size_t chunk, Record* records) const
   {
-    const bool is_flushed_last = !last_ && chunk + 1 == places_.size();
-    return is_flushed_last ? last_size_ : store.points_per_chunk();
+    const bool is_flushed_last = !last_ && chunk + 1 == written_;
+    const std::size_t count = is_flushed_last ? last_size_ : store.points_per_chunk();
+    store.read(rows_[chunk / Store::places_per_row], chunk % Store::places_per_row, records, count);
+    return count;
   }
 
   void write_last(Store& store)
@@ -199,14 +206,18 @@ private:
       for(std::size_t axis = 0; axis < Dimension; ++axis)
         box[axis].add(last_[i].point.x[axis]);
     box_ = box;
-    places_.push_back(store.put(last_, last_size_));
+    const std::size_t place = written_++ % Store::places_per_row;
+    if(place == 0)
+      rows_.push_back(store.take_row());
+    store.write(rows_.back(), place, last_, last_size_);
   }
 
   Record* last_ = nullptr;    // the last chunk, unless it was written
   std::size_t last_size_ = 0; // of the last chunk, wherever it is
   std::size_t room_ = 0;
   std::uint64_t size_before_last_ = 0;
-  std::vector<std::uint32_t> places_; // of the chunks that were written
+  std::size_t written_ = 0;         // chunks
+  std::vector<std::uint32_t> rows_; // where they are
   std::unique_ptr<Record[]> own_;
   std::array<Interval, Dimension> box_;
 };
