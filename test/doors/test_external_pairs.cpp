@@ -335,6 +335,19 @@ BOOST_AUTO_TEST_CASE(a_list_on_disk_gives_its_chunks_to_the_next_list)
   BOOST_CHECK_LE(store.size(), 4); // rows of 16 chunks
 }
 
+BOOST_AUTO_TEST_CASE(points_are_loaded_with_ids_beyond_32_bits)
+{
+  const std::uint64_t far = std::uint64_t(5) << 32;
+  for(const std::uint64_t first : {std::uint64_t(0), far}) {
+    Loaded_points<3> loaded(first + 10);
+    loaded.clear(2);
+    const std::array<Point_record<3>, 2> records = {{{{{1, 2, 3}}, first + 7}, {{{4, 5, 6}}, 8}}};
+    loaded.add(records.data(), records.size());
+    BOOST_CHECK_EQUAL(loaded.ids()[0], first + 7);
+    BOOST_CHECK_EQUAL(loaded.ids()[1], 8);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_sample_has_a_point_of_each_block)
 {
   Streamed_sample<int> sample(100);
@@ -391,7 +404,7 @@ BOOST_AUTO_TEST_CASE(parts_fit_in_the_budget_with_the_points_near_them)
   visit_points([&](const Stored_point<3>& point, std::size_t) { sample.add(point); });
   parts.make(sample, visit_points);
   std::size_t owned = 0, count = 0;
-  Loaded_points<3> loaded;
+  Loaded_points<3> loaded(points.size());
   for(; parts.find_next(); ++count) {
     owned += parts.take_next(loaded);
     BOOST_CHECK_LE(loaded.size(), parts.limits().points_per_search());

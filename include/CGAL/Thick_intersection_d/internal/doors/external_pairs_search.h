@@ -152,7 +152,7 @@ private:
 
   bool search_each_part()
   {
-    Loaded_points<Dimension> loaded;
+    Loaded_points<Dimension> loaded(size_);
     for(std::uint64_t done = 0; parts_.find_next(); ) {
       const std::size_t owned = parts_.take_next(loaded);
       const double share = (1 - share_of_writing) * part_of_all(owned);
