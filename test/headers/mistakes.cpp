@@ -5,9 +5,12 @@
 // sentence is in the comment above the call; check_mistakes.sh compares.
 
 #include <CGAL/Box_intersection_d/Box_d.h>
+#include <CGAL/Dimension.h>
+#include <CGAL/Memory_budget.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Thick_ball_traits_d.h>
 #include <CGAL/closest_pair.h>
+#include <CGAL/external_fixed_radius_near_neighbors.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
 #include <CGAL/thick_box_intersection_d.h>
 #include <CGAL/thick_intersection_d.h>
@@ -22,7 +25,15 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_2;
 using Ball = std::pair<Point, double>;
 
+struct Point_of_any_dimension
+{
+  using Ambient_dimension = CGAL::Dynamic_dimension_tag;
+  int dimension() const;
+  double cartesian(int axis) const;
+};
+
 const std::vector<Point> points;
+const std::vector<Point_of_any_dimension> points_of_any_dimension;
 const std::vector<std::array<double, 2>> arrays;
 const std::vector<Kernel::Weighted_point_2> weighted_points;
 const std::vector<Ball> balls;
@@ -32,6 +43,7 @@ const std::vector<CGAL::Bbox_2> boxes;
 const std::vector<CGAL::Box_intersection_d::Box_d<double, 2>> boxes_with_ids;
 const auto bound = CGAL::within_distance(1);
 const auto report = [](std::size_t, std::size_t) {};
+const CGAL::Memory_budget budget(1 << 30);
 
 void make_mistakes()
 {
@@ -44,6 +56,14 @@ void make_mistakes()
 
   // error: The callback is to return void, or bool to tell whether the search goes on.
   CGAL::thick_self_intersection_d(boxes, [](std::size_t, std::size_t) { return std::string(); });
+
+  // error: The points are to be points in the plane or in space whose coordinates are doubles, or
+  // numbers that doubles hold.
+  CGAL::external_fixed_radius_near_neighbors(points_of_any_dimension, bound, budget, report);
+
+  // error: The callback is to take two positions of the type std::uint64_t.
+  CGAL::external_fixed_radius_near_neighbors(points, bound, budget,
+                                             [](const Point&, const Point&) {});
 
   // error: Parallel_tag is enabled but TBB is unavailable.
   CGAL::fixed_radius_near_neighbors<CGAL::Parallel_tag>(points, bound, report);
