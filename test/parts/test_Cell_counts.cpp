@@ -158,22 +158,49 @@ BOOST_AUTO_TEST_CASE(samples_have_fewer_points_for_each_of_many_processes)
   BOOST_CHECK_EQUAL(internal::sampled_before(0, 0, 64), 0);
 }
 
-BOOST_AUTO_TEST_CASE(points_in_rows_keep_their_ids)
+BOOST_AUTO_TEST_CASE(points_in_cells_keep_their_ids)
 {
   Part part;
   for(int i = 0; i < 1000; ++i)
     part.add(Point{static_cast<double>(i * 7 % 10), static_cast<double>(i * 37 % 100)},
              part.size());
   const Part before = part;
-  internal::sort_by_rows(part, 2);
+  internal::sort_by_cells(part, 2);
   std::vector<std::uint64_t> ids = part.ids;
   std::sort(ids.begin(), ids.end());
   BOOST_CHECK(ids == before.ids);
   for(std::size_t i = 0; i < part.size(); ++i) {
     BOOST_CHECK_EQUAL(part.points[i].x, before.points[part.ids[i]].x);
     BOOST_CHECK_EQUAL(part.points[i].y, before.points[part.ids[i]].y);
-    BOOST_CHECK(i == 0 || part.points[i].y >= part.points[i - 1].y - 2); // rows of height 99 / 64
+    BOOST_CHECK(i == 0 || part.points[i].y >= part.points[i - 1].y - 7); // 15 cells for 99
+    const bool is_row = i > 0 && part.points[i].y == part.points[i - 1].y;
+    BOOST_CHECK(!is_row || part.points[i].x >= part.points[i - 1].x); // 15 cells for 10 numbers
   }
+}
+
+BOOST_AUTO_TEST_CASE(points_on_a_line_or_at_one_place_are_put_in_cells)
+{
+  Part line, place;
+  for(int i = 0; i < 100; ++i) {
+    line.add(Point{static_cast<double>(i * 37 % 100), 5}, line.size());
+    place.add(Point{3, 5}, place.size());
+  }
+  internal::sort_by_cells(line, 2);
+  for(std::size_t i = 0; i < line.size(); ++i)
+    BOOST_CHECK_LE(std::abs(line.points[i].x - static_cast<double>(i)), 20);
+  internal::sort_by_cells(place, 2);
+  BOOST_CHECK(std::is_sorted(place.ids.begin(), place.ids.end()));
+  Part none;
+  internal::sort_by_cells(none, 2);
+  BOOST_CHECK_EQUAL(none.size(), 0);
+}
+
+BOOST_AUTO_TEST_CASE(the_lesser_of_two_ids_comes_first)
+{
+  constexpr std::uint64_t most = ~std::uint64_t(0);
+  for(const std::uint64_t i : {std::uint64_t(0), std::uint64_t(5), most})
+    for(const std::uint64_t j : {std::uint64_t(0), std::uint64_t(6), most - 1, most})
+      BOOST_CHECK(internal::ids_in_order(i, j) == std::minmax({i, j}));
 }
 
 BOOST_AUTO_TEST_CASE(points_stay_where_they_are_moved_to_themselves)

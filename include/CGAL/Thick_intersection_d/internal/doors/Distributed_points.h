@@ -133,7 +133,7 @@ public:
         unpack(incoming, set.part);
         set.own_size = set.part.size();
         set.consecutive_size = 0;
-        sort_by_rows(set.part, dimension_);
+        sort_by_cells(set.part, dimension_);
       });
     }
     profile_.set_bytes_sent(Distributed_phase::MIGRATION, sent);

@@ -16,10 +16,10 @@
 #include <CGAL/Thick_intersection_d/internal/doors/Distributed_points.h>
 #include <CGAL/Thick_intersection_d/internal/doors/distributed_search.h>
 #include <CGAL/Thick_intersection_d/internal/doors/pair_search.h>
+#include <CGAL/Thick_intersection_d/internal/parts/Part_points.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -61,8 +61,8 @@ bool report_own_pairs(const std::vector<Distributed_set<Carried>>& points, One_s
   const auto report = [&](std::size_t i, std::size_t j) {
     if(i >= set.own_size) // and so is j
       return true;
-    const std::uint64_t id_i = set.id(i), id_j = set.id(j);
-    return call_with_ids(callback, (std::min)(id_i, id_j), (std::max)(id_i, id_j));
+    const auto ids = ids_in_order(set.id(i), set.id(j));
+    return call_with_ids(callback, ids.first, ids.second);
   };
   return report_pairs_here<ConcurrencyTag>(points, One_set(), bound, report, np);
 }

@@ -12,6 +12,7 @@
 #include <CGAL/Thick_intersection_d/internal/parts/Part_points.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -21,41 +22,52 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Rows of cells across the last two axes of a box, as slabs and strips are.
-class Cell_rows
+// Cells of a box with about four points each, if the points are everywhere in it. They follow each
+// other as slabs, strips and buckets do: the last axes of the box count, three at most.
+class Cell_order
 {
 public:
-  explicit Cell_rows(const Part_box& box)
+  Cell_order(const Part_box& box, std::size_t point_count)
   {
     const std::vector<Interval>& intervals = box.intervals();
+    const std::size_t axes_count = (std::min)(intervals.size(), std::size_t(3));
+    const double cells = (std::min)(static_cast<double>(point_count) / 4, 1. * max_size);
+    side_ = std::floor((std::max)(1., std::pow(cells, 1. / static_cast<double>(axes_count))));
     for(std::size_t i = 0; i < axes_count; ++i) {
-      axes_[i] = intervals.size() > i ? intervals.size() - 1 - i : 0;
-      low_[i] = intervals[axes_[i]].low;
-      const double length = intervals[axes_[i]].length();
-      scale_[i] = length > 0 ? side / length : 0; // zero if the length is infinite
+      const std::size_t axis = intervals.size() - 1 - i;
+      const double length = intervals[axis].length();
+      axes_.push_back({axis, intervals[axis].low, length > 0 ? side_ / length : 0});
+      size_ *= static_cast<std::size_t>(side_);
     }
   }
 
-  static constexpr std::size_t size() { return std::size_t(side) * side; }
+  std::size_t size() const { return size_; }
 
   template <class Coordinates>
   std::size_t operator()(const Coordinates& x) const
   {
-    std::size_t row = 0;
-    for(std::size_t i = 0; i < axes_count; ++i) {
-      const double cell = (x[axes_[i]] - low_[i]) * scale_[i];
-      row = row * side + (cell > 0 ? static_cast<std::size_t>((std::min)(cell, side - 1.)) : 0);
+    std::size_t number = 0;
+    for(const Axis& axis : axes_) {
+      const double cell = (x[axis.number] - axis.low) * axis.scale;
+      number = number * static_cast<std::size_t>(side_)
+               + (cell > 0 ? static_cast<std::size_t>((std::min)(cell, side_ - 1)) : 0);
     }
-    return row;
+    return number;
   }
 
 private:
-  static constexpr int side = 64;
-  static constexpr std::size_t axes_count = 2;
+  static constexpr std::size_t max_size = std::size_t(1) << 21;
 
-  std::size_t axes_[axes_count];
-  double low_[axes_count];
-  double scale_[axes_count];
+  struct Axis
+  {
+    std::size_t number;
+    double low;
+    double scale; // zero if the box has no length or an infinite one
+  };
+
+  std::vector<Axis> axes_;
+  std::size_t size_ = 1;
+  double side_ = 1; // an integer
 };
 
 // Moves each value to its place.
@@ -68,27 +80,27 @@ void move_to_places(std::vector<Value>& values, const std::vector<std::uint32_t>
   values = std::move(moved);
 }
 
-// A search reports pairs of positions slab by slab and strip by strip. Ids that are in this order
-// as well are found in the cache. A part has fewer than 2^32 points, or its search refuses them.
+// A search reports pairs of positions slab by slab, strip by strip and bucket by bucket. Ids in
+// this order are found in the cache. A part has fewer than 2^32 points, or its search refuses them.
 template <class Carried>
-void sort_by_rows(Part_points<Carried>& part, int dimension)
+void sort_by_cells(Part_points<Carried>& part, int dimension)
 {
   if(part.size() == 0)
     return;
   Part_box box(dimension);
   for(const Carried& point : part.points)
     box.add([&](int axis) { return point.bounds_along(axis); });
-  const Cell_rows rows(box);
-  std::vector<std::size_t> begins(rows.size() + 1);
+  const Cell_order cells(box, part.size());
+  std::vector<std::uint32_t> begins(cells.size() + 1);
   std::vector<std::uint32_t> places(part.size());
   for(std::size_t i = 0; i < part.size(); ++i) {
-    places[i] = static_cast<std::uint32_t>(rows(part.lower_bounds(i)));
+    places[i] = static_cast<std::uint32_t>(cells(part.lower_bounds(i)));
     ++begins[places[i] + 1];
   }
-  for(std::size_t row = 0; row < rows.size(); ++row)
-    begins[row + 1] += begins[row];
+  for(std::size_t cell = 0; cell < cells.size(); ++cell)
+    begins[cell + 1] += begins[cell];
   for(std::uint32_t& place : places)
-    place = static_cast<std::uint32_t>(begins[place]++);
+    place = begins[place]++;
   move_to_places(part.points, places);
   move_to_places(part.ids, places);
 }
