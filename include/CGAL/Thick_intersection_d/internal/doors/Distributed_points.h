@@ -79,7 +79,7 @@ public:
     run_together(comm_, [&] {
       sets_.resize(set_count);
       for(std::size_t s = 0; s < set_count; ++s) {
-        sets_[s].part.reserve(sizes[s]);
+        sets_[s].part.reserve(comm_.size() > 1 ? sizes[s] + sizes[s] / 8 : sizes[s]); // to receive
         for(std::size_t i = 0; i < sizes[s]; ++i)
           sets_[s].part.add(Carried(elements[s * first_size + i]), first_ids_[s] + i);
         sets_[s].own_size = sets_[s].consecutive_size = sizes[s];
@@ -230,7 +230,7 @@ private:
     }
     counts[static_cast<std::size_t>(comm_.rank())] = 0;
     for(std::size_t rank = 0; rank < outgoing.size(); ++rank)
-      outgoing[rank].reserve(counts[rank] * Part::packed_size(dimension_));
+      reserve_huge_pages(outgoing[rank], counts[rank] * Part::packed_size(dimension_));
     std::size_t kept = 0;
     for(std::size_t i = 0; i < part.size(); ++i)
       if(owners[i] != comm_.rank())

@@ -7,6 +7,7 @@
 
 // The points of a part, with their ids.
 
+#include <CGAL/Thick_intersection_d/internal/machine/huge_pages.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Byte_reader.h>
 
 #include <cstddef>
@@ -26,6 +27,16 @@ inline std::pair<std::uint64_t, std::uint64_t> ids_in_order(std::uint64_t i, std
   return {i ^ difference, j ^ difference};
 }
 
+// Most of the time of moving points is that of touching fresh memory.
+template <class Value>
+void reserve_huge_pages(std::vector<Value>& values, std::size_t size)
+{
+  if(size <= values.capacity())
+    return;
+  values.reserve(size);
+  ask_for_huge_pages(values.data() + values.size(), (size - values.size()) * sizeof(Value));
+}
+
 // Ids are in a column of their own: a search reports positions, and each pair looks up two ids.
 template <class Carried>
 struct Part_points
@@ -37,8 +48,8 @@ struct Part_points
 
   void reserve(std::size_t size)
   {
-    points.reserve(size);
-    ids.reserve(size);
+    reserve_huge_pages(points, size);
+    reserve_huge_pages(ids, size);
   }
 
   void resize(std::size_t size)

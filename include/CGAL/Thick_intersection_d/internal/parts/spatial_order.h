@@ -74,7 +74,9 @@ private:
 template <class Value>
 void move_to_places(std::vector<Value>& values, const std::vector<std::uint32_t>& places)
 {
-  std::vector<Value> moved(values.size());
+  std::vector<Value> moved;
+  reserve_huge_pages(moved, values.size());
+  moved.resize(values.size());
   for(std::size_t i = 0; i < values.size(); ++i)
     moved[places[i]] = std::move(values[i]);
   values = std::move(moved);
