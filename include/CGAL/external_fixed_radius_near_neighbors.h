@@ -13,6 +13,9 @@
 #include <CGAL/tags.h>
 
 #include <CGAL/Thick_intersection_d/internal/doors/external_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/input/check_range.h>
+
+#include <type_traits>
 
 namespace CGAL {
 
@@ -96,6 +99,16 @@ bool external_fixed_radius_near_neighbors(PointRange&& points, const Distance_bo
   return Thick_intersection_d::internal::search_externally<ConcurrencyTag>(points, bound, budget,
                                                                            callback, np);
 }
+
+#ifndef DOXYGEN_RUNNING
+// Bare numbers as bounds: each call that has one stops with a sentence that says so.
+template <class ConcurrencyTag = Sequential_tag, class PointRange, class Number, class... Arguments>
+std::enable_if_t<Thick_intersection_d::internal::is_number_v<Number>, bool>
+external_fixed_radius_near_neighbors(PointRange&&, const Number&, Arguments&&...)
+{
+  return Thick_intersection_d::internal::check_bound<Number>();
+}
+#endif
 
 } // namespace CGAL
 

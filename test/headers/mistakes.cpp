@@ -100,6 +100,10 @@ void make_mistakes()
   // number.
   CGAL::has_close_pair(points, 1.f);
 
+  // error: The bound is to be within_distance(r) or within_squared_distance(r2), not a bare
+  // number.
+  CGAL::external_fixed_radius_near_neighbors(points, 1L, budget, report);
+
   // error: Balls need traits: make them pairs of a center and a radius, and pass
   // Thick_ball_traits_d as geom_traits.
   CGAL::thick_self_intersection_d(balls, report);
