@@ -170,23 +170,31 @@ Scenes scenes(int dimension)
 
 // ---- the pairs ----------------------------------------------------------------------------------
 
-BOOST_AUTO_TEST_CASE(pairs_are_those_of_one_process_however_points_are_distributed)
+// Calls task(truth, mine, bound) for the scenes in space, each shared out in two ways: evenly and
+// all to the first process, or in the two other ways, in turn.
+template <class Task>
+void for_each_share(bool is_even, const Task& task)
 {
-  bool is_even = false;
   for(const Point_scene& scene : scenes(3)) {
     const Truth& truth = truth_of(scene);
     const std::vector<Point_3> points = points_3(scene.points);
     const auto bound = CGAL::within_distance(*scene.radius.length());
-    is_even = !is_even;
     for(const Shares shares : {is_even ? Shares::EVEN : Shares::SKEWED,
                                is_even ? Shares::FIRST : Shares::LAST})
       BOOST_TEST_CONTEXT(scene << ", shares " << static_cast<int>(shares))
       {
-        const std::vector<Point_3> mine = my_share_of(points, shares);
-        check_equal(truth.pairs, pairs_of(mine, bound, balanced));
-        check_equal(truth.open_pairs, pairs_of(mine, bound.open(), as_is));
+        task(truth, my_share_of(points, shares), bound);
       }
+    is_even = !is_even;
   }
+}
+
+BOOST_AUTO_TEST_CASE(pairs_are_those_of_one_process_however_points_are_distributed)
+{
+  for_each_share(true, [](const Truth& truth, const auto& mine, const auto& bound) {
+    check_equal(truth.pairs, pairs_of(mine, bound, balanced));
+    check_equal(truth.open_pairs, pairs_of(mine, bound.open(), as_is));
+  });
 }
 
 // Parts are layers of the lattice, and the radius leads from one layer to the next but one.
@@ -293,21 +301,10 @@ void check_lists(const Pairs& expected, const std::vector<Point>& mine,
 
 BOOST_AUTO_TEST_CASE(lists_are_those_of_one_process_however_points_are_distributed)
 {
-  bool is_even = false;
-  for(const Point_scene& scene : scenes(3)) {
-    const Truth& truth = truth_of(scene);
-    const std::vector<Point_3> points = points_3(scene.points);
-    const auto bound = CGAL::within_distance(*scene.radius.length());
-    is_even = !is_even;
-    for(const Shares shares : {is_even ? Shares::SKEWED : Shares::EVEN,
-                               is_even ? Shares::LAST : Shares::FIRST})
-      BOOST_TEST_CONTEXT(scene << ", shares " << static_cast<int>(shares))
-      {
-        const std::vector<Point_3> mine = my_share_of(points, shares);
-        check_lists(truth.pairs, mine, bound, balanced);
-        check_lists(truth.open_pairs, mine, bound.open(), as_is);
-      }
-  }
+  for_each_share(false, [](const Truth& truth, const auto& mine, const auto& bound) {
+    check_lists(truth.pairs, mine, bound, balanced);
+    check_lists(truth.open_pairs, mine, bound.open(), as_is);
+  });
 }
 
 BOOST_AUTO_TEST_CASE(lists_of_two_sets_have_the_ids_of_the_second)
