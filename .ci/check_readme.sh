@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Checks that the programs shown in README.md are those that are built and run: each C++ block is,
-# line by line, an example program without its head of comments.
+# line by line, an example program without its head of comments. And that README.md names each
+# public header.
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 set -euo pipefail
@@ -15,3 +16,12 @@ if [[ $shown != "$built" ]]; then
   diff <(echo "$built") <(echo "$shown") >&2 || true
   exit 1
 fi
+
+fail=0
+for header in include/CGAL/*.h; do
+  if ! grep -qF "\`CGAL/${header##*/}\`" README.md; then
+    echo "README.md does not name CGAL/${header##*/}." >&2
+    fail=1
+  fi
+done
+exit "$fail"
