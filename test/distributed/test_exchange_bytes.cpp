@@ -5,12 +5,15 @@
 
 #include "support/mpi_fixture.h"
 
+#include <CGAL/Remote_error.h>
+#include <CGAL/Thick_intersection_d/internal/distributed/Communicator.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/exchange_bytes.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/gather_bytes.h>
 
 #include <boost/test/unit_test.hpp>
 
 #include <cstddef>
+#include <stdexcept>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(exchange_bytes)
@@ -26,19 +29,54 @@ std::vector<char> message(int from, int to)
   return bytes;
 }
 
-BOOST_AUTO_TEST_CASE(messages_of_any_length_arrive_in_chunks_of_any_size)
+internal::Bytes_of_ranks messages_from(const internal::Communicator& comm)
+{
+  internal::Bytes_of_ranks messages;
+  for(int r = 0; r < comm.size(); ++r)
+    messages.push_back(message(comm.rank(), r));
+  return messages;
+}
+
+BOOST_AUTO_TEST_CASE(messages_of_any_length_arrive_in_chunks_of_any_size_and_steps_of_any_number)
 {
   const internal::Communicator comm(MPI_COMM_WORLD);
   for(const std::size_t chunk_size : {std::size_t(1), std::size_t(7), std::size_t(100),
-                                      internal::max_chunk_size}) {
-    internal::Bytes_of_ranks outgoing;
-    for(int r = 0; r < comm.size(); ++r)
-      outgoing.push_back(message(comm.rank(), r));
-    const internal::Bytes_of_ranks incoming
-      = internal::exchange_bytes(comm, outgoing, chunk_size);
-    for(int r = 0; r < comm.size(); ++r)
-      BOOST_CHECK(incoming[static_cast<std::size_t>(r)] == message(r, comm.rank()));
-  }
+                                      internal::max_chunk_size})
+    for(const int max_steps : {1, 2, 4, internal::max_exchange_steps}) {
+      internal::Bytes_of_ranks outgoing = messages_from(comm);
+      internal::Byte_exchange exchange(comm, outgoing, chunk_size, max_steps);
+      internal::Bytes_of_ranks incoming(outgoing.size());
+      std::size_t calls = 0, size = 0;
+      exchange.run([&](std::size_t rank, const std::vector<char>& bytes) {
+        incoming[rank] = bytes;
+        ++calls;
+      });
+      for(int r = 0; r < comm.size(); ++r) {
+        BOOST_CHECK(incoming[static_cast<std::size_t>(r)] == message(r, comm.rank()));
+        BOOST_CHECK_EQUAL(outgoing[static_cast<std::size_t>(r)].capacity(), 0);
+        size += incoming[static_cast<std::size_t>(r)].size();
+      }
+      BOOST_CHECK_EQUAL(calls, incoming.size());
+      BOOST_CHECK_EQUAL(exchange.incoming_size(), size);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(all_processes_throw_if_one_cannot_take_what_it_has_received)
+{
+  const internal::Communicator comm(MPI_COMM_WORLD);
+  for(int thrower = 0; thrower < comm.size(); ++thrower)
+    for(std::size_t source = 0; source < static_cast<std::size_t>(comm.size()); ++source) {
+      internal::Bytes_of_ranks outgoing = messages_from(comm);
+      internal::Byte_exchange exchange(comm, outgoing);
+      const auto take = [&](std::size_t rank, const std::vector<char>&) {
+        if(comm.rank() == thrower && rank == source)
+          throw std::domain_error("cannot be taken");
+      };
+      if(comm.rank() == thrower)
+        BOOST_CHECK_THROW(exchange.run(take), std::domain_error);
+      else
+        BOOST_CHECK_THROW(exchange.run(take), CGAL::Remote_error);
+    }
 }
 
 // To be run by two processes with --run_test=*/messages_beyond_2_31_bytes_arrive, which needs 6 GB.
@@ -53,7 +91,10 @@ BOOST_AUTO_TEST_CASE(messages_beyond_2_31_bytes_arrive, *boost::unit_test::disab
     for(std::size_t i = 0; i < size; ++i)
       outgoing.back()[i] = byte_at(i);
   }
-  const internal::Bytes_of_ranks incoming = internal::exchange_bytes(comm, outgoing);
+  internal::Bytes_of_ranks incoming(outgoing.size());
+  internal::Byte_exchange(comm, outgoing).run([&](std::size_t rank, std::vector<char>& bytes) {
+    incoming[rank].swap(bytes);
+  });
   const std::vector<char>& received = incoming.front();
   BOOST_CHECK_EQUAL(received.size(), comm.rank() + 1 == comm.size() ? size : 0);
   std::size_t wrong = 0;

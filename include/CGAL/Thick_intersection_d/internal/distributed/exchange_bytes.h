@@ -5,7 +5,7 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_DISTRIBUTED_EXCHANGE_BYTES_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_DISTRIBUTED_EXCHANGE_BYTES_H
 
-// Sends bytes to any processes, and receives what they send.
+// Sends bytes to any processes, and takes what they send.
 
 #include <CGAL/Thick_intersection_d/internal/distributed/Communicator.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/run_together.h>
@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -28,56 +28,128 @@ using Bytes_of_ranks = std::vector<std::vector<char>>;
 // Counts of MPI are below 2^31, so longer messages go in chunks.
 inline constexpr std::size_t max_chunk_size = std::size_t(1) << 30;
 
-// Calls post(rank, begin, size) for the chunks of each process.
-template <class Post>
-void for_each_chunk(Bytes_of_ranks& bytes, std::size_t chunk_size, const Post& post)
-{
-  for(std::size_t rank = 0; rank < bytes.size(); ++rank)
-    for(std::size_t begin = 0; begin < bytes[rank].size(); begin += chunk_size)
-      post(static_cast<int>(rank), bytes[rank].data() + begin,
-           static_cast<int>((std::min)(chunk_size, bytes[rank].size() - begin)));
-}
+// Each step of an exchange waits for the slowest process.
+inline constexpr int max_exchange_steps = 8;
 
-// Returns what the processes have sent to this one. Nothing is allocated while messages are in
-// flight. Chunks between two processes arrive in the order in which they were sent. What a process
-// sends to itself is moved.
-inline Bytes_of_ranks exchange_bytes(const Communicator& comm, Bytes_of_ranks& outgoing,
-                                     std::size_t chunk_size = max_chunk_size)
+// In each step, a process sends to some of the processes behind it, and receives from as many that
+// are before it. What it has sent is given back, and what it has received is taken, before the next
+// step. So it holds a part of the messages at a time. Nothing is allocated while messages are in
+// flight. Chunks between two processes arrive in the order in which they were sent.
+class Byte_exchange
 {
-  const std::size_t count = outgoing.size();
-  std::vector<char> own = std::exchange(outgoing[static_cast<std::size_t>(comm.rank())], {});
-  std::vector<std::uint64_t> sent, received;
-  Bytes_of_ranks incoming;
-  std::vector<MPI_Request> requests;
-  run_together(comm, [&] {
-    for(const std::vector<char>& bytes : outgoing)
-      sent.push_back(bytes.size());
-    received.resize(count);
-    incoming.resize(count);
-  });
-  MPI_Alltoall(sent.data(), 1, MPI_UINT64_T, received.data(), 1, MPI_UINT64_T, comm.get());
-  run_together(comm, [&] {
-    std::size_t chunks = 0;
-    for(std::size_t rank = 0; rank < count; ++rank) {
-      incoming[rank].resize(static_cast<std::size_t>(received[rank]));
-      chunks += incoming[rank].size() / chunk_size + outgoing[rank].size() / chunk_size + 2;
+public:
+  // Tells all processes how much they are to receive. Collective.
+  Byte_exchange(const Communicator& comm, Bytes_of_ranks& outgoing,
+                std::size_t chunk_size = max_chunk_size, int max_steps = max_exchange_steps)
+    : comm_(comm), outgoing_(outgoing), chunk_size_(chunk_size),
+      width_((comm.size() - 1 + max_steps - 1) / max_steps)
+  {
+    run_together(comm, [&] {
+      for(const std::vector<char>& bytes : outgoing)
+        sizes_sent_.push_back(bytes.size());
+      sizes_.resize(outgoing.size());
+    });
+    MPI_Alltoall(sizes_sent_.data(), 1, MPI_UINT64_T, sizes_.data(), 1, MPI_UINT64_T, comm.get());
+    run_together(comm, [&] { make_room(); });
+  }
+
+  // Returns how many bytes are sent to this process, by itself as well.
+  std::uint64_t incoming_size() const
+  {
+    return std::accumulate(sizes_.begin(), sizes_.end(), std::uint64_t(0));
+  }
+
+  // Calls take(rank, bytes) with what each process has sent to this one. If it throws on one
+  // process, all processes throw. Collective.
+  template <class Take>
+  void run(const Take& take)
+  {
+    std::vector<char>& own = outgoing_[place(comm_.rank())];
+    run_together(comm_, [&] { take(place(comm_.rank()), own); });
+    own = std::vector<char>();
+    for(int first = 1; first < comm_.size(); first += width_) {
+      const int last = (std::min)(first + width_, comm_.size());
+      send_and_receive(first, last);
+      run_together(comm_, [&] {
+        for(int distance = first; distance < last; ++distance)
+          take(source(distance), incoming_[place(distance - first)]);
+      });
     }
-    requests.reserve(chunks);
-  });
-  const auto new_request = [&] {
-    requests.push_back(MPI_REQUEST_NULL);
-    return &requests.back();
-  };
-  for_each_chunk(incoming, chunk_size, [&](int rank, char* bytes, int size) {
-    MPI_Irecv(bytes, size, MPI_BYTE, rank, 0, comm.get(), new_request());
-  });
-  for_each_chunk(outgoing, chunk_size, [&](int rank, char* bytes, int size) {
-    MPI_Isend(bytes, size, MPI_BYTE, rank, 0, comm.get(), new_request());
-  });
-  MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
-  own.swap(incoming[static_cast<std::size_t>(comm.rank())]);
-  return incoming;
-}
+  }
+
+private:
+  static constexpr int tag = 0;
+
+  static std::size_t place(int rank) { return static_cast<std::size_t>(rank); }
+  std::size_t source(int distance) const
+  {
+    return place((comm_.rank() - distance + comm_.size()) % comm_.size());
+  }
+  std::size_t target(int distance) const
+  {
+    return place((comm_.rank() + distance) % comm_.size());
+  }
+
+  std::size_t chunk_count(std::uint64_t size) const
+  {
+    return static_cast<std::size_t>((size + chunk_size_ - 1) / chunk_size_);
+  }
+
+  // Makes room for the largest message of all steps, so that `send_and_receive` need not allocate.
+  void make_room()
+  {
+    incoming_.resize(place(width_));
+    std::size_t chunks = 0;
+    for(int distance = 1; distance < comm_.size(); ++distance) {
+      const std::uint64_t size = sizes_[source(distance)];
+      incoming_[place((distance - 1) % width_)].reserve(static_cast<std::size_t>(size));
+      chunks += chunk_count(size) + chunk_count(sizes_sent_[target(distance)]);
+    }
+    requests_.reserve(chunks);
+  }
+
+  // Calls post(bytes, size, request) for the chunks of a message.
+  template <class Post>
+  void for_each_chunk(std::vector<char>& bytes, const Post& post)
+  {
+    for(std::size_t begin = 0; begin < bytes.size(); begin += chunk_size_) {
+      requests_.push_back(MPI_REQUEST_NULL);
+      post(bytes.data() + begin,
+           static_cast<int>((std::min)(chunk_size_, bytes.size() - begin)), &requests_.back());
+    }
+  }
+
+  void send_and_receive(int first, int last)
+  {
+    requests_.clear();
+    for(int distance = first; distance < last; ++distance) {
+      const std::size_t rank = source(distance);
+      std::vector<char>& bytes = incoming_[place(distance - first)];
+      bytes.resize(static_cast<std::size_t>(sizes_[rank]));
+      for_each_chunk(bytes, [&](char* chunk, int size, MPI_Request* request) {
+        MPI_Irecv(chunk, size, MPI_BYTE, static_cast<int>(rank), tag, comm_.get(), request);
+      });
+    }
+    for(int distance = first; distance < last; ++distance) {
+      const std::size_t rank = target(distance);
+      for_each_chunk(outgoing_[rank], [&](char* chunk, int size, MPI_Request* request) {
+        MPI_Isend(chunk, size, MPI_BYTE, static_cast<int>(rank), tag, comm_.get(), request);
+      });
+    }
+    MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE);
+    for(int distance = first; distance < last; ++distance)
+      outgoing_[target(distance)] = std::vector<char>();
+  }
+
+  const Communicator& comm_;
+  Bytes_of_ranks& outgoing_;
+  const std::size_t chunk_size_;
+  const int width_; // how many messages a process receives in a step
+  std::vector<std::uint64_t> sizes_sent_; // of the messages to each process
+  std::vector<std::uint64_t> sizes_;      // of those from each process
+  Bytes_of_ranks incoming_;               // of one step
+  std::vector<MPI_Request> requests_;     // of one step
+};
 
 } // namespace internal
 } // namespace Thick_intersection_d

@@ -68,43 +68,39 @@ public:
     }
   }
 
-  // Sends the lists to the holders. Collective. Returns how many bytes other processes get.
-  std::uint64_t send()
+  // Returns how many bytes other processes get.
+  std::uint64_t outgoing_size() const
   {
-    std::uint64_t sent = 0;
-    for(Bytes_of_ranks* const bytes : {&heads_, &neighbors_}) {
+    std::uint64_t sum = 0;
+    for(const Bytes_of_ranks* const bytes : {&heads_, &neighbors_})
       for(int rank = 0; rank < comm_.size(); ++rank)
         if(rank != comm_.rank())
-          sent += (*bytes)[static_cast<std::size_t>(rank)].size();
-      *bytes = exchange_bytes(comm_, *bytes);
-    }
-    return sent;
+          sum += (*bytes)[static_cast<std::size_t>(rank)].size();
+    return sum;
   }
 
-  // Returns the lists of the points that this process holds, from what it was sent.
+  // Sends the lists to the holders, and returns those of the points that this process holds. Each
+  // neighbor that arrives is put where its list is to be. Collective.
   template <class ConcurrencyTag>
-  Distributed_neighbor_lists lists()
+  Distributed_neighbor_lists exchange()
   {
-    std::vector<std::size_t> begins(size_ + 1, 0);
-    std::size_t* const ends = begins.data() + 1; // of the lists, once they are full
-    for(const std::vector<char>& bytes : heads_)
-      for_each_head(bytes, [&](std::size_t i, std::size_t size) { ends[i] += size; });
-    const std::size_t id_count = replace_by_prefix_sums(ends, ends + size_);
+    exchange_heads();
+    std::vector<std::size_t> begins;
     std::vector<std::uint64_t> ids;
-    ids.reserve(id_count);
-    ask_for_huge_pages(ids.data(), id_count * sizeof(std::uint64_t));
-    ids.resize(id_count);
-    for(std::size_t rank = 0; rank < heads_.size(); ++rank) {
-      Byte_reader reader(neighbors_[rank]);
+    run_together(comm_, [&] { make_room(begins, ids); });
+    std::size_t* const ends = begins.data() + 1; // of what the lists have
+    Byte_exchange(comm_, neighbors_).run([&](std::size_t rank, const std::vector<char>& bytes) {
+      Byte_reader reader(bytes);
       for_each_head(heads_[rank], [&](std::size_t i, std::size_t size) {
         reader.read(ids.data() + ends[i], size);
         ends[i] += size;
       });
-      neighbors_[rank] = std::vector<char>();
-    }
-    for_each_block<ConcurrencyTag>(size_, [&](std::size_t i, std::size_t last) {
-      for(; i != last; ++i)
-        std::sort(ids.data() + begins[i], ids.data() + begins[i + 1]);
+    });
+    run_together(comm_, [&] {
+      for_each_block<ConcurrencyTag>(size_, [&](std::size_t i, std::size_t last) {
+        for(; i != last; ++i)
+          std::sort(ids.data() + begins[i], ids.data() + begins[i + 1]);
+      });
     });
     return Distributed_neighbor_lists(std::move(begins), std::move(ids), false);
   }
@@ -146,6 +142,30 @@ private:
       neighbors_[rank].reserve(neighbor_counts[rank] * sizeof(std::uint64_t));
       ask_for_huge_pages(neighbors_[rank].data(), neighbors_[rank].capacity());
     }
+  }
+
+  // Replaces the heads of the lists that were packed here by those of the points held here.
+  void exchange_heads()
+  {
+    Bytes_of_ranks received;
+    run_together(comm_, [&] { received.resize(heads_.size()); });
+    Byte_exchange(comm_, heads_).run([&](std::size_t rank, const std::vector<char>& bytes) {
+      received[rank] = bytes;
+    });
+    heads_.swap(received);
+  }
+
+  // Sets `begins[i + 1]` to where list i begins, to be moved to where it ends.
+  void make_room(std::vector<std::size_t>& begins, std::vector<std::uint64_t>& ids) const
+  {
+    begins.resize(size_ + 1);
+    for(const std::vector<char>& bytes : heads_)
+      for_each_head(bytes, [&](std::size_t i, std::size_t size) { begins[i + 1] += size; });
+    const std::size_t id_count
+      = replace_by_prefix_sums(begins.data() + 1, begins.data() + begins.size());
+    ids.reserve(id_count);
+    ask_for_huge_pages(ids.data(), id_count * sizeof(std::uint64_t));
+    ids.resize(id_count);
   }
 
   // Returns the last process that begins with this id or a lesser one. Those without points begin

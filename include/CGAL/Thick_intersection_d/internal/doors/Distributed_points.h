@@ -126,11 +126,8 @@ public:
     for(Distributed_set<Carried>& set : sets_) {
       Bytes_of_ranks outgoing;
       run_together(comm_, [&] { pack_points_of_others(set.part, outgoing); });
-      sent += size_of(outgoing);
-      Bytes_of_ranks incoming = exchange_bytes(comm_, outgoing);
+      sent += send_points(outgoing, set.part);
       run_together(comm_, [&] {
-        outgoing = Bytes_of_ranks();
-        unpack(incoming, set.part);
         set.own_size = set.part.size();
         set.consecutive_size = 0;
         sort_by_cells(set.part, dimension_);
@@ -174,9 +171,7 @@ private:
     for(Distributed_set<Carried>& set : sets_) {
       Bytes_of_ranks outgoing;
       run_together(comm_, [&] { pack_near_points(set, *near, outgoing); });
-      sent += size_of(outgoing);
-      Bytes_of_ranks incoming = exchange_bytes(comm_, outgoing);
-      run_together(comm_, [&] { unpack(incoming, set.part); });
+      sent += send_points(outgoing, set.part);
     }
     profile_.set_bytes_sent(Distributed_phase::HALO, sent);
   }
@@ -247,14 +242,18 @@ private:
       [](std::size_t size, const std::vector<char>& bytes) { return size + bytes.size(); });
   }
 
-  // Appends the points to the part, and gives their bytes back.
-  void unpack(Bytes_of_ranks& incoming, Part& part) const
+  // Appends the points that this process is sent to its part. Returns how many bytes it has sent.
+  std::uint64_t send_points(Bytes_of_ranks& outgoing, Part& part) const
   {
-    part.reserve(part.size() + size_of(incoming) / Part::packed_size(dimension_));
-    for(std::vector<char>& bytes : incoming) {
+    const std::uint64_t sent = size_of(outgoing);
+    Byte_exchange exchange(comm_, outgoing);
+    run_together(comm_, [&] {
+      part.reserve(part.size() + exchange.incoming_size() / Part::packed_size(dimension_));
+    });
+    exchange.run([&](std::size_t, const std::vector<char>& bytes) {
       part.unpack(bytes, dimension_);
-      bytes = std::vector<char>();
-    }
+    });
+    return sent;
   }
 
   // Returns which box of this process a point of its own is in.

@@ -94,9 +94,8 @@ make_distributed_lists(const Communicator& comm, const Elements& elements, const
       size = sets.first_size;
     Distributed_lists lists(comm, size);
     find_distributed_lists<ConcurrencyTag>(comm, elements, sets, bound, lists, profile, clock, np);
-    profile.set_bytes_sent(Distributed_phase::LISTS, lists.send());
-    Distributed_neighbor_lists mine;
-    run_together(comm, [&] { mine = lists.lists<ConcurrencyTag>(); });
+    profile.set_bytes_sent(Distributed_phase::LISTS, lists.outgoing_size());
+    Distributed_neighbor_lists mine = lists.exchange<ConcurrencyTag>();
     clock.finish(Distributed_phase::LISTS);
     return mine;
   }
