@@ -46,6 +46,7 @@ BOOST_AUTO_TEST_CASE(messages_of_any_length_arrive_in_chunks_of_any_size_and_ste
       internal::Bytes_of_ranks outgoing = messages_from(comm);
       internal::Byte_exchange exchange(comm, outgoing, chunk_size, max_steps);
       internal::Bytes_of_ranks incoming(outgoing.size());
+      const auto own = static_cast<std::size_t>(comm.rank());
       std::size_t calls = 0, size = 0;
       exchange.run([&](std::size_t rank, const std::vector<char>& bytes) {
         incoming[rank] = bytes;
@@ -58,6 +59,7 @@ BOOST_AUTO_TEST_CASE(messages_of_any_length_arrive_in_chunks_of_any_size_and_ste
       }
       BOOST_CHECK_EQUAL(calls, incoming.size());
       BOOST_CHECK_EQUAL(exchange.incoming_size(), size);
+      BOOST_CHECK_EQUAL(exchange.outgoing_size(), size - incoming[own].size()); // by symmetry
     }
 }
 

@@ -65,11 +65,11 @@ internal::Point_sample chosen_by_pairs(const Part& part, double reach, std::size
 {
   const internal::Point_sample sample = sample_of(part, sample_size);
   internal::Cell_counts cells(sample, part_count * part.size(), reach);
-  cells.add_some(part);
+  const auto counted = cells.add_some(part);
   for(std::uint64_t& number : cells.counts())
     number *= part_count;
   std::vector<char> bytes;
-  cells.choose_by_pairs(part, count, bytes);
+  cells.choose_by_pairs(part, counted, count, bytes);
   return sample_in(bytes);
 }
 

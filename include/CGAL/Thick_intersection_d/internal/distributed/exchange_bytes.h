@@ -9,6 +9,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/distributed/Communicator.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/run_together.h>
+#include <CGAL/Thick_intersection_d/internal/machine/huge_pages.h>
 
 #include <mpi.h>
 
@@ -59,6 +60,13 @@ public:
     return std::accumulate(sizes_.begin(), sizes_.end(), std::uint64_t(0));
   }
 
+  // Returns how many bytes this process sends to others.
+  std::uint64_t outgoing_size() const
+  {
+    return std::accumulate(sizes_sent_.begin(), sizes_sent_.end(), std::uint64_t(0))
+           - sizes_sent_[place(comm_.rank())];
+  }
+
   // Calls take(rank, bytes) with what each process has sent to this one. If it throws on one
   // process, all processes throw. Collective.
   template <class Take>
@@ -102,7 +110,9 @@ private:
     std::size_t chunks = 0;
     for(int distance = 1; distance < comm_.size(); ++distance) {
       const std::uint64_t size = sizes_[source(distance)];
-      incoming_[place((distance - 1) % width_)].reserve(static_cast<std::size_t>(size));
+      std::vector<char>& bytes = incoming_[place((distance - 1) % width_)];
+      bytes.reserve(static_cast<std::size_t>(size));
+      ask_for_huge_pages(bytes.data(), bytes.capacity());
       chunks += chunk_count(size) + chunk_count(sizes_sent_[target(distance)]);
     }
     requests_.reserve(chunks);

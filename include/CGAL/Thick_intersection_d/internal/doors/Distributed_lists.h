@@ -68,17 +68,6 @@ public:
     }
   }
 
-  // Returns how many bytes other processes get.
-  std::uint64_t outgoing_size() const
-  {
-    std::uint64_t sum = 0;
-    for(const Bytes_of_ranks* const bytes : {&heads_, &neighbors_})
-      for(int rank = 0; rank < comm_.size(); ++rank)
-        if(rank != comm_.rank())
-          sum += (*bytes)[static_cast<std::size_t>(rank)].size();
-    return sum;
-  }
-
   // Sends the lists to the holders, and returns those of the points that this process holds. Each
   // neighbor that arrives is put where its list is to be. Collective.
   template <class ConcurrencyTag>
@@ -89,13 +78,15 @@ public:
     std::vector<std::uint64_t> ids;
     run_together(comm_, [&] { make_room(begins, ids); });
     std::size_t* const ends = begins.data() + 1; // of what the lists have
-    Byte_exchange(comm_, neighbors_).run([&](std::size_t rank, const std::vector<char>& bytes) {
+    Byte_exchange exchange(comm_, neighbors_);
+    exchange.run([&](std::size_t rank, const std::vector<char>& bytes) {
       Byte_reader reader(bytes);
       for_each_head(heads_[rank], [&](std::size_t i, std::size_t size) {
         reader.read(ids.data() + ends[i], size);
         ends[i] += size;
       });
     });
+    size_sent_ += exchange.outgoing_size();
     run_together(comm_, [&] {
       for_each_block<ConcurrencyTag>(size_, [&](std::size_t i, std::size_t last) {
         for(; i != last; ++i)
@@ -104,6 +95,9 @@ public:
     });
     return Distributed_neighbor_lists(std::move(begins), std::move(ids), false);
   }
+
+  // Returns how many bytes other processes were sent.
+  std::uint64_t size_sent() const { return size_sent_; }
 
 private:
   // What comes before the neighbors of a point.
@@ -149,9 +143,9 @@ private:
   {
     Bytes_of_ranks received;
     run_together(comm_, [&] { received.resize(heads_.size()); });
-    Byte_exchange(comm_, heads_).run([&](std::size_t rank, const std::vector<char>& bytes) {
-      received[rank] = bytes;
-    });
+    Byte_exchange exchange(comm_, heads_);
+    exchange.run([&](std::size_t rank, const std::vector<char>& bytes) { received[rank] = bytes; });
+    size_sent_ = exchange.outgoing_size();
     heads_.swap(received);
   }
 
@@ -193,6 +187,7 @@ private:
   std::vector<std::uint64_t> first_ids_; // of the ranges, by their ranks
   Bytes_of_ranks heads_;
   Bytes_of_ranks neighbors_;
+  std::uint64_t size_sent_ = 0;
 };
 
 } // namespace internal

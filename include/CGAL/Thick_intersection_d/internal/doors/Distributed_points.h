@@ -29,7 +29,6 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -99,18 +98,20 @@ public:
     bytes = gather_bytes(comm_, bytes);
     Point_sample sample;
     std::optional<Cell_counts> cells;
+    std::vector<std::vector<Cell_counts::Counted_point>> counted;
     run_together(comm_, [&] {
       sample.dimension = dimension_;
       read_sample(bytes, {1, 0}, sample);
       cells.emplace(sample, total_size(), reach_);
       for(const Distributed_set<Carried>& set : sets_)
-        cells->add_some(set.part);
+        counted.push_back(cells->add_some(set.part));
     });
     comm_.add_up(cells->counts());
     run_together(comm_, [&] {
+      const std::uint64_t total = sample_size_of_parts(comm_.size());
       bytes.clear();
-      for(const Distributed_set<Carried>& set : sets_)
-        cells->choose_by_pairs(set.part, sample_size_of_parts(comm_.size()), bytes);
+      for(std::size_t s = 0; s < set_count; ++s)
+        cells->choose_by_pairs(sets_[s].part, counted[s], total, bytes);
     });
     bytes = gather_bytes(comm_, bytes);
     run_together(comm_, [&] {
@@ -217,7 +218,7 @@ private:
   void pack_points_of_others(Part& part, Bytes_of_ranks& outgoing) const
   {
     outgoing.resize(static_cast<std::size_t>(comm_.size()));
-    std::vector<int> owners(part.size());
+    auto owners = zeros_on_huge_pages<int>(part.size());
     std::vector<std::size_t> counts(outgoing.size());
     for(std::size_t i = 0; i < part.size(); ++i) {
       owners[i] = bisection_->owner(part.lower_bounds(i), part.ids[i]);
@@ -235,17 +236,9 @@ private:
     part.resize(kept);
   }
 
-  static std::size_t size_of(const Bytes_of_ranks& messages)
-  {
-    return std::accumulate(
-      messages.begin(), messages.end(), std::size_t(0),
-      [](std::size_t size, const std::vector<char>& bytes) { return size + bytes.size(); });
-  }
-
   // Appends the points that this process is sent to its part. Returns how many bytes it has sent.
   std::uint64_t send_points(Bytes_of_ranks& outgoing, Part& part) const
   {
-    const std::uint64_t sent = size_of(outgoing);
     Byte_exchange exchange(comm_, outgoing);
     run_together(comm_, [&] {
       part.reserve(part.size() + exchange.incoming_size() / Part::packed_size(dimension_));
@@ -253,7 +246,7 @@ private:
     exchange.run([&](std::size_t, const std::vector<char>& bytes) {
       part.unpack(bytes, dimension_);
     });
-    return sent;
+    return exchange.outgoing_size();
   }
 
   // Returns which box of this process a point of its own is in.

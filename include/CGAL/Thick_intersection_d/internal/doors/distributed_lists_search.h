@@ -94,8 +94,8 @@ make_distributed_lists(const Communicator& comm, const Elements& elements, const
       size = sets.first_size;
     Distributed_lists lists(comm, size);
     find_distributed_lists<ConcurrencyTag>(comm, elements, sets, bound, lists, profile, clock, np);
-    profile.set_bytes_sent(Distributed_phase::LISTS, lists.outgoing_size());
     Distributed_neighbor_lists mine = lists.exchange<ConcurrencyTag>();
+    profile.set_bytes_sent(Distributed_phase::LISTS, lists.size_sent());
     clock.finish(Distributed_phase::LISTS);
     return mine;
   }

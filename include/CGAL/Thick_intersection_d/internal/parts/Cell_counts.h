@@ -43,54 +43,58 @@ public:
     }
   }
 
-  // Adds points of a part: all of them, or random ones that stand for as many points each.
-  template <class Carried>
-  void add_some(const Part_points<Carried>& part)
+  // A point in a cell of the sample, which stands for `count` points.
+  struct Counted_point
   {
-    for_some(part, [&](std::size_t, std::size_t slot, std::size_t count) {
-      counts_[slot] += count;
-    });
+    std::size_t position;
+    std::size_t slot;
+    std::size_t count;
+  };
+
+  // Adds points of a part: all of them, or random ones that stand for as many points each. Returns
+  // those that are in cells of the sample.
+  template <class Carried>
+  std::vector<Counted_point> add_some(const Part_points<Carried>& part)
+  {
+    std::vector<Counted_point> counted;
+    const std::size_t step = part.size() / max_looked_at + 1;
+    Random_numbers random;
+    for(std::size_t first = 0; first < part.size(); first += step) {
+      const std::size_t count = (std::min)(step, part.size() - first);
+      const std::size_t position = first + random.below(count);
+      const std::uint64_t key = key_of(part.lower_bounds(position));
+      const std::size_t slot = slot_of(key);
+      if(keys_[slot] == key) {
+        counts_[slot] += count;
+        counted.push_back({position, slot, count});
+      }
+    }
+    return counted;
   }
 
   std::vector<std::uint64_t>& counts() { return counts_; }
 
-  // Appends points of a part to `bytes`, so that each stands for as many pairs. All parts together
-  // append about `total` points. A point of a crowd is there as often as it has to be.
+  // Appends some of the counted points of a part to `bytes`, so that each stands for as many pairs.
+  // All parts together append about `total` points. A point of a crowd is there as often as it has
+  // to be.
   template <class Carried>
-  void choose_by_pairs(const Part_points<Carried>& part, std::size_t total,
-                       std::vector<char>& bytes) const
+  void choose_by_pairs(const Part_points<Carried>& part, const std::vector<Counted_point>& counted,
+                       std::size_t total, std::vector<char>& bytes) const
   {
     double all = 0;
     for(std::size_t slot = 0; slot < keys_.size(); ++slot)
       all += pairs_of_point(slot) * static_cast<double>(counts_[slot]);
     const double step = all / static_cast<double>(total);
     double sum = step / 2;
-    for_some(part, [&](std::size_t position, std::size_t slot, std::size_t count) {
-      sum += pairs_of_point(slot) * static_cast<double>(count);
+    for(const Counted_point& point : counted) {
+      sum += pairs_of_point(point.slot) * static_cast<double>(point.count);
       for(; step > 0 && sum >= step; sum -= step)
-        write_sampled(part, position, dimension_, bytes);
-    });
+        write_sampled(part, point.position, dimension_, bytes);
+    }
   }
 
 private:
   static constexpr std::size_t max_looked_at = 1 << 17;
-
-  // Calls visit(position, slot, count) for points in cells of the sample. Each stands for `count`
-  // points.
-  template <class Carried, class Visit>
-  void for_some(const Part_points<Carried>& part, const Visit& visit) const
-  {
-    const std::size_t step = part.size() / max_looked_at + 1;
-    Random_numbers random;
-    for(std::size_t first = 0; first < part.size(); first += step) {
-      const std::size_t count = (std::min)(step, part.size() - first);
-      const std::size_t position = first + random() % count;
-      const std::uint64_t key = key_of(part.lower_bounds(position));
-      const std::size_t slot = slot_of(key);
-      if(keys_[slot] == key)
-        visit(position, slot, count);
-    }
-  }
 
   // Returns a number in proportion to the pairs of a point in a cell. A cell stands for those like
   // it that hold no point of the sample: it is divided by the probability that it holds one.

@@ -37,6 +37,15 @@ void reserve_huge_pages(std::vector<Value>& values, std::size_t size)
   ask_for_huge_pages(values.data() + values.size(), (size - values.size()) * sizeof(Value));
 }
 
+template <class Value>
+std::vector<Value> zeros_on_huge_pages(std::size_t size)
+{
+  std::vector<Value> zeros;
+  reserve_huge_pages(zeros, size);
+  zeros.resize(size);
+  return zeros;
+}
+
 // Ids are in a column of their own: a search reports positions, and each pair looks up two ids.
 template <class Carried>
 struct Part_points

@@ -94,7 +94,7 @@ void sort_by_cells(Part_points<Carried>& part, int dimension)
     box.add([&](int axis) { return point.bounds_along(axis); });
   const Cell_order cells(box, part.size());
   std::vector<std::uint32_t> begins(cells.size() + 1);
-  std::vector<std::uint32_t> places(part.size());
+  auto places = zeros_on_huge_pages<std::uint32_t>(part.size());
   for(std::size_t i = 0; i < part.size(); ++i) {
     places[i] = static_cast<std::uint32_t>(cells(part.lower_bounds(i)));
     ++begins[places[i] + 1];
