@@ -26,7 +26,8 @@ public:
   explicit Communicator(MPI_Comm original)
   {
     check(original);
-    MPI_Comm_dup(original, &comm_);
+    if(const int error = MPI_Comm_dup(original, &comm_)) // where the user has errors returned
+      MPI_Abort(original, error);
     MPI_Comm_set_errhandler(comm_, MPI_ERRORS_ARE_FATAL);
     MPI_Comm_rank(comm_, &rank_);
     MPI_Comm_size(comm_, &size_);
@@ -65,10 +66,11 @@ public:
 private:
   static void check(MPI_Comm original)
   {
-    int is_initialized = 0;
+    int is_initialized = 0, is_finalized = 0;
     MPI_Initialized(&is_initialized);
-    if(!is_initialized)
-      throw std::logic_error("MPI is not initialized.");
+    MPI_Finalized(&is_finalized);
+    if(!is_initialized || is_finalized)
+      throw std::logic_error("MPI is not initialized, or no longer.");
     int is_inter = 0;
     MPI_Comm_test_inter(original, &is_inter);
     if(is_inter)

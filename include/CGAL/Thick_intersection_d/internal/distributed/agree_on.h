@@ -20,8 +20,9 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Throws std::invalid_argument on all processes if their texts differ. `what` names them.
-inline void agree_on(const Communicator& comm, const std::string& what, const std::string& text)
+// Throws std::invalid_argument on all processes if their texts differ. `what` names them: a string
+// would be made before this function can tell others that it could not.
+inline void agree_on(const Communicator& comm, const char* what, const std::string& text)
 {
   std::uint64_t size = text.size();
   MPI_Bcast(&size, 1, MPI_UINT64_T, 0, comm.get());
@@ -33,7 +34,7 @@ inline void agree_on(const Communicator& comm, const std::string& what, const st
   MPI_Bcast(&first[0], static_cast<int>(size), MPI_CHAR, 0, comm.get());
   const int other = comm.least(first == text ? comm.size() : comm.rank());
   if(other < comm.size())
-    throw std::invalid_argument(what + " of rank " + std::to_string(other)
+    throw std::invalid_argument(std::string(what) + " of rank " + std::to_string(other)
                                 + " differs from that of rank 0.");
 }
 

@@ -70,12 +70,12 @@ private:
   double side_ = 1; // an integer
 };
 
-// Moves each value to its place. The room behind them stays.
+// Moves each value to its place. Some room behind them stays, for points that are near.
 template <class Value>
 void move_to_places(std::vector<Value>& values, const std::vector<std::uint32_t>& places)
 {
   std::vector<Value> moved;
-  reserve_huge_pages(moved, values.capacity());
+  reserve_huge_pages(moved, (std::min)(values.capacity(), values.size() + values.size() / 8));
   moved.resize(values.size());
   for(std::size_t i = 0; i < values.size(); ++i)
     moved[places[i]] = std::move(values[i]);
