@@ -6,7 +6,8 @@
 #ifndef NEAR_PAIRS_CLOSEST_WITH_KERNEL_H
 #define NEAR_PAIRS_CLOSEST_WITH_KERNEL_H
 
-#include "exact_decimal.h"
+#include "exact_number.h"
+#include "rational.h"
 #include "search_with_kernel.h"
 
 #include <CGAL/closest_pair.h>
@@ -41,7 +42,8 @@ Closest_result closest_of_points(const std::vector<Point>& points, const Scene& 
 #endif
     result.pair = CGAL::closest_pair(points);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  result.squared_distance = exact_squared_distance(scene, result.pair.first, result.pair.second);
+  const auto [i, j] = result.pair;
+  result.squared_distance = Exact_number({exact_squared_distance(scene, i, j)});
   return result;
 }
 

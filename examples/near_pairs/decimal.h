@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 // Numbers as people type them: decimal text is taken apart into sign, digits and exponent, from
-// which the integer at a common scale or the nearest double can be had. exact_decimal.h makes exact
-// numbers of them; most files need none, and compile sooner without.
+// which the integer at a common scale or the nearest double can be had. exact_number.h makes exact
+// numbers of them.
 
 #ifndef NEAR_PAIRS_DECIMAL_H
 #define NEAR_PAIRS_DECIMAL_H

@@ -5,7 +5,7 @@
 
 #include "hints.h"
 
-#include <CGAL/number_utils.h> // to_double
+#include "exact_number.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ namespace near_pairs {
 
 Tie_watch::Tie_watch(const Scene& scene, const Options& options)
   : scene_(scene), is_on_(scene.has_short_decimals && !options.closest),
-    reach_(CGAL::to_double(options.distance))
+    reach_(to_double(options.distance))
 {
   if(options.squared)
     reach_ = std::sqrt(reach_);

@@ -6,7 +6,7 @@
 // summary.
 
 #include "error.h"
-#include "exact_decimal.h"
+#include "exact_number.h"
 #include "external.h"
 #include "groups.h"
 #include "hints.h"
@@ -89,7 +89,7 @@ void print_summary(std::ostream& out, const Scene& scene, const Options& options
 }
 
 // The options of a search for the pairs at the distance of the closest one.
-Options options_at(const CGAL::Exact_rational& squared_distance, Options options)
+Options options_at(const Exact_number& squared_distance, Options options)
 {
   options.squared = true;
   options.distance = squared_distance;

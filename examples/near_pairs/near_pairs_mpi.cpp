@@ -7,8 +7,9 @@
 // has done, as JSON.
 
 #include "error.h"
-#include "exact_decimal.h"
+#include "exact_number.h"
 #include "file_share.h"
+#include "rational.h"
 
 #include <CGAL/Distance_bound.h>
 #include <CGAL/Distributed_profile.h>
@@ -77,9 +78,9 @@ std::optional<Arguments> parse_arguments(int argc, char** argv, std::ostringstre
   if(map.count("help"))
     return std::nullopt;
   const auto value = parse_exact(distance);
-  if(arguments.file.empty() || !value || *value < 0)
+  if(arguments.file.empty() || !value || is_negative(*value))
     throw Error("give a file and --distance (--help lists the options)");
-  arguments.distance = *value;
+  arguments.distance = (*value)->value;
   return arguments;
 }
 

@@ -7,7 +7,7 @@
 
 #include "decimal.h"
 #include "error.h"
-#include "exact_decimal.h"
+#include "exact_number.h"
 #include "row_reader.h"
 
 #include <CGAL/Thick_intersection_d/version.h>
@@ -132,7 +132,7 @@ const Unit units[] = {{"m", "1"}, {"km", "1000"}, {"nmi", "1852"}, {"mi", "1609.
 
 // Reads a number with letters behind it as a length, and separates the two. Returns its meters, or
 // nothing if there is no number.
-std::optional<CGAL::Exact_rational> parse_with_unit(Options& options)
+std::optional<Exact_number> parse_with_unit(Options& options)
 {
   const std::string text = options.distance_text;
   const auto is_letter = [](unsigned char byte) { return std::isalpha(byte) != 0; };
@@ -147,7 +147,7 @@ std::optional<CGAL::Exact_rational> parse_with_unit(Options& options)
     if(options.distance_unit == unit.name) {
       if(!options.geographic)
         throw Error("--distance: '" + text + "' has a unit, which is for --geographic");
-      return CGAL::Exact_rational(*value * *parse_exact(unit.meters));
+      return *value * *parse_exact(unit.meters);
     }
   throw Error("--distance: '" + text + "': the unit is none of m, km, nmi, mi and ft");
 }
@@ -170,7 +170,7 @@ void read_distance(const po::variables_map& map, Options& options)
     distance = parse_with_unit(options);
   if(!distance)
     throw Error("--" + name + ": '" + text + "' is no number");
-  if(*distance < 0)
+  if(is_negative(*distance))
     throw Error("--" + name + ": " + options.distance_text + " is negative");
   options.distance = *distance;
 }

@@ -5,9 +5,8 @@
 
 #include "picture.h"
 
+#include "exact_number.h"
 #include "text.h"
-
-#include <CGAL/number_utils.h> // to_double
 
 #include <algorithm>
 #include <cmath>
@@ -59,7 +58,7 @@ std::vector<std::string> short_names(const std::vector<std::string>& files)
 Picture::Picture(const Scene& scene, const Options& options, const std::string& distance)
   : files_(short_names(options.files)),
     caption_("distance " + shortened(distance, longest_distance)), unit_(scene.unit),
-    geographic_(options.geographic), reach_(CGAL::to_double(options.distance)),
+    geographic_(options.geographic), reach_(to_double(options.distance)),
     units_per_position_(1), first_size_(scene.first_size.value_or(scene.size()))
 {
   if(options.squared)

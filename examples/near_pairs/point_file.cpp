@@ -7,7 +7,6 @@
 
 #include "decimal.h"
 #include "error.h"
-#include "exact_decimal.h"
 #include "input.h"
 #include "point_stream.h"
 #include "row_numbers.h"
@@ -150,17 +149,14 @@ private:
                   + " exceeds 53 bits; use --kernel exact");
     if(scene_.exact.empty())
       switch_to_exact();
-    scene_.exact.push_back(to_rational(decimal));
+    scene_.exact.add(decimal);
   }
 
   // From here on the scene is held as exact numbers, as they are in the file: at the scale of the
   // least one, the others could be longer than the whole file.
   void switch_to_exact()
   {
-    const CGAL::Exact_rational unit = power_of_ten(-scene_.scale);
-    scene_.exact.reserve(scene_.doubles.size());
-    for(double value : scene_.doubles)
-      scene_.exact.push_back(CGAL::Exact_rational(CGAL::Exact_rational(value) * unit));
+    scene_.exact.add_scaled(scene_.doubles, scene_.scale);
     std::vector<double>().swap(scene_.doubles);
     scene_.scale = 0;
   }

@@ -5,8 +5,6 @@
 
 #include "scene.h"
 
-#include <CGAL/number_utils.h> // to_double
-
 #include <algorithm>
 #include <cmath>
 
@@ -30,7 +28,7 @@ int Scene::file(std::size_t point) const
 double Scene::coordinate(std::size_t point, int axis) const
 {
   const std::size_t at = point * dimension + axis;
-  return exact.empty() ? doubles[at] / std::pow(10., scale) : CGAL::to_double(exact[at]);
+  return exact.empty() ? doubles[at] / std::pow(10., scale) : exact.rounded(at);
 }
 
 double Scene::distance(std::size_t i, std::size_t j) const
@@ -39,7 +37,7 @@ double Scene::distance(std::size_t i, std::size_t j) const
   for(int axis = 0; axis < dimension; ++axis) {
     const std::size_t a = i * dimension + axis, b = j * dimension + axis;
     difference[axis] = exact.empty() ? (doubles[a] - doubles[b]) / std::pow(10., scale)
-                                     : CGAL::to_double(CGAL::Exact_rational(exact[a] - exact[b]));
+                                     : exact.rounded_difference(a, b);
   }
   return std::hypot(std::hypot(difference[0], difference[1]), difference[2]);
 }

@@ -6,7 +6,7 @@
 #ifndef NEAR_PAIRS_SCENE_H
 #define NEAR_PAIRS_SCENE_H
 
-#include <CGAL/Exact_rational.h>
+#include "exact_number.h"
 
 #include <array>
 #include <cstddef>
@@ -24,7 +24,7 @@ struct Scene
 {
   int dimension = 0;
   std::vector<double> doubles;
-  std::vector<CGAL::Exact_rational> exact; // in use iff not empty
+  Exact_numbers exact; // in use iff not empty
   int scale = 0;
 
   // The points of the first of two files, which come first. Pairs have a point of each file then.

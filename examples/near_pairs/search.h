@@ -7,10 +7,9 @@
 #ifndef NEAR_PAIRS_SEARCH_H
 #define NEAR_PAIRS_SEARCH_H
 
+#include "exact_number.h"
 #include "scene.h"
 #include "search_options.h"
-
-#include <CGAL/Exact_rational.h>
 
 #include <cstddef>
 #include <functional>
@@ -31,7 +30,7 @@ struct Search_result
 struct Closest_result
 {
   std::pair<std::size_t, std::size_t> pair;
-  CGAL::Exact_rational squared_distance; // in the unit of the file, exactly
+  Exact_number squared_distance; // in the unit of the file, exactly
   double seconds = 0;
 };
 

@@ -9,6 +9,7 @@
 #include "input.h"
 #include "point_stream.h"
 #include "progress.h"
+#include "rational.h"
 #include "stop.h"
 
 #include <CGAL/Distance_bound.h>
@@ -97,8 +98,8 @@ private:
 
 CGAL::Distance_bound<CGAL::Exact_rational> bound_of(const Search_options& options)
 {
-  const auto bound = options.squared ? CGAL::within_squared_distance(options.distance)
-                                     : CGAL::within_distance(options.distance);
+  const auto bound = options.squared ? CGAL::within_squared_distance(options.distance->value)
+                                     : CGAL::within_distance(options.distance->value);
   return options.open ? bound.open() : bound;
 }
 

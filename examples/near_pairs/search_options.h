@@ -7,13 +7,13 @@
 #ifndef NEAR_PAIRS_SEARCH_OPTIONS_H
 #define NEAR_PAIRS_SEARCH_OPTIONS_H
 
-#include <CGAL/Exact_rational.h>
+#include "exact_number.h"
 
 namespace near_pairs {
 
 struct Search_options
 {
-  CGAL::Exact_rational distance; // exactly as typed: the distance, or its square if `squared`
+  Exact_number distance; // exactly as typed: the distance, or its square if `squared`
   bool squared = false;
   bool open = false;
   bool parallel = false;

@@ -7,8 +7,8 @@
 #define NEAR_PAIRS_SEARCH_WITH_KERNEL_H
 
 #include "error.h"
-#include "exact_decimal.h"
 #include "progress.h"
+#include "rational.h"
 #include "search.h"
 #include "stop.h"
 
@@ -35,7 +35,7 @@ FT coordinate_as(const Scene& scene, std::size_t at)
 {
   if constexpr(!std::is_floating_point_v<FT>)
     if(!scene.exact.empty())
-      return FT(scene.exact[at]);
+      return FT(scene.exact[at].value);
   return FT(scene.doubles[at]);
 }
 
@@ -60,7 +60,7 @@ inline CGAL::Distance_bound<CGAL::Exact_rational> bound_of(const Scene& scene,
                                                            const Search_options& options)
 {
   const int exponent = options.squared ? 2 * scene.scale : scene.scale;
-  const CGAL::Exact_rational value = options.distance * power_of_ten(exponent);
+  const CGAL::Exact_rational value = options.distance->value * power_of_ten(exponent);
   const auto bound = options.squared ? CGAL::within_squared_distance(value)
                                      : CGAL::within_distance(value);
   return options.open ? bound.open() : bound;

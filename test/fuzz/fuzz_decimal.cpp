@@ -5,7 +5,8 @@
 // number, integer at a scale, nearest double, and text.
 
 #include "decimal.h"
-#include "exact_decimal.h"
+#include "exact_number.h"
+#include "rational.h"
 
 #include <CGAL/number_utils.h> // to_double
 
@@ -48,12 +49,14 @@ void check_decimal(const std::string& text)
 
 void check_quotient(const std::string& text)
 {
-  const std::optional<CGAL::Exact_rational> value = near_pairs::parse_exact(text);
+  const std::optional<near_pairs::Exact_number> value = near_pairs::parse_exact(text);
   // Then exact_text() stays within the largest exponent, too.
   const bool is_short = text.size() < near_pairs::largest_exponent / 4
                         && text.find_first_of("eE") == std::string::npos;
-  if(value && *value >= 0 && is_short)
-    require(near_pairs::parse_exact(near_pairs::exact_text(*value)) == value);
+  if(value && !near_pairs::is_negative(*value) && is_short) {
+    const auto again = near_pairs::parse_exact(near_pairs::exact_text(*value));
+    require(again && (*again)->value == (*value)->value);
+  }
 }
 
 } // namespace
