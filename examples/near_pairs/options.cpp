@@ -17,10 +17,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <limits>
 #include <optional>
 #include <set>
 #include <sstream>
+#include <system_error>
 
 namespace near_pairs {
 namespace {
@@ -227,6 +229,24 @@ void read_separator(const po::variables_map& map, Options& options)
     throw Error("--separator: '" + text + "' is no single character, and neither tab nor blanks");
 }
 
+// Equal for the names of one file, which need not exist.
+std::string canonical_name(const std::string& name)
+{
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path path = fs::weakly_canonical(fs::absolute(name, error), error);
+  return error ? name : path.string();
+}
+
+// Refuses names that promise a format that no table is written in.
+void check_table(const std::string& option, const std::string& name)
+{
+  const std::set<std::string> others = {".gz", ".json", ".svg", ".tsv", ".xls", ".xlsx"};
+  if(others.count(extension(name)))
+    throw Error("--" + option + ": a table is a CSV file, and a map a GeoJSON file, so name it "
+                ".csv or .geojson");
+}
+
 void check_outputs(const po::variables_map& map, const Options& options)
 {
   std::set<std::string> names;
@@ -235,9 +255,11 @@ void check_outputs(const po::variables_map& map, const Options& options)
       const std::string name = map[output].as<std::string>();
       if(name.empty())
         throw Error("empty name of an output file");
-      if(!names.insert(name).second)
+      if(!names.insert(name == "-" ? name : canonical_name(name)).second)
         throw Error("two outputs have the name " + name);
     }
+  check_table("pairs", options.pairs);
+  check_table("points", options.points);
   if(options.coordinates && options.pairs.empty() && options.points.empty())
     throw Error("--coordinates is for --pairs and --points");
   const std::string format = extension(options.picture);

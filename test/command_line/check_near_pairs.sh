@@ -452,6 +452,13 @@ run empty.csv --distance 1 --points - --components
 verdict "no points" test "$status $(cat out)" = "0 i,neighbors,component"
 verdict "  with the summary on stderr" grep -q '^components   0, the largest of 0 points$' err
 expect_error "two outputs of one name" "two outputs have the name none.csv" ties.csv --distance 1 --points none.csv
+ln -s . here
+for name in ./none.csv here/none.csv; do
+  expect_error "two names of one output" "two outputs have the name" ties.csv --distance 1 --points $name
+done
+for name in none.csv.gz none.json none.TSV; do
+  expect_error "a table $name" "so name it .csv or .geojson" ties.csv --distance 1 --points $name
+done
 expect_error "a map of the plane" "a map has latitudes and longitudes" ties.csv --distance 1 --points none.geojson
 run ties.csv --distance 1 --coordinates
 verdict "coordinates without a table" is_one_error "--coordinates is for --pairs and --points"
