@@ -28,8 +28,11 @@ bool Obj_reader::next(Row& row)
       throw Error(lines_.file(), row.line, plural(texts.size() - 1, "number")
                   + " where 3 are needed");
     std::copy_n(texts.begin() + 1, dimension, row.coordinates.begin());
+    has_vertices_ = true;
     return true;
   }
+  if(!has_vertices_)
+    throw Error(lines_.file(), "no line of a vertex, which begins with v");
   return false;
 }
 

@@ -21,6 +21,7 @@ public:
 
 private:
   Lines lines_;
+  bool has_vertices_ = false;
 };
 
 } // namespace near_pairs

@@ -26,7 +26,7 @@ bool Pdb_reader::next(Row& row)
   for(std::string line; lines_.next(line); ) {
     const std::string name = line.substr(0, 6);
     if(name == "ENDMDL")
-      return false;
+      break;
     if(name != "ATOM  " && name != "HETATM")
       continue;
     row.line = lines_.number();
@@ -37,8 +37,11 @@ bool Pdb_reader::next(Row& row)
       row.coordinates[axis]
         = trimmed(std::string_view(line).substr(x + axis * width, width));
     row.id = trimmed(std::string_view(line).substr(serial, serial_width));
+    has_atoms_ = true;
     return true;
   }
+  if(!has_atoms_)
+    throw Error(lines_.file(), "no line of an atom, which begins with ATOM or HETATM");
   return false;
 }
 

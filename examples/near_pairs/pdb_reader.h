@@ -22,6 +22,7 @@ public:
 
 private:
   Lines lines_;
+  bool has_atoms_ = false;
 };
 
 } // namespace near_pairs

@@ -62,7 +62,7 @@ public:
     : lines_(input)
   {
     read_head();
-    more_ = lines_.next(line_);
+    take_line();
     const std::size_t in_file = std::max<std::size_t>(words(line_, 5).size(), 1) - 1;
     dimension = in_file == 3 ? 3 : 2;
     if(options.dimension > dimension)
@@ -75,7 +75,7 @@ public:
   bool next(Row& row) override
   {
     const std::vector<std::string> texts = words(line_, words_per_node_ + 1);
-    if(!more_ || texts.empty() || is_end(texts.front())) {
+    if(!more_ || is_end(texts.front())) {
       check_count();
       return false;
     }
@@ -85,11 +85,19 @@ public:
     row.line = lines_.number();
     std::copy_n(texts.begin() + 1, dimension, row.coordinates.begin());
     ++count_;
-    more_ = lines_.next(line_);
+    take_line();
     return true;
   }
 
 private:
+  // Takes the next line that is not blank.
+  void take_line()
+  {
+    do
+      more_ = lines_.next(line_);
+    while(more_ && words(line_, 1).empty());
+  }
+
   void read_head()
   {
     while(lines_.next(line_)) {

@@ -179,6 +179,7 @@ printf '7,0,0,1\n8,1,0,1\n' > four.csv
 printf 'v 0 0\n' > short.obj
 printf 'ATOM      1  N   THR A   1      17.047 -14.099   3.62' > short.pdb
 printf 'ATOM      1  N   THR A   1      17.047-114.O99   3.625' > word.pdb
+printf 'NODE_COORD_SECTION\n\n1 0 0\n \n2 1 0\n\nEOF\n' > gaps.tsp
 printf 'LASF' > cloud.laz
 printf 'flat,re_lat,re_lon,longer\n1,0,0,1\n1,0,1,9\n' > words.csv
 printf '# mesh\nvn 0 0 1\nv 0 0 0\nv\t0.5 0 0 1.0 9 9\nv 5 5 5\nvt 0 0\nf 1 2 3\n' > points.obj
@@ -211,6 +212,7 @@ run bare_names.csv --distance 1 --columns 2,3 --id 1 --pairs pairs.csv
 printf 'i,j,id_i,id_j,distance\n0,1,a,b,1\n' > expected
 verdict "a column of names" cmp -s pairs.csv expected
 expect_scene ".obj" 3 1 points.obj --distance 0.5
+expect_scene "blank lines in .tsp" 2 1 gaps.tsp --distance 1
 expect_scene ".pdb, one model" 2 1 points.pdb --distance 0.5
 run points.pdb --closest
 verdict "  with serial numbers" test "$(summary 'closest pair')" = "0 1, 1 and 99999"
@@ -531,6 +533,8 @@ printf 'OFF\n3 0 0\n0 0 0\n' > cut.off
 printf 'NODE_COORD_SECTION\n1 0 0\n2 zero 0\nEOF\n' > word.tsp
 printf 'DIMENSION: 3\nNODE_COORD_SECTION\n1 0 0\n2 1 0\n' > cut.tsp
 printf 'TYPE : TSP\n' > head.tsp
+printf 'vt 0 0\nf 1 2 3\n' > faces.obj
+printf 'HEADER    NO ATOMS\nMODEL        1\nENDMDL\nATOM\n' > models.pdb
 printf '' > nothing.csv
 printf '' > names.doc
 mkdir directory.csv
@@ -558,6 +562,8 @@ expect_error "cut .off file" "cut.off:3: the file ends after vertex 1 of 3" cut.
 expect_error "no number in .tsp" "word.tsp:3: x: 'zero'" word.tsp --distance 1
 expect_error "cut .tsp file" "cut.tsp:4: 2 nodes" cut.tsp --distance 1
 expect_error ".tsp without nodes" "head.tsp: no NODE_COORD_SECTION" head.tsp --distance 1
+expect_error ".obj without vertices" "faces.obj: no line of a vertex" faces.obj --distance 1
+expect_error ".pdb without atoms" "models.pdb: no line of an atom" models.pdb --distance 1
 expect_error "no third axis" "points.tsp:6: " points.tsp --distance 1 --dimension 3
 expect_error "no distance" "--distance" ties.csv
 expect_error "two distances" "--distance" ties.csv --distance 1 --squared-distance 1
