@@ -42,6 +42,16 @@ bool has_word(const std::string& text, const std::string& prefix)
   return at != std::string::npos;
 }
 
+bool is_latitude(const std::string& name)
+{
+  return has_word(lower_case(name), "lat");
+}
+
+bool is_longitude(const std::string& name)
+{
+  return has_word(lower_case(name), "lon");
+}
+
 // The column that a number from 1 names.
 std::optional<std::size_t> numbered_column(const std::string& text, std::size_t columns)
 {
@@ -171,6 +181,9 @@ void Csv_reader::choose_columns(const Read_options& options)
   }
   for(std::size_t axis = 0; axis < columns_.size(); ++axis)
     names[axis] = header_[columns_[axis]];
+  if(options.geographic && is_longitude(names[0]) && is_latitude(names[1]))
+    throw Error(lines_.file(), first_line_, "--columns needs the latitude before the longitude, "
+                "and " + names[0] + " is before " + names[1]);
 }
 
 // Without a header, the columns that are not given are the first two or three, if the file has no
@@ -247,7 +260,7 @@ bool Csv_reader::find_degree_columns(bool latitude_first)
   const auto find = [&](auto is_it) {
     return find_column_where(is_it, "lat", latitude) && find_column_where(is_it, "lon", longitude);
   };
-  if(!find(begins_with) && !find(has_word))
+  if((!find(begins_with) && !find(has_word)) || latitude == longitude)
     return false;
   columns_ = {latitude, longitude};
   if(!latitude_first)

@@ -12,14 +12,30 @@
 #include <limits>
 
 namespace near_pairs {
+namespace {
+
+double reach_of(const Options& options)
+{
+  const double distance = to_double(options.distance);
+  return options.squared ? std::sqrt(distance) : distance;
+}
+
+// Tells what an arc on the sphere measures, if it is long enough for the difference to matter.
+void print_chord(std::ostream& out, double arc)
+{
+  const double radius = earth_radius, pi = std::acos(-1.), noticeable = 0.999;
+  const double chord = 2 * radius * std::sin(arc / (2 * radius));
+  if(arc <= pi * radius && chord < noticeable * arc)
+    out << "near_pairs: hint: distances are straight lines through the sphere: "
+        << std::llround(arc) << " m along its surface are " << std::llround(chord) << " m\n";
+}
+
+} // namespace
 
 Tie_watch::Tie_watch(const Scene& scene, const Options& options)
   : scene_(scene), is_on_(scene.has_short_decimals && !options.closest),
-    reach_(to_double(options.distance))
-{
-  if(options.squared)
-    reach_ = std::sqrt(reach_);
-}
+    reach_(reach_of(options))
+{}
 
 // Coordinates are rounded by half a unit in the last place, so a distance of up to three dimensions
 // is wrong by less than two units of the largest one; the distance itself is rounded here, too.
@@ -41,6 +57,8 @@ void Tie_watch::add_pair(std::size_t i, std::size_t j)
 void print_hints(std::ostream& out, const Scene& scene, const Options& options,
                  std::size_t rounded_ties)
 {
+  if(options.geographic)
+    print_chord(out, reach_of(options));
   if(scene.unit == "deg" && !options.decimal)
     out << "near_pairs: hint: degrees are taken as numbers in the plane; --geographic puts them on "
            "a sphere and measures meters\n";

@@ -62,7 +62,7 @@ void add_scene_options(po::options_description& all, Options& options)
     ("dimension", po::value<int>(&options.dimension)->value_name("2|3"),
      "use so many coordinates (default: all)")
     ("geographic", po::bool_switch(&options.geographic),
-     "degrees on a sphere; R in m, km, nmi, mi or ft")
+     "degrees on a sphere; R is straight: m, km, nmi, mi, ft")
     ("decimal", po::bool_switch(&options.decimal), "take decimals exactly, not as doubles");
   all.add(scene).add(points);
 }

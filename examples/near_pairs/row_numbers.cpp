@@ -24,6 +24,17 @@ Error bad_coordinate(const Place& place, int axis)
                text.empty() ? name + " is empty" : name + ": '" + text + "' is no finite number");
 }
 
+// Reads degrees of at most so many in both directions.
+double read_degrees(const Place& place, int axis, const char* what, int most)
+{
+  const double degrees = read_double(place, axis);
+  const std::string range = std::to_string(most);
+  if(std::abs(degrees) > most)
+    throw Error(place.input.name(), place.row.line, place.reader.names[axis] + ": " + what + " "
+                + place.row.coordinates[axis] + " is outside [-" + range + ", " + range + "]");
+  return degrees;
+}
+
 } // namespace
 
 Decimal read_decimal(const Place& place, int axis)
@@ -51,11 +62,8 @@ double read_double(const Place& place, int axis)
 std::array<double, 3> place_on_sphere(const Place& place)
 {
   const double radian = std::acos(-1.) / 180;
-  const double latitude = read_double(place, 0);
-  const double longitude = read_double(place, 1);
-  if(std::abs(latitude) > 90)
-    throw Error(place.input.name(), place.row.line, place.reader.names[0] + ": latitude "
-                + place.row.coordinates[0] + " is outside [-90, 90]");
+  const double latitude = read_degrees(place, 0, "latitude", 90);
+  const double longitude = read_degrees(place, 1, "longitude", 360);
   const double ring = earth_radius * std::cos(latitude * radian);
   return {ring * std::cos(longitude * radian), ring * std::sin(longitude * radian),
           earth_radius * std::sin(latitude * radian)};

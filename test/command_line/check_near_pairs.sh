@@ -311,6 +311,13 @@ run equator.csv --distance 1 --decimal
 verdict "  unless they are meant" has_hints 0
 run equator.csv --distance 1 --geographic
 verdict "  or on the sphere" has_hints 0
+run equator.csv --geographic --distance 2000km
+verdict "an arc of 2000 km makes a hint" has_hints 1
+verdict "  to its chord" grep -q '2000000 m along its surface are 1991798 m$' err
+for distance in 900km 0; do
+  run equator.csv --geographic --distance $distance
+  verdict "  $distance does not" has_hints 0
+done
 run ties.csv --distance 0.1
 verdict "ties that rounding takes apart make a hint" has_hints 1
 verdict "  to take decimals" grep -q -- '--decimal' err
@@ -556,6 +563,11 @@ expect_error "no known columns" "names.csv:1: no columns x, y or lat*, lon*; cho
 expect_error "unknown column" "names.csv:1: no column 'c' among a, b" names.csv --distance 1 --columns a,c
 expect_error "column number out of range" "no column '3'" names.csv --distance 1 --columns 1,3
 expect_error "latitude beyond the pole" "pole.csv:3: lat: latitude 90.5" pole.csv --distance 1 --geographic
+printf 'lat,lon\n10,10\n10,-360.5\n' > round.csv
+printf '"lat,lon"\n"10,10"\n' > one_column.csv
+expect_error "longitude beyond a round" "round.csv:3: lon: longitude -360.5 is outside [-360, 360]" round.csv --distance 1 --geographic
+expect_error "longitude before latitude" "needs the latitude before the longitude" equator.csv --distance 1 --geographic --columns lon,lat
+expect_error "latitude and longitude in one column" "no columns lat* and lon*" one_column.csv --distance 1 --geographic
 expect_error "decimals beyond 53 bits" "use --kernel exact" long.csv --distance 1 --decimal
 expect_error "short line" "short.xyz:3: 2 numbers" short.xyz --distance 1
 expect_error "cut .off file" "cut.off:3: the file ends after vertex 1 of 3" cut.off --distance 1
