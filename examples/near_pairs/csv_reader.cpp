@@ -100,7 +100,7 @@ bool Csv_reader::next(Row& row)
   is_first_row_ready_ = false;
   row.line = first_line_;
   if(fields_.size() != fields_per_row_)
-    throw Error(lines_.file(), row.line, std::to_string(fields_.size()) + " fields, but the "
+    throw Error(lines_.file(), row.line, plural(fields_.size(), "field") + ", but the "
                 + (header_.empty() ? "first row" : "header") + " has "
                 + std::to_string(fields_per_row_));
   for(std::size_t axis = 0; axis < columns_.size(); ++axis)

@@ -19,6 +19,7 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <system_error>
 
 namespace near_pairs {
 namespace {
@@ -33,6 +34,17 @@ std::string all_bytes(std::istream& stream, const std::string& name)
   return bytes;
 }
 
+// Takes off the mark that some programs begin UTF-8 files with.
+void take_mark(std::string& line, const std::string& file)
+{
+  const std::string mark = "\xEF\xBB\xBF";
+  const std::string begin = line.substr(0, 2);
+  if(begin == "\xFF\xFE" || begin == "\xFE\xFF")
+    throw Error(file, "is in UTF-16; save it in UTF-8");
+  if(line.compare(0, mark.size(), mark) == 0)
+    line.erase(0, mark.size());
+}
+
 } // namespace
 
 Input::Input(const std::string& name)
@@ -42,12 +54,13 @@ Input::Input(const std::string& name)
   if(name == "-")
     bytes_ = all_bytes(std::cin, name);
   else {
-    if(std::filesystem::is_directory(name))
+    std::error_code ignored; // opening the file has a better message
+    if(std::filesystem::is_directory(name, ignored))
       throw Error(name, "is a directory");
     std::ifstream file(name, std::ios::binary);
     if(!file)
       throw Error(name, std::strerror(errno));
-    if(std::filesystem::is_regular_file(name)) {
+    if(std::filesystem::is_regular_file(name, ignored)) {
       std::string begin(magic.size(), '\0');
       file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
       is_compressed_ = begin == magic;
@@ -88,9 +101,8 @@ bool Lines::next(std::string& line)
     return false;
   }
   ++number_;
-  const std::string mark = "\xEF\xBB\xBF"; // some programs begin UTF-8 files with it
-  if(number_ == 1 && line.compare(0, mark.size(), mark) == 0)
-    line.erase(0, mark.size());
+  if(number_ == 1)
+    take_mark(line, file_);
   if(!line.empty() && line.back() == '\r')
     line.pop_back();
   return true;

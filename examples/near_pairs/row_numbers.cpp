@@ -15,13 +15,24 @@
 namespace near_pairs {
 namespace {
 
+bool has_decimal_comma(std::string text)
+{
+  const std::size_t comma = text.find(',');
+  if(comma == std::string::npos)
+    return false;
+  text[comma] = '.';
+  return parse_decimal(text).has_value();
+}
+
 // Says what is wrong with coordinate `axis` of a row.
 Error bad_coordinate(const Place& place, int axis)
 {
   const std::string name = place.reader.names[axis];
   const std::string& text = place.row.coordinates[axis];
+  const std::string what = has_decimal_comma(text)
+    ? " has a comma in the place of the decimal point" : " is no finite number";
   return Error(place.input.name(), place.row.line,
-               text.empty() ? name + " is empty" : name + ": '" + text + "' is no finite number");
+               text.empty() ? name + " is empty" : name + ": '" + text + "'" + what);
 }
 
 // Reads degrees of at most so many in both directions.

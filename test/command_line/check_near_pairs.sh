@@ -556,15 +556,21 @@ expect_error "empty field" "hole.csv:4: x is empty" hole.csv --distance 1
 expect_error "NaN" "nan.csv:3: y: 'nan'" nan.csv --distance 1
 expect_error "infinity" "infinite.csv:3: y: '-inf'" infinite.csv --distance 1
 expect_error "beyond double" "huge.csv:3: y: '1e400'" huge.csv --distance 1
-expect_error "short record" "short.csv:3: 1 fields" short.csv --distance 1
+expect_error "short record" "short.csv:3: 1 field, but the header has 2" short.csv --distance 1
 expect_error "open quote" "open_quote.csv:2: " open_quote.csv --distance 1
 expect_error "misplaced quote" "bad_quote.csv:2: " bad_quote.csv --distance 1
 expect_error "no known columns" "names.csv:1: no columns x, y or lat*, lon*; choose with --columns among a, b" names.csv --distance 1
 expect_error "unknown column" "names.csv:1: no column 'c' among a, b" names.csv --distance 1 --columns a,c
 expect_error "column number out of range" "no column '3'" names.csv --distance 1 --columns 1,3
 expect_error "latitude beyond the pole" "pole.csv:3: lat: latitude 90.5" pole.csv --distance 1 --geographic
+printf 'x;y\n1;2\n1;-2,5\n' > decimal_comma.csv
+printf '\xFF\xFEx\0,\0y\0\n\0' > wide.csv
+ln -s circle.csv circle.csv
 printf 'lat,lon\n10,10\n10,-360.5\n' > round.csv
 printf '"lat,lon"\n"10,10"\n' > one_column.csv
+expect_error "a decimal comma" "decimal_comma.csv:3: y: '-2,5' has a comma in the place of" decimal_comma.csv --distance 1
+expect_error "UTF-16" "wide.csv: is in UTF-16; save it in UTF-8" wide.csv --distance 1
+expect_error "a link to itself" "near_pairs: circle.csv: Too many levels" circle.csv --distance 1
 expect_error "longitude beyond a round" "round.csv:3: lon: longitude -360.5 is outside [-360, 360]" round.csv --distance 1 --geographic
 expect_error "longitude before latitude" "needs the latitude before the longitude" equator.csv --distance 1 --geographic --columns lon,lat
 expect_error "latitude and longitude in one column" "no columns lat* and lon*" one_column.csv --distance 1 --geographic
