@@ -23,6 +23,7 @@
 #include <set>
 #include <sstream>
 #include <system_error>
+#include <utility>
 
 namespace near_pairs {
 namespace {
@@ -247,16 +248,19 @@ void check_table(const std::string& option, const std::string& name)
                 ".csv or .geojson");
 }
 
-void check_outputs(const po::variables_map& map, const Options& options)
+void read_outputs(const po::variables_map& map, Options& options)
 {
   std::set<std::string> names;
-  for(const char* output : {"pairs", "points", "picture"})
-    if(map.count(output)) {
-      const std::string name = map[output].as<std::string>();
-      if(name.empty())
+  const std::pair<const char*, std::string*> outputs[]
+    = {{"pairs", &options.pairs}, {"points", &options.points}, {"picture", &options.picture}};
+  for(const auto& [option, name] : outputs)
+    if(map.count(option)) {
+      if(name->empty())
         throw Error("empty name of an output file");
-      if(!names.insert(name == "-" ? name : canonical_name(name)).second)
-        throw Error("two outputs have the name " + name);
+      if(*name == "/dev/stdout")
+        *name = "-";
+      if(!names.insert(*name == "-" ? *name : canonical_name(*name)).second)
+        throw Error("two outputs have the name " + *name);
     }
   check_table("pairs", options.pairs);
   check_table("points", options.points);
@@ -317,7 +321,7 @@ Options parse_and_check(int argc, const char* const* argv)
   read_format(options);
   read_separator(map, options);
   check_choices(map, options);
-  check_outputs(map, options);
+  read_outputs(map, options);
   read_memory(map, options);
   read_columns(map, options);
   return options;

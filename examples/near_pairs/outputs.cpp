@@ -40,6 +40,8 @@ Output_file::Output_file(const std::string& file, const std::vector<std::string>
       throw Error(file, std::strerror(errno));
     if(!fs::is_regular_file(target_, ignored))
       return;
+    if(fs::equivalent(target_, "/dev/stdout", ignored)) // it would lose the summary
+      throw Error(file, "is the standard output, which has the name - here");
     file_.close();
   }
   open_temporary();

@@ -366,6 +366,13 @@ verdict "the picture is an SVG file" grep -q '^</svg>' picture.svg
 if command -v python3 > /dev/null; then
   verdict "  and well-formed" python3 -c 'import xml.dom.minidom as m; m.parse("picture.svg")'
 fi
+"$binary" thirteen.csv --squared-distance 13 --open --pairs /dev/stdout 2> err | cat > out
+verdict "  by its other name" cmp -s out expected
+verdict "  with the summary on stderr" grep -q '^pairs  *1$' err
+"$binary" ties.csv --distance 1 --pairs summary.txt > summary.txt 2> err
+status=$?
+true > out
+verdict "pairs in the file of the summary" is_one_error "summary.txt: is the standard output"
 run ties.csv --distance 1 --picture -
 verdict "the picture on stdout" test "$(tail -n 1 out)" = "</svg>"
 verdict "  with the summary on stderr" grep -q '^pairs  *' err
