@@ -52,6 +52,14 @@ bool is_longitude(const std::string& name)
   return has_word(lower_case(name), "lon");
 }
 
+// Whether the bytes may be those of a compressed file, or of a program.
+bool is_no_text(const std::string& bytes)
+{
+  return std::any_of(bytes.begin(), bytes.end(), [](unsigned char byte) {
+    return std::iscntrl(byte) != 0 && std::isspace(byte) == 0;
+  });
+}
+
 // The column that a number from 1 names.
 std::optional<std::size_t> numbered_column(const std::string& text, std::size_t columns)
 {
@@ -172,6 +180,8 @@ void Csv_reader::choose_columns(const Read_options& options)
   for(const std::string& name : options.columns)
     columns_.push_back(named_column(name));
   if(columns_.empty() && !find_usual_columns(options)) {
+    if(std::any_of(header_.begin(), header_.end(), is_no_text))
+      throw Error(lines_.file(), first_line_, "is no text, so it is no table");
     const std::string wanted = options.geographic ? "lat* and lon*"
                              : options.dimension == 3 ? "x, y, z" : "x, y or lat*, lon*";
     const bool has_number = std::any_of(header_.begin(), header_.end(), parse_decimal);

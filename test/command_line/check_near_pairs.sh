@@ -662,6 +662,7 @@ ply=$'property float x\nproperty int y\nproperty uchar red\nproperty double z\n'
 { printf 'x,y\n0,0\n'; head -c 5000000 /dev/zero | tr '\0' ,; } > commas.csv
 { printf '"x\ny\nz",'; head -c 100000 /dev/zero | tr '\0' a; } > names_in_lines.csv
 printf 'x,y\n0\0,0\n' > nul.csv
+gzip -c nul.csv | gzip -c > twice.csv.gz
 printf '\xEF\xBB\xBF"x",y\r\n0,0\r\n\r\n1,0' > quoted_mark.csv
 printf '\xEF\xBB\xBF0 0 0\r\n1 0 0' > mark.xyz
 printf 'x,y\n%s,0\n' "$digits" > digits.csv
@@ -699,6 +700,7 @@ expect_error "very many quotes" "quotes.csv:2: 3 fields, but the header has 2" q
 expect_error "a line of commas" "commas.csv:3: 5000001 fields" commas.csv --distance 1
 expect_error "long names with line ends" "among x?y?z, aaa" names_in_lines.csv --distance 1
 verdict "  of which the beginning is shown" test "$(wc -c < err)" -lt 1000
+expect_error "a compressed file that was compressed" "twice.csv.gz:1: is no text" twice.csv.gz --distance 1
 expect_error "a zero byte" "nul.csv:2: x: '0?' is no" nul.csv --distance 1
 expect_pairs "byte order mark before a quote" 1 quoted_mark.csv --distance 1
 expect_pairs "byte order mark in .xyz" 1 mark.xyz --distance 1
