@@ -49,7 +49,7 @@ bool is_latitude(const std::string& name)
 
 bool is_longitude(const std::string& name)
 {
-  return has_word(lower_case(name), "lon");
+  return has_word(lower_case(name), "lon") || has_word(lower_case(name), "lng");
 }
 
 // Whether the bytes may be those of a compressed file, or of a program.
@@ -268,7 +268,9 @@ bool Csv_reader::find_degree_columns(bool latitude_first)
 {
   std::size_t latitude = 0, longitude = 0;
   const auto find = [&](auto is_it) {
-    return find_column_where(is_it, "lat", latitude) && find_column_where(is_it, "lon", longitude);
+    return find_column_where(is_it, "lat", latitude)
+           && (find_column_where(is_it, "lon", longitude)
+               || find_column_where(is_it, "lng", longitude));
   };
   if((!find(begins_with) && !find(has_word)) || latitude == longitude)
     return false;

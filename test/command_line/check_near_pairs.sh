@@ -292,6 +292,8 @@ for distance in 1200m 1.2km '1.2 km' 0.65nmi 0.7mi 3937.1ft 6/5km 1200; do
 done
 run equator.csv --geographic --distance 1.2km
 verdict "  is printed with its unit" test "$(summary distance)" = "$(printf '\xe2\x89\xa4') 1.2 km"
+sed 's/lon/Lng/' equator.csv > lng.csv
+expect_pairs "a longitude of another name" 1 lng.csv --geographic --distance 1.2km
 for distance in 1111m 1.111km 0.6nmi 0.69mi 3648ft; do
   expect_pairs "a distance of $distance" 0 equator.csv --geographic --distance "$distance"
 done
