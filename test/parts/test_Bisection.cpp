@@ -174,6 +174,37 @@ BOOST_AUTO_TEST_CASE(points_on_a_cut_are_above_it_from_its_id_on)
   BOOST_CHECK_EQUAL(parts.owner(x, 20), 1);
 }
 
+// Returns for each part the tree of its own cuts and those of all others.
+std::vector<internal::Bisection> shared_trees(const internal::Point_sample& points, int part_count)
+{
+  std::vector<internal::Bisection> trees;
+  std::vector<char> bytes;
+  for(int part = 0; part < part_count; ++part)
+    trees.emplace_back(points, part_count, 0.01, part, bytes);
+  for(internal::Bisection& tree : trees)
+    tree.add(bytes);
+  return trees;
+}
+
+BOOST_AUTO_TEST_CASE(parts_that_share_the_work_make_the_same_cuts)
+{
+  const internal::Point_sample others = random_points(1000, 10, 10);
+  for(const internal::Point_sample& points :
+      {points_with_crowd(), random_points(2000, 10, 1), random_points(3, 1, 1),
+       random_points(0, 1, 1), random_points(500, 0, 0)})
+    for(const int part_count : {1, 2, 3, 7, 16}) {
+      const internal::Bisection whole(points, part_count, 0.01);
+      for(const internal::Bisection& tree : shared_trees(points, part_count))
+        for(const internal::Point_sample* sample : {&points, &others})
+          for(std::size_t i = 0; i < sample->size(); i += 5) {
+            const auto expected = whole.find(sample->point(i), sample->ids[i]);
+            const auto found = tree.find(sample->point(i), sample->ids[i]);
+            BOOST_REQUIRE_EQUAL(found.part, expected.part);
+            BOOST_REQUIRE_EQUAL(found.box, expected.box);
+          }
+    }
+}
+
 BOOST_AUTO_TEST_CASE(there_may_be_fewer_points_than_parts)
 {
   const std::vector<double> x = {(std::numeric_limits<double>::max)(), 0};

@@ -116,8 +116,11 @@ public:
     bytes = gather_bytes(comm_, bytes);
     run_together(comm_, [&] {
       read_sample(bytes, {0, 1}, sample);
-      bisection_.emplace(sample, comm_.size(), reach_);
+      bytes.clear();
+      bisection_.emplace(sample, comm_.size(), reach_, comm_.rank(), bytes);
     });
+    bytes = gather_bytes(comm_, bytes);
+    run_together(comm_, [&] { bisection_->add(bytes); });
   }
 
   // Moves each point to the process of its box.

@@ -7,6 +7,8 @@
 
 // Cuts space into parts of about as many points, and of about the same work.
 
+#include <CGAL/Thick_intersection_d/internal/arrays/radix_sort.h>
+#include <CGAL/Thick_intersection_d/internal/parts/Cut_tree.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Point_sample.h>
 #include <CGAL/Thick_intersection_d/internal/parts/balanced_split.h>
 
@@ -14,7 +16,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -24,69 +25,43 @@ namespace internal {
 
 // Each cut goes along the axis where the fewest points of the sample are within reach of it, since
 // these points go to both sides. Points with the same coordinate are cut by their ids, so a crowd
-// of equal points is shared as well. The sample decides where to cut and nothing else: every point
-// has one part, whatever the sample was.
-class Bisection
+// of equal points is shared as well. The sample decides where to cut and nothing else.
+class Bisection : public Cut_tree
 {
 public:
   Bisection(const Point_sample& sample, int part_count, double reach)
-    : sample_(&sample), reach_(reach), is_in_first_(sample.size())
+    : Bisection(sample, part_count, reach, all_parts)
+  {}
+
+  // Makes the cuts on the way to one part, and appends those that other parts are to know to
+  // `bytes`. If each part has the same sample, all cuts together are those of the tree.
+  Bisection(const Point_sample& sample, int part_count, double reach, int part,
+            std::vector<char>& bytes)
+    : Bisection(sample, part_count, reach, part)
   {
+    for(const int place : own_places_)
+      write_cuts(place, bytes);
+  }
+
+  // Adds the cuts of all parts.
+  void add(const std::vector<char>& bytes) { read_cuts(bytes); }
+
+private:
+  static constexpr int all_parts = -1;
+
+  Bisection(const Point_sample& sample, int part_count, double reach, int part)
+    : sample_(&sample), reach_(reach), wanted_part_(part), is_in_first_(sample.size())
+  {
+    const std::vector<Keyed_value> by_id = order_by_id();
     for(int axis = 0; axis < sample.dimension; ++axis)
-      orders_.push_back(order_along(axis));
-    cut(0, sample.size(), 0, part_count);
+      orders_.push_back(order_along(axis, by_id));
+    reset(part_count);
+    set_root(side_of(0, sample.size(), 0, part_count));
+    make_cuts(0, sample.size(), 0, part_count);
     sample_ = nullptr;
     orders_ = {};
     is_in_first_ = {};
   }
-
-  // A part, and one of its boxes. A part around another one is in boxes on both sides of it.
-  struct Part_place
-  {
-    int part;
-    std::size_t box;
-  };
-  static constexpr std::size_t max_boxes = 128; // of a part; most have no points
-
-  // Returns where a point is. `x[axis]` is a double that stands for its coordinate, always the same
-  // one.
-  template <class Coordinates>
-  Part_place find(const Coordinates& x, std::uint64_t id) const
-  {
-    std::size_t box = 1;
-    const Node* node = &nodes_.front();
-    while(node->axis >= 0) {
-      const double value = x[static_cast<std::size_t>(node->axis)];
-      const bool is_below = value < node->value || (value == node->value && id < node->id);
-      const Side& side = is_below ? node->below : node->above;
-      box = side.is_divided && box < max_boxes / 2 ? 2 * box + !is_below : box;
-      node = &nodes_[static_cast<std::size_t>(side.next)];
-    }
-    return {node->below.next, box};
-  }
-
-  template <class Coordinates>
-  int owner(const Coordinates& x, std::uint64_t id) const
-  {
-    return find(x, id).part;
-  }
-
-private:
-  // What is on one side of a cut: a node, or a part. If it is divided, its other half is above the
-  // second cut, or below the first one.
-  struct Side
-  {
-    int next = 0;
-    bool is_divided = false;
-  };
-
-  struct Node
-  {
-    int axis = -1; // of a cut; a node without an axis is a part
-    double value = 0;
-    std::uint64_t id = 0;
-    Side below, above;
-  };
 
   // One group is [low, high) of the order along an axis, and the other one is around it.
   struct Axis_split
@@ -103,53 +78,68 @@ private:
   // A split is found to an accuracy of one of so many steps.
   static constexpr std::size_t max_steps = 2048;
 
-  std::vector<std::uint32_t> order_along(int axis) const
+  std::vector<Keyed_value> order_by_id() const
   {
-    std::vector<std::tuple<double, std::uint64_t, std::uint32_t>> points;
-    points.reserve(sample_->size());
-    for(std::size_t i = 0; i < sample_->size(); ++i)
-      points.emplace_back(sample_->point(i)[axis], sample_->ids[i], static_cast<std::uint32_t>(i));
-    std::sort(points.begin(), points.end());
-    std::vector<std::uint32_t> order;
-    order.reserve(points.size());
-    for(const auto& point : points)
-      order.push_back(std::get<2>(point));
+    std::vector<Keyed_value> order;
+    order.reserve(sample_->size());
+    for(const std::uint64_t id : sample_->ids)
+      order.push_back({id, static_cast<std::uint32_t>(order.size())});
+    radix_sort(order);
     return order;
   }
 
-  // Cuts the points [first, last) of all orders into parts [part, part + part_count), and returns
-  // the node. Points on both sides of a part are cut together.
-  int cut(std::size_t first, std::size_t last, int part, int part_count)
+  // Points with the same coordinate stay in the order of their ids.
+  std::vector<std::uint32_t> order_along(int axis, std::vector<Keyed_value> points) const
   {
-    const std::size_t node = new_node();
-    nodes_[node].below.next = part;
-    if(part_count == 1 || first == last)
-      return static_cast<int>(node);
+    for(Keyed_value& point : points)
+      point.key = radix_key(sample_->point(point.value)[axis]);
+    radix_sort(points);
+    std::vector<std::uint32_t> order;
+    order.reserve(points.size());
+    for(const Keyed_value& point : points)
+      order.push_back(point.value);
+    return order;
+  }
+
+  // Returns where the points [first, last) of all orders go. Space without points has one part.
+  static Side side_of(std::size_t first, std::size_t last, int part, int part_count)
+  {
+    const bool is_part = part_count == 1 || first == last;
+    return {is_part ? part : place_of_cuts(part, part_count), is_part, false};
+  }
+
+  // Cuts the points [first, last) of all orders into parts [part, part + part_count). Points on
+  // both sides of a part are cut together.
+  void make_cuts(std::size_t first, std::size_t last, int part, int part_count)
+  {
+    const bool is_wanted = wanted_part_ == all_parts
+                           || (part <= wanted_part_ && wanted_part_ < part + part_count);
+    if(side_of(first, last, part, part_count).is_part || !is_wanted)
+      return;
+    const int place = place_of_cuts(part, part_count);
+    if(part == wanted_part_)
+      own_places_.push_back(place);
     const int first_count = part_count / 2;
     const Axis_split split = best_split(first, last, static_cast<double>(first_count) / part_count);
     const bool is_divided = split.low > first && split.high < last;
-    const std::size_t second = is_divided ? new_node() : node;
-    set_cut(nodes_[second], split.axis, first, last, split.high);
+    Cut& second = cut(place + is_divided);
+    set_cut(second, split.axis, first, last, split.high);
     if(split.low > first)
-      set_cut(nodes_[node], split.axis, first, last, split.low);
+      set_cut(cut(place), split.axis, first, last, split.low);
     const std::size_t middle = separate(first, last, split);
-    int inside = cut(first, middle, part, first_count);
-    int outside = cut(middle, last, part + first_count, part_count - first_count);
+    Side inside = side_of(first, middle, part, first_count);
+    Side outside = side_of(middle, last, part + first_count, part_count - first_count);
     if(!split.is_first_inside)
       std::swap(inside, outside);
-    nodes_[second].below = {inside, false};
-    nodes_[second].above = {outside, is_divided};
+    outside.is_divided = is_divided;
+    second.below = inside;
+    second.above = outside;
     if(split.low > first) {
-      nodes_[node].below = {outside, is_divided};
-      nodes_[node].above = {is_divided ? static_cast<int>(second) : inside, false};
+      cut(place).below = outside;
+      cut(place).above = is_divided ? Side{place + 1, false, false} : inside;
     }
-    return static_cast<int>(node);
-  }
-
-  std::size_t new_node()
-  {
-    nodes_.emplace_back();
-    return nodes_.size() - 1;
+    make_cuts(first, middle, part, first_count);
+    make_cuts(middle, last, part + first_count, part_count - first_count);
   }
 
   // Of splits that are good enough, the one with the fewest points near it is best, and then the
@@ -214,15 +204,15 @@ private:
   }
 
   // Cuts below the point at a place of the order.
-  void set_cut(Node& node, int axis, std::size_t first, std::size_t last, std::size_t place) const
+  void set_cut(Cut& cut, int axis, std::size_t first, std::size_t last, std::size_t place) const
   {
-    node.axis = axis;
-    node.value = std::numeric_limits<double>::infinity();
+    cut.axis = axis;
+    cut.value = std::numeric_limits<double>::infinity();
     if(place == last)
       return;
-    node.value = cut_value(place, axis, first);
-    if(node.value == coordinate_of(place, axis))
-      node.id = sample_->ids[item(place, axis)];
+    cut.value = cut_value(place, axis, first);
+    if(cut.value == coordinate_of(place, axis))
+      cut.id = sample_->ids[item(place, axis)];
   }
 
   // Returns where to cut below a point: between it and the point before it, if there is a double
@@ -267,10 +257,10 @@ private:
   // While the cuts are made:
   const Point_sample* sample_;
   double reach_;
+  int wanted_part_;              // or all parts
+  std::vector<int> own_places_;  // of cuts whose first part is the wanted one
   std::vector<std::vector<std::uint32_t>> orders_; // of the sample along each axis
   std::vector<char> is_in_first_;
-
-  std::vector<Node> nodes_;
 };
 
 } // namespace internal
