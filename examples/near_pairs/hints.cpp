@@ -33,8 +33,8 @@ void print_chord(std::ostream& out, double arc)
 } // namespace
 
 Tie_watch::Tie_watch(const Scene& scene, const Options& options)
-  : scene_(scene), is_on_(scene.has_short_decimals && !options.closest),
-    reach_(reach_of(options))
+  : scene_(scene), reach_(reach_of(options)),
+    is_on_(scene.has_short_decimals && !options.closest && std::isfinite(reach_))
 {}
 
 // Coordinates are rounded by half a unit in the last place, so a distance of up to three dimensions

@@ -28,8 +28,8 @@ public:
 
 private:
   const Scene& scene_;
-  bool is_on_; // whether --decimal could see other ties
   double reach_;
+  bool is_on_; // whether --decimal could see other ties
   std::size_t count_ = 0;
 };
 

@@ -327,8 +327,10 @@ run ties.csv --squared-distance 0.01 --open
 verdict "  also if they are open" has_hints 1
 run ties.csv --distance 0.1 --decimal
 verdict "  unless decimals are taken" has_hints 0
-run ties.csv --distance 0.15
-verdict "  or there are no ties" has_hints 0
+for distance in 0.15 1e400; do
+  run ties.csv --distance $distance
+  verdict "  or there are no ties, as at $distance" has_hints 0
+done
 printf 'x,y\n0.5,0\n1,0\n1.5,0\n' > halves.csv
 run halves.csv --distance 0.5
 verdict "  or doubles see all of them" has_hints 0
