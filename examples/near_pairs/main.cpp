@@ -125,8 +125,10 @@ public:
 
   void add_pair(std::size_t i, std::size_t j)
   {
-    if(pairs_)
+    if(pairs_) {
       pairs_->add(i, j);
+      pairs_file_->check(); // a full disk ends the search
+    }
     if(picture_)
       picture_->add_pair(i, j);
     if(groups_)

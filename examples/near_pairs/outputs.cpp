@@ -74,13 +74,18 @@ std::ostream& Output_file::stream()
   return name_ == "-" ? std::cout : file_;
 }
 
+void Output_file::check()
+{
+  if(!stream())
+    throw Error(name_, "cannot be written to its end");
+}
+
 void Output_file::commit()
 {
   stream().flush();
   if(name_ != "-")
     file_.close();
-  if(!stream())
-    throw Error(name_, "cannot be written to its end");
+  check();
   if(temporary_.empty())
     return;
   std::error_code error;

@@ -27,6 +27,9 @@ public:
 
   std::ostream& stream();
 
+  // Throws Error if something could not be written.
+  void check();
+
   // Throws Error if something could not be written, and leaves no file then.
   void commit();
 

@@ -39,6 +39,7 @@ void catch_signals()
     is_pipe_broken = true;
     stop_requested = true;
   };
+  std::signal(SIGXFSZ, SIG_IGN); // a file that is too large for the limit is an error then
   std::signal(SIGINT, stop);
   std::signal(SIGTERM, stop);
   if(std::signal(SIGPIPE, stop_quietly) == SIG_IGN)

@@ -625,7 +625,14 @@ verdict "  which is untouched" cmp -s ties.csv copy.csv
 if [ -w /dev/full ]; then
   run "$ships" --distance 1 --pairs /dev/full
   verdict "full device" is_one_error "/dev/full: "
+  run "$ships" --distance 1 --pairs /dev/full --progress
+  ends_early() { [ "$status" -eq 2 ] && grep -q '/dev/full: ' err && ! grep -q '100 %' err; }
+  verdict "  ends the search" ends_early
 fi
+(ulimit -f 100; exec "$binary" "$ships" --distance 1 --pairs limited.csv > out 2> err)
+status=$?
+verdict "a file that is too large" is_one_error "limited.csv: cannot be written to its end"
+verdict "  and leaves nothing" test -z "$(find . -name 'limited.csv*')"
 echo old > old.csv
 run word.csv --distance 1 --pairs old.csv
 verdict "an error leaves the old output" test "$status $(cat old.csv)" = "2 old"
