@@ -10,11 +10,12 @@
 
 namespace near_pairs {
 
-// Shows the percentage that is done on the standard error.
+// Shows the percentage that is done on the standard error. What is printed next, such as an error,
+// takes its place.
 inline void show_progress(double done)
 {
   const int percent = static_cast<int>(100 * done);
-  std::fprintf(stderr, "\r%3d %%%s", percent, percent >= 100 ? "\n" : "");
+  std::fprintf(stderr, "%3d %%%s", percent, percent >= 100 ? "\n" : "\r");
 }
 
 } // namespace near_pairs

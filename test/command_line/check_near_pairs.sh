@@ -628,6 +628,7 @@ if [ -w /dev/full ]; then
   run "$ships" --distance 1 --pairs /dev/full --progress
   ends_early() { [ "$status" -eq 2 ] && grep -q '/dev/full: ' err && ! grep -q '100 %' err; }
   verdict "  ends the search" ends_early
+  verdict "  and the line of the percentage" grep -q $'\rnear_pairs: ' err
 fi
 (ulimit -f 100; exec "$binary" "$ships" --distance 1 --pairs limited.csv > out 2> err)
 status=$?
