@@ -39,11 +39,11 @@ Error bad_coordinate(const Place& place, int axis)
 double read_degrees(const Place& place, int axis, const char* what, int most)
 {
   const double degrees = read_double(place, axis);
+  if(std::abs(degrees) <= most)
+    return degrees;
   const std::string range = std::to_string(most);
-  if(std::abs(degrees) > most)
-    throw Error(place.input.name(), place.row.line, place.reader.names[axis] + ": " + what + " "
-                + place.row.coordinates[axis] + " is outside [-" + range + ", " + range + "]");
-  return degrees;
+  throw Error(place.input.name(), place.row.line, place.reader.names[axis] + ": " + what + " "
+              + place.row.coordinates[axis] + " is outside [-" + range + ", " + range + "]");
 }
 
 } // namespace
