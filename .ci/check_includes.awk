@@ -26,7 +26,8 @@ is_in_text {
   next
 }
 
-!is_second && /^(class|struct|enum class) [A-Za-z_0-9]+/ && !/;$/ {
+# A specialization does not define the name.
+!is_second && /^(class|struct|enum class) [A-Za-z_0-9]+/ && !/;$/ && !/^(class|struct) [^ ]+</ {
   name = $0
   sub(/^(class|struct|enum class) /, "", name)
   sub(/[^A-Za-z_0-9].*/, "", name)

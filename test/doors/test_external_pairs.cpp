@@ -12,11 +12,11 @@
 #include <CGAL/tags.h>
 
 #include <CGAL/Thick_intersection_d/internal/arrays/Random_numbers.h>
-#include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/doors/external_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/external/External_parts.h>
 #include <CGAL/Thick_intersection_d/internal/external/Loaded_points.h>
 #include <CGAL/Thick_intersection_d/internal/external/Scratch_file.h>
+#include <CGAL/Thick_intersection_d/internal/external/Searched_points.h>
 #include <CGAL/Thick_intersection_d/internal/external/Stored_points.h>
 #include <CGAL/Thick_intersection_d/internal/external/Streamed_sample.h>
 #include <CGAL/Thick_intersection_d/internal/external/Stripes.h>
@@ -153,6 +153,20 @@ BOOST_AUTO_TEST_CASE(near_ties_far_from_zero_are_the_same_in_parts)
     points.emplace_back(std::round(10 * p.x()) + 0x1p50, std::round(10 * p.y()) + 0x1p51,
                         std::round(10 * p.z()) / 8 + 0x1p49);
   BOOST_CHECK(has_equal_pairs(points, CGAL::within_distance(1.)));
+}
+
+// Decimals have ties that integers do not decide, and no two of them need be equal.
+BOOST_AUTO_TEST_CASE(near_ties_of_decimals_are_the_same_in_parts)
+{
+  Scene_maker maker;
+  const auto decimal = [&] { return std::floor(5000 * maker.number()) / 1000; };
+  Points points;
+  for(int i = 0; i < 20000; ++i) {
+    const double x = decimal(), y = decimal();
+    points.emplace_back(x, y, 0);
+  }
+  for(const double distance : {.005, .05})
+    BOOST_CHECK(has_equal_pairs(points, CGAL::within_distance(distance)));
 }
 
 BOOST_AUTO_TEST_CASE(points_of_a_plane_and_of_a_line_have_the_same_pairs_in_parts)
@@ -312,41 +326,57 @@ BOOST_AUTO_TEST_CASE(a_scratch_file_leaves_nothing_behind)
 
 BOOST_AUTO_TEST_CASE(a_list_on_disk_gives_its_chunks_to_the_next_list)
 {
-  using Record = Point_record<3>;
   Chunk_store<3> store(fs::temp_directory_path(), 5);
   Stored_points<3> list, next;
   for(std::uint64_t i = 0; i < 203; ++i)
     list.add(store, {{1. * i, 0, 0}}, i);
   list.flush(store);
   BOOST_CHECK_EQUAL(list.box()[0].high, 202);
-  std::vector<std::uint64_t> ids;
-  Buffer<Record> buffer;
-  list.take(store, 10, buffer, [&](const Record* records, std::size_t count) {
-    BOOST_CHECK_LE(count, 10);
-    for(std::size_t i = 0; i < count; ++i) {
-      BOOST_CHECK_EQUAL(records[i].point.x[0], 1. * records[i].id);
-      ids.push_back(records[i].id);
-      next.add(store, records[i].point, records[i].id);
-    }
+  list.take(store, [&](const Stored_point<3>& point, std::uint64_t id) {
+    BOOST_CHECK_EQUAL(id, next.size());
+    next.add(store, point, id);
   });
-  BOOST_CHECK_EQUAL(ids.size(), 203);
-  BOOST_CHECK(std::is_sorted(ids.begin(), ids.end()));
   BOOST_CHECK_EQUAL(list.size(), 0);
-  BOOST_CHECK_EQUAL(next.size(), 203);
   BOOST_CHECK_LE(store.size(), 4); // rows of 16 chunks
+  Loaded_points<3> loaded;
+  loaded.clear(203);
+  loaded.add_owned(next, store);
+  BOOST_REQUIRE_EQUAL(loaded.size(), 203);
+  for(std::uint64_t i = 0; i < 203; ++i) {
+    BOOST_CHECK_EQUAL(loaded.columns().points[i].x[0], 1. * i);
+    BOOST_CHECK_EQUAL(loaded.columns().ids[i], i);
+  }
 }
 
-BOOST_AUTO_TEST_CASE(points_are_loaded_with_ids_beyond_32_bits)
+// Half of the ids have no room in a number. Some points are given.
+BOOST_AUTO_TEST_CASE(points_of_a_part_are_found_by_their_numbers)
 {
-  const std::uint64_t far = std::uint64_t(5) << 32;
-  for(const std::uint64_t first : {std::uint64_t(0), far}) {
-    Loaded_points<3> loaded(first + 10);
-    loaded.clear(2);
-    const std::array<Point_record<3>, 2> records = {{{{{1, 2, 3}}, first + 7}, {{{4, 5, 6}}, 8}}};
-    loaded.add(records.data(), records.size());
-    BOOST_CHECK_EQUAL(loaded.ids()[0], first + 7);
-    BOOST_CHECK_EQUAL(loaded.ids()[1], 8);
+  Loaded_points<3> part;
+  Chunk_store<3> store(fs::temp_directory_path(), 100);
+  part.clear(1500);
+  const std::uint64_t far = (std::uint64_t(1) << 31) - 500;
+  for(std::uint64_t first : {0, 1, 2}) {
+    Stored_points<3> list;
+    for(std::uint64_t id = first; id < 1000; id += 2)
+      list.add(store, {{1. * id, 0, 0}}, far + id);
+    list.flush(store);
+    if(first == 2)
+      part.add_given(list, store);
+    else
+      part.add_owned(list, store);
   }
+  const Searched_points<3> points(part);
+  int short_ids = 0;
+  for(std::size_t place = 0; place < part.size(); ++place) {
+    const std::uint64_t id = part.columns().ids[place];
+    const std::size_t number = points.number(place);
+    BOOST_CHECK_EQUAL(points.id(number), id);
+    BOOST_CHECK_EQUAL(points.place(number), place);
+    BOOST_CHECK_EQUAL(points[number].x[0], id - far);
+    BOOST_CHECK_EQUAL(points.is_owned(number), place < 1000);
+    short_ids += points.is_id(number);
+  }
+  BOOST_CHECK_EQUAL(short_ids, 499);
 }
 
 BOOST_AUTO_TEST_CASE(a_sample_has_a_point_of_each_block)
@@ -407,9 +437,10 @@ BOOST_AUTO_TEST_CASE(parts_fill_the_budget_with_the_points_near_them)
     parts.make(sample, visit_points);
     std::size_t owned = 0;
     int count = 0;
-    Loaded_points<3> loaded(points.size());
+    Loaded_points<3> loaded;
     for(; parts.find_next(); ++count) {
-      owned += parts.take_next(loaded);
+      parts.take_next(loaded);
+      owned += loaded.owned();
       BOOST_CHECK_LE(loaded.size(), parts.limits().points_per_search());
     }
     BOOST_CHECK_EQUAL(owned, points.size());

@@ -9,17 +9,18 @@
 // for points in memory.
 
 #include <CGAL/Distance_bound.h>
-#include <CGAL/Iterator_range.h>
 #include <CGAL/Memory_budget.h>
 #include <CGAL/Named_function_parameters.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/check_denormals.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/doors/Part_reporter.h>
 #include <CGAL/Thick_intersection_d/internal/doors/near_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/external/External_parts.h>
 #include <CGAL/Thick_intersection_d/internal/external/Loaded_points.h>
-#include <CGAL/Thick_intersection_d/internal/external/Stored_points.h>
+#include <CGAL/Thick_intersection_d/internal/external/Point_columns.h>
+#include <CGAL/Thick_intersection_d/internal/external/Searched_points.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
@@ -36,7 +37,6 @@
 #include <string>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -67,20 +67,14 @@ public:
   {
     check_denormals();
     const std::size_t most = parts_.limits().points_per_search();
-    std::vector<Point> points;
     Iterator it = std::begin(range_);
     const auto last = std::end(range_);
-    for(; points.size() < most && it != last; ++it) {
+    for(; loaded_.size() < most && it != last; ++it) {
       if(!may_read_next())
         return false;
-      if(points.size() == points.capacity())
-        points.reserve((std::min)(most, 2 * points.size() + (1 << 20)));
-      points.push_back(stored_point(*it));
+      loaded_.add(stored_point(*it), size_ - 1, most);
     }
-    if(it != last)
-      return search_parts(std::move(points), it);
-    return search(points.data(), points.size(), 0, 1,
-                  [&](std::size_t i, std::size_t j) { return put(i, j); });
+    return it == last ? search_loaded(0, 1) : search_parts(it);
   }
 
 private:
@@ -122,17 +116,17 @@ private:
     return stored;
   }
 
-  // `points` come before the others.
-  bool search_parts(std::vector<Point>&& points, Iterator it)
+  // The points that were loaded come before the others.
+  bool search_parts(Iterator it)
   {
+    const Point_columns<Dimension> columns = loaded_.columns();
     typename External_parts<Dimension>::Sample sample(parts_.limits().points_per_sample());
-    for(const Point& point : points)
-      sample.add(point);
+    std::for_each(columns.points, columns.points + loaded_.size(),
+                  [&](const Point& point) { sample.add(point); });
     bool is_complete = true;
     parts_.make(sample, [&](const auto& visit) {
-      for(std::size_t id = 0; id < points.size(); ++id)
-        visit(points[id], id);
-      std::vector<Point>().swap(points);
+      for(std::size_t i = 0; i < loaded_.size(); ++i)
+        visit(columns.points[i], columns.ids[i]);
       is_complete = visit_rest(it, visit);
     });
     return is_complete && search_each_part();
@@ -152,16 +146,11 @@ private:
 
   bool search_each_part()
   {
-    Loaded_points<Dimension> loaded(size_);
-    for(std::uint64_t done = 0; parts_.find_next(); ) {
-      const std::size_t owned = parts_.take_next(loaded);
-      const double share = (1 - share_of_writing) * part_of_all(owned);
+    for(std::uint64_t done = 0; parts_.find_next(); done += loaded_.owned()) {
+      parts_.take_next(loaded_);
+      const double share = (1 - share_of_writing) * part_of_all(loaded_.owned());
       const double start = share_of_writing + (1 - share_of_writing) * part_of_all(done);
-      done += owned;
-      const auto report = [this, owned, ids = loaded.ids()](std::size_t i, std::size_t j) {
-        return i >= owned || put_ids(ids[i], ids[j]);
-      };
-      if(!search(loaded.points(), loaded.size(), start, share, report))
+      if(!search_loaded(start, share))
         return false;
     }
     return true;
@@ -172,23 +161,15 @@ private:
     return static_cast<double>(count) / static_cast<double>(size_);
   }
 
-  // Searches points in memory, and calls report(i, j) with positions i < j among them. The search
-  // has a share of the progress, from `start` on.
-  template <class Report>
-  bool search(const Point* points, std::size_t size, double start, double share,
-              const Report& report)
+  // Searches the points in memory, with a share of the progress, from `start` on.
+  bool search_loaded(double start, double share)
   {
+    const Searched_points<Dimension> points(loaded_);
     const auto go_on = [&](double done) { return go_on_(start + share * done); };
-    const auto range = make_range(points, points + size);
-    return report_near_pairs<ConcurrencyTag>(
-      make_elements(range, parameters::default_values()), One_set(), bound_, report,
-      parameters::callback(go_on));
-  }
-
-  bool put_ids(std::uint64_t a, std::uint64_t b)
-  {
-    const std::uint64_t swapped = (a ^ b) & -std::uint64_t(b < a); // a branch is mispredicted
-    return put(a ^ swapped, b ^ swapped);
+    const auto put_pair = [this](std::uint64_t i, std::uint64_t j) { return put(i, j); };
+    const Part_report<Dimension, decltype(put_pair)> report{points, put_pair};
+    return report_near_pairs<ConcurrencyTag>(points, One_set(), bound_, report,
+                                             parameters::callback(go_on));
   }
 
   // Returns false iff the callback stops the search.
@@ -208,6 +189,7 @@ private:
   External_parts<Dimension> parts_;
   Callback& callback_;
   const Go_on& go_on_;
+  Loaded_points<Dimension> loaded_; // some, or a part
   std::uint64_t size_ = 0; // of the points that were read
 };
 

@@ -9,12 +9,14 @@
 
 #include <CGAL/Memory_budget.h>
 
-#include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
+#include <CGAL/Thick_intersection_d/internal/external/Chunk_store.h>
 #include <CGAL/Thick_intersection_d/internal/external/Loaded_points.h>
 #include <CGAL/Thick_intersection_d/internal/external/Part_limits.h>
+#include <CGAL/Thick_intersection_d/internal/external/Point_columns.h>
 #include <CGAL/Thick_intersection_d/internal/external/Stored_points.h>
 #include <CGAL/Thick_intersection_d/internal/external/Streamed_sample.h>
 #include <CGAL/Thick_intersection_d/internal/external/Tile_grid.h>
+#include <CGAL/Thick_intersection_d/internal/external/Tile_writer.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_box.h>
 
@@ -45,7 +47,6 @@ template <int Dimension>
 class External_parts
 {
   using Point = Stored_point<Dimension>;
-  using Record = Point_record<Dimension>;
   using Points = Stored_points<Dimension>;
 
   struct Part
@@ -66,7 +67,7 @@ public:
   using Sample = Streamed_sample<Point>;
 
   External_parts(const Memory_budget& budget, double reach)
-    : limits_(budget.bytes(), sizeof(Record)), reach_(reach),
+    : limits_(budget.bytes(), stored_size<Dimension>), reach_(reach),
       store_(budget.directory(), limits_.points_per_chunk())
   {}
 
@@ -78,16 +79,9 @@ public:
   void make(const Sample& sample, const Visit_points& visit_points)
   {
     const Tile_grid<Dimension> grid(sample.points(), limits_.tile_count());
-    const auto room = make_uninitialized<Record>(grid.size() * store_.points_per_chunk());
-    std::vector<Points> tiles;
-    for(std::size_t tile = 0; tile < grid.size(); ++tile)
-      tiles.emplace_back(room.get() + tile * store_.points_per_chunk(), store_);
-    visit_points([&](const Point& point, std::uint64_t id) {
-      tiles[grid(point)].add(store_, point, id);
-    });
-    for(Points& tile : tiles)
-      tile.flush(store_);
-    add_part(std::move(tiles), grid.columns(), grid.axes());
+    Tile_writer<Dimension> writer(grid, store_);
+    visit_points([&](const Point& point, std::uint64_t id) { writer.add(point, id); });
+    add_part(writer.finish(), grid.columns(), grid.axes());
   }
 
   // Gets the next part ready to be taken. Returns false if there is none.
@@ -98,29 +92,22 @@ public:
     return !parts_.empty();
   }
 
-  // Takes the part away, and gives its points to the parts behind it. Returns how many points the
-  // part owns: the first ones.
-  std::size_t take_next(Loaded_points<Dimension>& loaded)
+  // Takes the part away, and gives its points to the parts behind it.
+  void take_next(Loaded_points<Dimension>& loaded)
   {
     Part part = std::move(parts_.back());
     parts_.pop_back();
     loaded.clear(static_cast<std::size_t>(part.size()));
-    Buffer<Record> buffer;
     for(Points& tile : part.tiles) {
-      const Tile_rows<Dimension> rows(tile.box());
       const std::vector<Part*> near_parts = parts_near(closed_box(tile));
-      tile.take(store_, limits_.points_per_batch(), buffer,
-                [&](const Record* records, std::size_t count) {
-        loaded.add_rows(rows, records, count);
-        for(Part* other : near_parts)
-          for(std::size_t i = 0; i < count; ++i)
-            give(*other, records[i]);
-      });
+      const std::size_t first = loaded.size();
+      loaded.add_owned(tile, store_);
+      const Point_columns<Dimension> columns = loaded.columns();
+      for(Part* other : near_parts)
+        for(std::size_t i = first; i < loaded.size(); ++i)
+          give(*other, columns.points[i], columns.ids[i]);
     }
-    part.given.take(store_, 0, buffer, [&](const Record* records, std::size_t count) {
-      loaded.add(records, count);
-    });
-    return static_cast<std::size_t>(part.owned);
+    loaded.add_given(part.given, store_);
   }
 
 private:
@@ -153,10 +140,10 @@ private:
     return near_parts;
   }
 
-  void give(Part& part, const Record& record)
+  void give(Part& part, const Point& point, std::uint64_t id)
   {
-    if(part.box.is_near(ends_of(record.point), reach_))
-      part.given.add(store_, record.point, record.id);
+    if(part.box.is_near(ends_of(point), reach_))
+      part.given.add(store_, point, id);
   }
 
   // Adds a part in front of all others, unless it has no points.
@@ -188,20 +175,9 @@ private:
       cut_columns(part);
     else
       cut_rows(part, rows_that_fit(part));
-    take_each(part.given, [&](const Record& record) {
+    part.given.take(store_, [&](const Point& point, std::uint64_t id) {
       for(std::size_t other = first; other < parts_.size(); ++other)
-        give(parts_[other], record);
-    });
-  }
-
-  // Calls visit(record) for each point. Leaves an empty list.
-  template <class Visit>
-  void take_each(Points& list, const Visit& visit)
-  {
-    Buffer<Record> buffer;
-    list.take(store_, 0, buffer, [&](const Record* records, std::size_t count) {
-      for(std::size_t i = 0; i < count; ++i)
-        visit(records[i]);
+        give(parts_[other], point, id);
     });
   }
 
@@ -254,13 +230,8 @@ private:
   {
     Sample sample(limits_.points_per_sample());
     part.tiles[0].visit_some(store_, limits_.points_per_sample(),
-                             [&](const Record* records, std::size_t count) {
-      for(std::size_t i = 0; i < count; ++i)
-        sample.add(records[i].point);
-    });
-    make(sample, [&](const auto& visit) {
-      take_each(part.tiles[0], [&](const Record& record) { visit(record.point, record.id); });
-    });
+                             [&](const Point& point) { sample.add(point); });
+    make(sample, [&](const auto& visit) { part.tiles[0].take(store_, visit); });
     for(const Points& tile : parts_.back().tiles)
       if(tile.size() == part.owned)
         refuse_crowd(limits_.points_per_search());

@@ -59,6 +59,7 @@ public:
     place.position = point.position;
   }
 
+  Place number(std::size_t position) const { return points_.number(position); }
   bool are_all_pairs() const { return points_.are_all_pairs(); }
 
   const Near_question<std::int32_t>& question() const { return scale_.question(); }

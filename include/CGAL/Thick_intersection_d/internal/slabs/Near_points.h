@@ -47,6 +47,14 @@ std::array<int, Dimension> searched_axes(const Scene& scene)
   return axes;
 }
 
+// Whether elements have numbers that they are reported by, instead of their positions. Then
+// place(number) finds the position, and elements[number] the element.
+template <class Elements, class = void>
+inline constexpr bool have_numbers = false;
+
+template <class Elements>
+inline constexpr bool have_numbers<Elements, std::void_t<decltype(&Elements::number)>> = true;
+
 // The search takes `Dimension` axes. Points that differ do so along one of these axes.
 template <int Dimension, class Elements>
 class Near_points
@@ -94,7 +102,16 @@ public:
     place.x = doubles_.template at<Dimension>(position);
     for(double& x : place.x)
       x *= scale_;
-    place.position = static_cast<Place>(position);
+    place.position = number(position);
+  }
+
+  // What the search reports the point at a position by.
+  Place number(std::size_t position) const
+  {
+    if constexpr(have_numbers<Elements>)
+      return points_.number(position);
+    else
+      return static_cast<Place>(position);
   }
 
   // Whether all pairs of points of the scene are certainly within the bound.
@@ -122,9 +139,14 @@ public:
   }
 
   // The same of points at positions, which 32-bit integers leave undecided (Narrow_points.h).
-  void ask_for(Place position) const { doubles_.ask_for(position); }
-  CGAL_RARELY_CALLED bool is_pair(Place p, Place q, Decision_counts& counts) const
+  void ask_for([[maybe_unused]] Place number) const
   {
+    if constexpr(!have_numbers<Elements>) // it takes longer to find the point than to read it
+      doubles_.ask_for(number);
+  }
+  CGAL_RARELY_CALLED bool is_pair(Place a, Place b, Decision_counts& counts) const
+  {
+    const Place p = place_of(a), q = place_of(b);
     return decide([&](int axis) { return coordinate(p, axis); },
                   [&](int axis) { return coordinate(q, axis); }, p, q, counts);
   }
@@ -134,6 +156,14 @@ public:
   const Distance_filter& filter() const { return near_.filter; }
 
 private:
+  Place place_of(Place number) const
+  {
+    if constexpr(have_numbers<Elements>)
+      return static_cast<Place>(points_.place(number));
+    else
+      return number;
+  }
+
   static Some_doubles some_doubles(const All_doubles& doubles,
                                    const std::array<int, Dimension>& axes)
   {

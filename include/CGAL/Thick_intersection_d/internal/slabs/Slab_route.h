@@ -33,8 +33,8 @@ namespace Thick_intersection_d {
 namespace internal {
 
 // `Test` is a source for Slabs and a test for Near_sweep. It also has a type Point, like
-// Slab_point, whose runs are its own, and the functions size(), reach(), are_all_pairs() and
-// publish(counts), as Near_points does.
+// Slab_point, whose runs are its own, and the functions size(), reach(), number(position),
+// are_all_pairs() and publish(counts), as Near_points does.
 template <class ConcurrencyTag, class Test>
 class Slab_route
 {
@@ -145,7 +145,7 @@ private:
       for(; i != last && !report.is_stopped(); ++i) {
         const std::size_t start = (std::max)(i + 1, first);
         std::size_t j = start;
-        while(j < test_.size() && report(i, j))
+        while(j < test_.size() && report(test_.number(i), test_.number(j)))
           ++j;
         counts.add(Arithmetic_tier::DOUBLE, j - start);
         advance(progress, 1, report);

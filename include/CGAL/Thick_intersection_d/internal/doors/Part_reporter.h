@@ -1,0 +1,85 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_PART_REPORTER_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_PART_REPORTER_H
+
+// Reports the pairs of a part on disk by the ids of their points.
+
+#include <CGAL/Thick_intersection_d/internal/external/Searched_points.h>
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
+
+#include <boost/config.hpp> // BOOST_NOINLINE
+
+#include <algorithm>
+#include <cstddef>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// What a search of a part calls back: put(i, j) with ids i < j.
+template <int Dimension, class Put>
+struct Part_report
+{
+  const Searched_points<Dimension>& points;
+  const Put& put;
+};
+
+// Gets the numbers of points. Drops the pairs of two points that were given: they are found
+// elsewhere.
+template <int Dimension, class Put>
+class Pair_reporter<const Part_report<Dimension, Put>>
+{
+  using Points = Searched_points<Dimension>;
+
+public:
+  explicit Pair_reporter(const Part_report<Dimension, Put>& report)
+    : points_(report.points), report_(report.put)
+  {}
+
+  bool operator()(std::size_t i, std::size_t j)
+  {
+    if(!points_.is_owned(i) && !points_.is_owned(j))
+      return true;
+    const auto [low, high] = std::minmax({points_.id(i), points_.id(j)});
+    return report_(low, high);
+  }
+
+  // Most pairs have two ids. A loop of them alone stores nothing and looks up nothing, as that of
+  // Near_sweep. This makes short callbacks fast.
+  bool report_pairs(const Found_pair* pairs, Place count)
+  {
+    Found_pair common = {max_place, max_place};
+    for(Place c = 0; c < count; ++c)
+      common = {common.i & pairs[c].i, common.j & pairs[c].j};
+    if(!Points::is_id(common.i & common.j))
+      return report_each(pairs, count);
+    for(Place c = 0; c < count; ++c)
+      if(!report_(Points::short_id(pairs[c].i), Points::short_id(pairs[c].j)))
+        return false;
+    return true;
+  }
+
+  void stop() { report_.stop(); }
+  bool is_stopped() const { return report_.is_stopped(); }
+
+private:
+  BOOST_NOINLINE bool report_each(const Found_pair* pairs, Place count)
+  {
+    return std::all_of(pairs, pairs + count,
+                       [this](const Found_pair& pair) { return (*this)(pair.i, pair.j); });
+  }
+
+  const Points& points_;
+  Pair_reporter<const Put> report_;
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_PART_REPORTER_H
