@@ -26,6 +26,7 @@
 #include <iterator>
 #include <memory>
 #include <mutex>
+#include <type_traits>
 #include <utility>
 
 namespace near_pairs {
@@ -109,9 +110,11 @@ bool report_pairs(const Streamed_points& points, const Options& options,
                   const CGAL::Memory_budget& budget, External_result& result,
                   const External_sink& sink)
 {
-  std::mutex mutex; // the library may call from several threads
+  std::mutex mutex;
   const auto callback = [&](std::uint64_t i, std::uint64_t j) {
-    const std::lock_guard<std::mutex> lock(mutex);
+    std::unique_lock<std::mutex> lock(mutex, std::defer_lock);
+    if(!std::is_same_v<ConcurrencyTag, CGAL::Sequential_tag>) // then several threads may call
+      lock.lock();
     ++result.pairs;
     if(sink)
       sink(i, j);

@@ -372,7 +372,7 @@ BOOST_AUTO_TEST_CASE(points_of_a_part_are_found_by_their_numbers)
     const std::size_t number = points.number(place);
     BOOST_CHECK_EQUAL(points.id(number), id);
     BOOST_CHECK_EQUAL(points.place(number), place);
-    BOOST_CHECK_EQUAL(points[number].x[0], id - far);
+    BOOST_CHECK_EQUAL(points[points.place(number)].x[0], id - far);
     BOOST_CHECK_EQUAL(points.is_owned(number), place < 1000);
     short_ids += points.is_id(number);
   }

@@ -9,6 +9,8 @@
 
 #include <CGAL/Thick_intersection_d/internal/external/Loaded_points.h>
 
+#include <boost/config.hpp> // BOOST_NOINLINE
+
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
@@ -30,7 +32,7 @@ public:
   // Finds ids of points that the part owns, which are less than `end`, at most 2^32.
   Id_places(const Loaded_points<Dimension>& part, std::uint64_t end) : part_(part), end_(end) {}
 
-  std::size_t operator()(std::uint64_t id) const
+  BOOST_NOINLINE std::size_t operator()(std::uint64_t id) const
   {
     if(!is_sorted_.load(std::memory_order_acquire)) {
       if(asked_.fetch_add(1, std::memory_order_relaxed) < part_.owned() / points_per_question)

@@ -36,7 +36,7 @@ public:
   {}
 
   std::size_t size() const { return size_; }
-  const value_type& operator[](std::size_t number) const { return points_[place(number)]; }
+  const value_type& operator[](std::size_t place) const { return points_[place]; }
 
   Place number(std::size_t place) const
   {

@@ -48,7 +48,7 @@ std::array<int, Dimension> searched_axes(const Scene& scene)
 }
 
 // Whether elements have numbers that they are reported by, instead of their positions. Then
-// place(number) finds the position, and elements[number] the element.
+// place(number) finds the position; that of a position is itself.
 template <class Elements, class = void>
 inline constexpr bool have_numbers = false;
 
@@ -204,7 +204,7 @@ private:
        = is_within_.decide_near_tie([&](int axis) { return x[axis]; },
                                     [&](int axis) { return y[axis]; }, Dimension, counts))
       return *is;
-    return is_within_.decide_undecided(points_[p], points_[q], counts);
+    return is_within_.decide_undecided(points_[place_of(p)], points_[place_of(q)], counts);
   }
 
   const Elements& points_;
