@@ -50,17 +50,15 @@ public:
   }
 
   // Most pairs have two ids. A loop of them alone stores nothing and looks up nothing, as that of
-  // Near_sweep. This makes short callbacks fast.
+  // Near_sweep. This makes short callbacks fast. It ends at the first other pair.
   bool report_pairs(const Found_pair* pairs, Place count)
   {
-    Found_pair common = {max_place, max_place};
-    for(Place c = 0; c < count; ++c)
-      common = {common.i & pairs[c].i, common.j & pairs[c].j};
-    if(!Points::is_id(common.i & common.j))
-      return report_each(pairs, count);
-    for(Place c = 0; c < count; ++c)
+    for(Place c = 0; c < count; ++c) {
+      if(!Points::is_id(pairs[c].i & pairs[c].j))
+        return report_each(pairs + c, count - c);
       if(!report_(Points::short_id(pairs[c].i), Points::short_id(pairs[c].j)))
         return false;
+    }
     return true;
   }
 
