@@ -242,13 +242,13 @@ private:
 
   std::string sentence() const
   {
-    const std::string bits
-      = has_grid() ? std::to_string(std::lround(std::ceil(this->bits()))) + " bits: " : "";
+    const double bits = std::ceil(this->bits()); // infinite without a grid or a finite bound
+    std::string head = std::isfinite(bits) ? std::to_string(std::lround(bits)) + " bits: " : "";
     switch(tier()) {
-    case Arithmetic_tier::DOUBLE: return bits + "double is exact, no filter used.";
-    case Arithmetic_tier::INT64: return bits + "doubles filter, 64-bit integers decide the rest.";
-    case Arithmetic_tier::INT128: return bits + "doubles filter, 128-bit integers decide the rest.";
-    default: return bits + "doubles filter, exact numbers decide the rest.";
+    case Arithmetic_tier::DOUBLE: return head + "double is exact, no filter used.";
+    case Arithmetic_tier::INT64: return head + "doubles filter, 64-bit integers decide the rest.";
+    case Arithmetic_tier::INT128: return head + "doubles filter, 128-bit integers decide the rest.";
+    default: return head + "doubles filter, exact numbers decide the rest.";
     }
   }
 

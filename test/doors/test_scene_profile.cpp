@@ -19,6 +19,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <cfenv>
+#include <limits>
 #include <string>
 
 using namespace test_support;
@@ -551,4 +552,7 @@ BOOST_AUTO_TEST_CASE(the_report_ends_in_a_sentence)
                                 "6 bits: doubles filter, 64-bit integers decide the rest.\n"),
     text_of(profile));
   BOOST_CHECK(ends_with(text_of(CGAL::Scene_profile()), "double is exact, no filter used.\n"));
+  const double infinity = std::numeric_limits<double>::infinity();
+  const std::string all = text_of(CGAL::profile_scene(points, CGAL::within_distance(infinity)));
+  BOOST_CHECK_MESSAGE(ends_with(all, "\ndoubles filter, exact numbers decide the rest.\n"), all);
 }
