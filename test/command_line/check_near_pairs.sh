@@ -776,6 +776,11 @@ fi
 
 # ---------------------------------------------------------------- beyond memory
 
+# A large shell becomes the program, which is small.
+(big=$(printf '%0200000000d' 0); exec "$binary" ties.csv --distance 1 > out 2> err)
+small_peak() { summary "peak memory" | awk '{ exit !($1 > 1 && $1 < 150) }'; }
+verdict "peak memory of the program alone" small_peak
+
 zero='\0\0\0\0\0\0\0\0'
 one='\0\0\0\0\0\0\xf0\x3f'
 two='\0\0\0\0\0\0\0\x40'
