@@ -25,7 +25,7 @@ std::size_t bytes_for_search(const Options& options)
 {
   const double mebibyte = 1 << 20;
   const double own = (peak_memory() + 2) * mebibyte;
-  const double least = 2 * mebibyte; // of the library
+  const double least = 4 * mebibyte; // of the library
   if(static_cast<double>(options.memory) < own + least)
     throw Error("--memory: the program itself takes "
                 + std::to_string(static_cast<int>((own + least) / mebibyte) + 1) + "M");
@@ -57,17 +57,19 @@ void print_summary(std::ostream& out, const Options& options, const External_res
 void run_external(const Options& options)
 {
   check_input(options.files.front());
+  const std::size_t bytes = bytes_for_search(options);
   catch_signals();
   std::optional<Output_file> pairs;
   External_sink sink;
   if(!options.pairs.empty()) {
     pairs.emplace(options.pairs, options.files);
     pairs->stream() << "i,j\n";
-    sink = [&out = pairs->stream()](std::uint64_t i, std::uint64_t j) {
-      out << i << ',' << j << '\n';
+    sink = [&](std::uint64_t i, std::uint64_t j) {
+      if(!(pairs->stream() << i << ',' << j << '\n'))
+        pairs->check();
     };
   }
-  const External_result result = search_external(options, bytes_for_search(options), sink);
+  const External_result result = search_external(options, bytes, sink);
   if(pairs)
     pairs->commit();
   std::ostream& out = options.pairs == "-" ? std::cerr : std::cout;

@@ -55,7 +55,7 @@ to stop the search by returning `false`.
 
 \param points the points.
 \param bound made by `within_distance()` or `within_squared_distance()`.
-\param budget the memory, at least 2 MiB, and the folder of the scratch file.
+\param budget the memory, at least 4 MiB, and the folder of the scratch file.
 \param callback is called for each pair, with the positions \f$ i < j \f$ of the two points in the
 range.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
@@ -79,7 +79,7 @@ below
 \return `false` iff the callback or the progress functor stopped the search.
 
 \throws std::invalid_argument if a coordinate is NaN or infinite, if the bound is negative or NaN,
-or if the budget is less than 2 MiB, before anything is reported. Exceptions of the range
+or if the budget is less than 4 MiB, before anything is reported. Exceptions of the range
 and the callback pass through.
 \throws std::length_error if a crowd of points does not fit in the budget: a part of the points is
 searched with all points within the bound of it, as measured along the axes, and even small parts

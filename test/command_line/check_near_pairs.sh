@@ -798,14 +798,15 @@ expect_error "binary decimals" "--decimal is for numbers" three.bin --distance 1
 expect_error "binary columns" "--columns needs a table" three.bin --distance 1 --columns x,y
 
 # The least memory that the program takes, as it says itself, is too small for these points.
-awk 'BEGIN { srand(1); print "x,y,z"; for(i = 0; i < 60000; ++i) print rand() "," rand() "," rand() }' > many.csv
-run many.csv --distance 0.02 --memory 1K
+awk 'BEGIN { srand(1); print "x,y,z"; for(i = 0; i < 150000; ++i) print rand() "," rand() "," rand() }' > many.csv
+run many.csv --distance 0.005 --memory 1K --pairs -
 verdict "too little memory" is_one_error "--memory: the program itself takes "
+verdict "  and prints nothing" test ! -s out
 memory=$(sed 's/.* takes //' err)
 mkdir scratch
-run many.csv --distance 0.02 --pairs many_pairs.csv
-run many.csv --distance 0.02 --memory "$memory" --scratch scratch --pairs part_pairs.csv
-verdict "points beyond the memory" test "$status $(summary points)" = "0 60000"
+run many.csv --distance 0.005 --pairs many_pairs.csv
+run many.csv --distance 0.005 --memory "$memory" --scratch scratch --pairs part_pairs.csv
+verdict "points beyond the memory" test "$status $(summary points)" = "0 150000"
 verdict "  have the same pairs" same_pairs many_pairs.csv part_pairs.csv
 verdict "  and leave no scratch file" test -z "$(ls -A scratch)"
 run three.bin --distance 2 --memory 1G --pairs -
@@ -818,15 +819,19 @@ run <(cat three.bin) --format bin --distance 1 --memory 1G
 verdict "a pipe" is_one_error "--memory is for a regular file"
 run many.csv --distance 1 --memory "$memory"
 verdict "a crowd beyond the memory" is_one_error "take a larger budget or a smaller bound"
-run many.csv --distance 0.02 --memory "$memory" --scratch no/such/place
+run many.csv --distance 0.005 --memory "$memory" --scratch no/such/place
 verdict "no folder for scratch" is_one_error "The scratch file in no/such/place cannot be made"
-(trap '' XFSZ; ulimit -f 100; exec "$binary" many.csv --distance 0.02 --memory "$memory" --scratch scratch \
+(trap '' XFSZ; ulimit -f 100; exec "$binary" many.csv --distance 0.005 --memory "$memory" --scratch scratch \
    > out 2> err)
 status=$?
 verdict "a scratch file that is too large" is_one_error "The scratch file in scratch cannot be written"
 verdict "  and leaves nothing" test -z "$(ls -A scratch)"
 run "$ships" --geographic --distance 69 --memory 1G
 verdict "ships by a budget" test "$status $(summary pairs)" = "0 5092"
+if [ -w /dev/full ]; then
+  run "$ships" --geographic --distance 500 --memory 1G --pairs /dev/full --progress
+  verdict "a full device ends the search" ends_early
+fi
 for wrong in "--memory 5X" "--memory 0" "--scratch ." "--memory 1G --components" \
              "--memory 1G --points points.csv" "--memory 1G --decimal" "--memory 1G ties.csv"; do
   run many.csv --distance 1 $wrong

@@ -209,21 +209,21 @@ BOOST_AUTO_TEST_CASE(points_of_type_Point_2_have_the_same_pairs_in_parts)
   using Plane_point = CGAL::Simple_cartesian<double>::Point_2;
   Scene_maker maker;
   std::vector<Plane_point> points;
-  for(int i = 0; i < 70000; ++i) {
+  for(int i = 0; i < 140000; ++i) {
     const double x = maker.number();
     points.emplace_back(x, maker.number());
   }
   const auto pairs_within = [&](std::size_t bytes) {
     Pairs pairs;
     CGAL::external_fixed_radius_near_neighbors(
-      points, CGAL::within_distance(.003), CGAL::Memory_budget(bytes),
+      points, CGAL::within_distance(.002), CGAL::Memory_budget(bytes),
       [&](std::uint64_t i, std::uint64_t j) { pairs.emplace_back(i, j); });
     return sorted(pairs);
   };
   const Pairs expected = pairs_within(large);
-  BOOST_CHECK_GT(expected.size(), 60000);
-  BOOST_CHECK(pairs_within(1 << 21) == expected);
-  BOOST_CHECK_THROW(pairs_within((1 << 21) - 1), std::invalid_argument);
+  BOOST_CHECK_GT(expected.size(), 100000);
+  BOOST_CHECK(pairs_within(1 << 22) == expected);
+  BOOST_CHECK_THROW(pairs_within((1 << 22) - 1), std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(a_crowd_that_fits_has_its_pairs)

@@ -197,10 +197,10 @@ private:
 // own.
 inline void check_budget(std::size_t bytes)
 {
-  constexpr std::size_t least = std::size_t(1) << 21;
+  constexpr std::size_t least = std::size_t(1) << 22;
   if(bytes < least)
     throw std::invalid_argument("The memory budget of " + std::to_string(bytes)
-                                + " bytes is too small: take at least 2 MiB.");
+                                + " bytes is too small: take at least 4 MiB.");
 }
 
 template <class Point>
