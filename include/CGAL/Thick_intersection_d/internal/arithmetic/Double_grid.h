@@ -53,12 +53,13 @@ inline std::uint64_t steps_modulo_2_64(double x, int e)
 class Double_grid
 {
 public:
-  // Refines the grid until it holds the finite number x. Only zero takes a branch: the number of
-  // zeros at the end of a mantissa cannot be predicted.
+  // Refines the grid until it holds the finite number x. The last bit of most numbers, whatever it
+  // is, is on the grid of the numbers before. The number of zeros at the end of a mantissa cannot
+  // be predicted, so it takes no branch.
   void add(double x)
   {
     const Double_parts parts(x);
-    if(parts.mantissa == 0)
+    if(parts.exponent >= exponent_ || parts.mantissa == 0)
       return;
     const std::uint64_t lowest_bit = parts.mantissa & (~parts.mantissa + 1);
     exponent_ = (std::min)(exponent_, parts.exponent + logarithm(lowest_bit));

@@ -33,6 +33,20 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
+// The values of all axes: in an array if the type of the points tells how many axes there are. The
+// compiler keeps the values of an array in registers.
+template <class Point, class Value>
+auto values_of_axes(const std::vector<Value>& values)
+{
+  if constexpr(constexpr int dimension = dimension_or<Point>(0); dimension != 0) {
+    std::array<Value, dimension> array;
+    std::copy(values.begin(), values.end(), array.begin());
+    return array;
+  }
+  else
+    return values;
+}
+
 // What a scan has found about some of the points.
 class Scene_scan
 {
@@ -90,30 +104,12 @@ private:
   // How far ahead the scan asks for lazy points, each of which is memory of its own. Measured.
   static constexpr std::size_t points_ahead = 32;
 
-  // An interval per axis: in an array if the type of the points tells how many there are. The
-  // compiler keeps the ends of an array in registers.
-  template <int Dimension>
-  static std::array<Interval, Dimension> intervals(const std::vector<Interval>& box)
-  {
-    std::array<Interval, Dimension> array;
-    std::copy(box.begin(), box.end(), array.begin());
-    return array;
-  }
-  template <class Point>
-  auto intervals_for() const
-  {
-    if constexpr(constexpr int dimension = dimension_or<Point>(0); dimension != 0)
-      return intervals<dimension>(box_);
-    else
-      return box_;
-  }
-
   template <class Elements, class Store>
   void add_points(const Elements& points, std::size_t first, std::size_t last, const Store& store)
   {
     using Point = typename Elements::value_type;
     const int dimension = dimension_or<Point>(static_cast<int>(box_.size()));
-    auto box = intervals_for<Point>();
+    auto box = values_of_axes<Point>(box_);
     double error = error_;
     for(std::size_t position = first; position < last; ++position) {
       if(position + points_ahead < last)
@@ -176,11 +172,13 @@ Scene scan_points(const Elements& points, const char* name, bool finds_grid = tr
 template <class Elements>
 int grid_exponent_of(const Elements& points, const Scene& scene)
 {
-  std::vector<Double_grid> grids(scene.box.size());
+  using Point = typename Elements::value_type;
+  const int dimension = dimension_or<Point>(scene.dimension());
+  auto grids = values_of_axes<Point>(std::vector<Double_grid>(scene.box.size()));
   for(std::size_t position = 0; position < points.size(); ++position)
-    for(int axis = 0; axis < scene.dimension(); ++axis)
+    for(int axis = 0; axis < dimension; ++axis)
       grids[axis].add(coordinate_bounds(points[position], axis).first);
-  return scene.exponent_of(grids);
+  return scene.exponent_of({grids.begin(), grids.end()});
 }
 
 } // namespace internal
