@@ -15,12 +15,15 @@
 #include <CGAL/Thick_intersection_d/internal/doors/external_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/external/External_parts.h>
 #include <CGAL/Thick_intersection_d/internal/external/Loaded_points.h>
+#include <CGAL/Thick_intersection_d/internal/external/Part_limits.h>
+#include <CGAL/Thick_intersection_d/internal/external/Point_columns.h>
 #include <CGAL/Thick_intersection_d/internal/external/Scratch_file.h>
 #include <CGAL/Thick_intersection_d/internal/external/Searched_points.h>
 #include <CGAL/Thick_intersection_d/internal/external/Stored_points.h>
 #include <CGAL/Thick_intersection_d/internal/external/Streamed_sample.h>
 #include <CGAL/Thick_intersection_d/internal/external/Stripes.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -421,6 +424,12 @@ BOOST_AUTO_TEST_CASE(stripes_separate_a_number_from_many_equal_ones)
     const Stripes stripes(values, 4);
     BOOST_CHECK_NE(stripes(2), stripes(other));
   }
+}
+
+BOOST_AUTO_TEST_CASE(a_huge_budget_has_parts_that_a_search_takes)
+{
+  const std::size_t terabyte = std::size_t(1) << 40;
+  BOOST_CHECK_LT(Part_limits(terabyte, stored_size<3>).points_per_search(), max_place / 2);
 }
 
 BOOST_AUTO_TEST_CASE(parts_fill_the_budget_with_the_points_near_them)

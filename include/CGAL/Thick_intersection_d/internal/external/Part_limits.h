@@ -7,6 +7,8 @@
 
 // How a budget of memory is shared.
 
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <stdexcept>
@@ -43,8 +45,12 @@ public:
   }
 
   // The points that are searched at the same time. A search takes up to 30 bytes for each of them
-  // (benchmark/results.md, memory).
-  std::size_t points_per_search() const { return bytes_ / 16 * 13 / (point_size_ + 30); }
+  // (benchmark/results.md, memory), and has places for less than half as many as places can tell
+  // apart.
+  std::size_t points_per_search() const
+  {
+    return (std::min)(bytes_ / 16 * 13 / (point_size_ + 30), std::size_t(max_place / 2 - 1));
+  }
 
 private:
   static constexpr std::size_t most_tiles = 128;
