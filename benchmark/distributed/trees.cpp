@@ -4,6 +4,7 @@
 // The distributed search beside the distributed tree of ArborX, in space.
 
 #include "Processes.h"
+#include "search_by_processes.h"
 #include "tables.h"
 
 #include "scenes/generators.h"
@@ -37,24 +38,15 @@ Scene with_pairs(Scene scene, double k)
   return scene;
 }
 
-Tally search(const std::vector<Kernel::Point_3>& points, double r,
-             CGAL::Point_distribution distribution)
-{
-  Tally tally;
-  CGAL::Distributed_profile profile(distribution);
-  CGAL::distributed_fixed_radius_near_neighbors(
-    MPI_COMM_WORLD, points, CGAL::within_distance(r),
-    [&](std::uint64_t i, std::uint64_t j) { tally(i, j); }, profile);
-  return tally;
-}
-
 void print_row(const Scene& scene, const char* order, CGAL::Point_distribution distribution)
 {
   const Scene share = share_of(scene);
   const auto points = make_points<Kernel, 3>(share);
   Tally ours, theirs;
   const std::vector<Seconds> times
-    = time_in_turns({timed_on_all([&] { ours = search(points, scene.r, distribution); }),
+    = time_in_turns({timed_on_all([&] {
+                       ours = search_by_processes(points, scene.r, distribution);
+                     }),
                      timed_on_all([&] {
                        theirs = search_distributed_tree(share, first_of(rank(), scene));
                      })},
