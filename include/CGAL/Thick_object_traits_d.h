@@ -7,12 +7,14 @@
 
 // Objects of a kernel that have a bounding box: segments, triangles, iso-boxes, tetrahedra.
 
+#include <CGAL/Arithmetic_tier.h>
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Dimension.h>
 
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_vertices.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
 
 #include <algorithm>
@@ -63,6 +65,7 @@ class Thick_object_traits_d
     std::declval<const Object&>()))>;
   static constexpr int dimension_ = std::is_same_v<Box, Bbox_2> ? 2 : 3;
   using Extents = std::array<double, dimension_>;
+  using Counts = Thick_intersection_d::internal::Atomic_decision_counts;
 
   static_assert(!Thick_intersection_d::internal::Is_hypersphere<Object>::value,
                 "do_intersect() takes circles and spheres as curves and surfaces: "
@@ -110,13 +113,26 @@ public:
     /// returns whether `a` and `b` have a point in common.
     bool operator()(const Object& a, const Object& b) const
     {
-      if(!do_overlap(box(a), box(b)))
-        return false;
-      if constexpr(do_boxes_decide)
-        return true;
-      else
-        return Thick_intersection_d::internal::do_objects_intersect(a, b);
+      return do_overlap(box(a), box(b)) && decide(a, b);
     }
+
+#ifndef DOXYGEN_RUNNING
+    // The same of objects whose boxes meet.
+    bool decide(const Object& a, const Object& b) const
+    {
+      Arithmetic_tier tier = do_boxes_decide ? Arithmetic_tier::DOUBLE : least_tier_;
+      const bool do_intersect
+        = do_boxes_decide || Thick_intersection_d::internal::do_objects_intersect(a, b, tier);
+      if(counts_ != nullptr)
+        counts_->add(tier);
+      return do_intersect;
+    }
+#endif
+
+  private:
+    friend class Thick_object_traits_d;
+    Arithmetic_tier least_tier_ = Arithmetic_tier::INT64;
+    Counts* counts_ = nullptr;
   };
 
   /// gives the bounding box of an object, one axis at a time.
@@ -163,6 +179,15 @@ public:
   }
   static constexpr bool do_boxes_decide
     = Thick_intersection_d::internal::Is_box_of_doubles<Object>::value;
+
+  // From now on, the intersection test takes `tier` as the first arithmetic after the filter, and
+  // counts which arithmetic decides.
+  void decide_by(Arithmetic_tier tier, Counts& counts)
+  {
+    do_intersect_.least_tier_ = tier;
+    do_intersect_.counts_ = &counts;
+  }
+  bool is_counting() const { return do_intersect_.counts_ != nullptr; }
 #endif
 
   /// \name Operations
@@ -181,7 +206,7 @@ public:
   }
 
   /// returns the test for objects that intersect.
-  Do_intersect_d do_intersect_d_object() const { return Do_intersect_d(); }
+  Do_intersect_d do_intersect_d_object() const { return do_intersect_; }
 
   /// returns the functor of intervals.
   Interval_d interval_d_object() const { return Interval_d(); }
@@ -204,6 +229,7 @@ private:
   }
 
   Extents reaches_ = {};
+  Do_intersect_d do_intersect_;
 };
 
 } // namespace CGAL

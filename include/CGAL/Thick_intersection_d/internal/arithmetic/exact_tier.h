@@ -5,35 +5,30 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_ARITHMETIC_EXACT_TIER_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_ARITHMETIC_EXACT_TIER_H
 
-// Chooses the arithmetic that is exact for the squared distances of points on a grid 2^e Z.
+// Chooses the arithmetic that is exact for points on a grid 2^e Z: for squared distances, and for
+// determinants of differences.
 //
-// Only differences up to the reach matter: points farther apart are beyond the bound, and each
-// arithmetic finds this out safely. A difference up to the reach has at most
-// U = floor(reach / 2^e) steps.
+// Of squared distances, only differences up to the reach matter: points farther apart are beyond
+// the bound, and each arithmetic finds this out safely. A difference up to the reach has at most U
+// = floor(reach / 2^e) steps.
 
 #include <CGAL/Arithmetic_tier.h>
 
+#include <CGAL/Thick_intersection_d/internal/arithmetic/grid_steps.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/wide_integers.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
-
-#ifndef __SIZEOF_INT128__
-#include <boost/multiprecision/cpp_int.hpp>
-#endif
+#include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
-
-#ifdef __SIZEOF_INT128__
-__extension__ typedef unsigned __int128 Uint128;
-#else
-using Uint128 = boost::multiprecision::uint128_t;
-#endif
 
 // Returns U, or infinity if U is no double.
 inline double steps_within(double reach, int grid_exponent)
@@ -93,6 +88,49 @@ inline Arithmetic_tier first_exact_tier(double reach, const std::optional<int>& 
   if(fits_int128(steps, axis_count))
     return Arithmetic_tier::INT128;
   return Arithmetic_tier::FILTERED_EXACT;
+}
+
+// ---- determinants -------------------------------------------------------------------------------
+
+// Returns the least m such that a difference of at most `reach` is below 2^m steps of the grid.
+inline int difference_bits(double reach, int grid_exponent)
+{
+  const double steps = steps_within(reach, grid_exponent);
+  return steps < 1 ? 0 : steps < 0x1p1000 ? std::ilogb(steps) + 1 : 1001;
+}
+
+// Returns how many bits the terms of a determinant and their sums have, besides a sign: there are
+// two terms in the plane, six in space, and a difference is a determinant of one term.
+inline int determinant_bits(const std::vector<double>& reaches, int grid_exponent, int degree)
+{
+  int bits = degree == 3 ? 3 : degree - 1;
+  for(std::size_t axis = 0; axis < reaches.size(); ++axis)
+    bits = degree == 1 ? (std::max)(bits, difference_bits(reaches[axis], grid_exponent))
+                       : bits + difference_bits(reaches[axis], grid_exponent);
+  return bits;
+}
+
+// Returns the first tier that is exact for the determinants of differences up to the reach of each
+// axis. Comparisons, of degree 1, are exact in doubles. Determinants are so if their terms have at
+// most 53 bits and do not underflow or overflow. Integers take differences of max_step_bits.
+CGAL_RARELY_CALLED
+inline Arithmetic_tier first_exact_tier(const std::vector<double>& reaches,
+                                        const std::optional<int>& grid_exponent, int degree)
+{
+  if(degree == 1)
+    return Arithmetic_tier::DOUBLE;
+  if(!grid_exponent)
+    return Arithmetic_tier::FILTERED_EXACT;
+  const int e = *grid_exponent;
+  for(const double reach : reaches)
+    if(difference_bits(reach, e) > max_step_bits)
+      return Arithmetic_tier::FILTERED_EXACT;
+  const int bits = determinant_bits(reaches, e, degree);
+  if(bits <= 53 && degree * e >= -1074 && degree * e + 53 < 1023)
+    return Arithmetic_tier::DOUBLE;
+  return bits < 64    ? Arithmetic_tier::INT64
+         : bits < 128 ? Arithmetic_tier::INT128
+                      : Arithmetic_tier::INT192;
 }
 
 } // namespace internal

@@ -9,20 +9,26 @@
 // common than the vertex or edge that they share.
 
 #include <CGAL/Bbox_3.h>
-#include <CGAL/Kernel/global_functions_3.h>
+#include <CGAL/Kernel_traits.h>
 
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/Mesh_face.h>
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Kernel_orientation.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Staged_orientation.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/do_triangles_intersect.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/mesh_triangles.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/planar_objects.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/spatial_objects.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
 
-#include <array>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -83,10 +89,12 @@ public:
     const Face& a = faces_[i];
     const Face& b = faces_[j];
     const Common_vertices common = common_vertices(a, b);
+    Orientation orientation;
     if(common.count == 0)
-      return do_triangles_intersect(points(a), points(b));
+      return do_intersect_in_space(orientation, triangle(a, 0), triangle(b, 0));
     if(common.count == 1)
-      return do_intersect_beyond_vertex(a, common.place_in_first, b, common.place_in_second);
+      return do_triangles_at_vertex_intersect(orientation, triangle(a, common.place_in_first),
+                                              triangle(b, common.place_in_second));
     const auto edge = find_common_edge(a, b, mesh_);
     return !edge || do_intersect_beyond_edge(*edge);
   }
@@ -94,16 +102,28 @@ public:
 private:
   using Vertex = typename boost::graph_traits<Mesh>::vertex_descriptor;
   using Halfedge = typename boost::graph_traits<Mesh>::halfedge_descriptor;
+  using Kernel
+    = typename Kernel_traits<typename boost::property_traits<Point_map>::value_type>::Kernel;
+  static constexpr bool are_doubles = is_held_by_double_v<typename Kernel::FT>;
+  using Orientation
+    = std::conditional_t<are_doubles, Staged_orientation<3>,
+                         Kernel_orientation<Kernel_with_exact_predicates<Kernel>, 3>>;
+  using Triangle = Simplex<Orientation, 3>;
 
-  auto point(const Vertex& vertex) const
+  typename Orientation::Point point(const Vertex& vertex) const
   {
-    return with_exact_predicates(get(point_map_, vertex));
+    const auto& p = get(point_map_, vertex);
+    if constexpr(are_doubles)
+      return {static_cast<double>(p.x()), static_cast<double>(p.y()), static_cast<double>(p.z())};
+    else
+      return with_exact_predicates(p);
   }
 
-  auto points(const Face& face) const
+  // Returns the triangle of a face, from one of its vertices on.
+  Triangle triangle(const Face& face, std::size_t first) const
   {
     const auto& v = face.vertices;
-    return std::array<decltype(point(v[0])), 3>{point(v[0]), point(v[1]), point(v[2])};
+    return {point(v[first]), point(v[(first + 1) % 3]), point(v[(first + 2) % 3])};
   }
 
   Bbox_3 vertex_box(const Vertex& vertex) const
@@ -124,24 +144,18 @@ private:
 
   bool is_degenerate(const Face& face) const
   {
-    const auto p = points(face);
-    return collinear(p[0], p[1], p[2]);
+    Orientation orientation;
+    return !shadow_of_triangle(orientation, triangle(face, 0));
   }
 
   bool do_intersect_beyond_edge(const Halfedge& edge) const
   {
     const Halfedge after = next(edge, mesh_);
     const Halfedge after_opposite = next(opposite(edge, mesh_), mesh_);
+    Orientation orientation;
     return do_triangles_at_edge_intersect(
-      point(source(edge, mesh_)), point(target(edge, mesh_)), point(target(after, mesh_)),
-      point(target(after_opposite, mesh_)));
-  }
-
-  bool do_intersect_beyond_vertex(const Face& a, std::size_t i, const Face& b, std::size_t j) const
-  {
-    return do_triangles_at_vertex_intersect(
-      point(a.vertices[i]), point(a.vertices[(i + 1) % 3]), point(a.vertices[(i + 2) % 3]),
-      point(b.vertices[(j + 1) % 3]), point(b.vertices[(j + 2) % 3]));
+      orientation, point(source(edge, mesh_)), point(target(edge, mesh_)),
+      point(target(after, mesh_)), point(target(after_opposite, mesh_)));
   }
 
   const Mesh& mesh_;

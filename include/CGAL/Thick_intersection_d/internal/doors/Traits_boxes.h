@@ -49,8 +49,8 @@ struct Object_dimension<Traits, std::void_t<decltype(Traits::Dimension::value)>>
   : std::integral_constant<int, Traits::Dimension::value>
 {};
 
-// Whether traits make boxes of all intervals at once, as those of kernel objects do. Their boxes
-// are finite if check() has not thrown.
+// Whether traits make boxes of all intervals at once, and ask no more about boxes that meet, as
+// those of kernel objects do. Their boxes are finite if check() has not thrown.
 template <class Traits, class = void>
 struct Has_boxes : std::false_type {};
 template <class Traits>
@@ -94,14 +94,17 @@ public:
   bool are_exact() const
   {
     if constexpr(Has_boxes<Traits>::value)
-      return Traits::do_boxes_decide;
+      return Traits::do_boxes_decide && !traits_.is_counting();
     else
       return false;
   }
 
   bool do_intersect(std::size_t i, std::size_t j) const
   {
-    return do_intersect_(objects_[i], objects_[j]);
+    if constexpr(Has_boxes<Traits>::value)
+      return do_intersect_.decide(objects_[i], objects_[j]);
+    else
+      return do_intersect_(objects_[i], objects_[j]);
   }
 
   // Returns whether all intervals are finite. Throws if an interval is empty or NaN.

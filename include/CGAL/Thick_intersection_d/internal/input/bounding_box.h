@@ -15,8 +15,11 @@
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/vertices.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -47,36 +50,48 @@ Box bounding_box_of_point(const Point& p)
   }
 }
 
-template <class Object>
-auto bounding_box_of_vertices(const Object& object)
+// Extends a box of the type Bbox_2 or Bbox_3 by a vertex. Numbers beyond the doubles count as the
+// largest double: the order of ends does not change, so boxes that meet still meet.
+template <class Box, class Object>
+Box bounding_box_of_vertex(const Object& object, int v)
 {
-  using Box = decltype(object.bbox());
-  Box box;
-  for(int v = 0; v < Vertex_count<Object>::value; v += Vertex_step<Object>::value)
-    box = box + bounding_box_of_point<Box>(object.vertex(v));
-  return box;
+  constexpr double largest = (std::numeric_limits<double>::max)();
+  const auto interval = [&](int i) {
+    const std::pair<double, double> x = vertex_bounds(object, v, i);
+    return std::pair((std::clamp)(x.first, -largest, largest),
+                     (std::clamp)(x.second, -largest, largest));
+  };
+  const auto x = interval(0), y = interval(1);
+  if constexpr(std::is_same_v<Box, Bbox_2>)
+    return Box(x.first, y.first, x.second, y.second);
+  else {
+    const auto z = interval(2);
+    return Box(x.first, y.first, z.first, x.second, y.second, z.second);
+  }
 }
 
-// Whether coordinates are quotients, as in homogeneous kernels.
+// Whether an object of a kernel has coordinates that need not be doubles.
 template <class Object>
-constexpr bool has_quotient_vertices()
+constexpr bool has_other_coordinates()
 {
   if constexpr(Vertex_count<Object>::value == 0)
     return false;
   else
-    return Is_quotient<typename Kernel_traits<Object>::Kernel::FT>::value;
+    return !is_held_by_double_v<typename Kernel_traits<Object>::Kernel::FT>;
 }
 
-// CGAL divides bounds of numerators by bounds of denominators. This gives an infinite box if a
-// denominator is beyond the doubles, though the quotients are not.
 template <class Object>
 auto bounding_box(const Object& object)
 {
-  auto box = object.bbox();
-  if constexpr(has_quotient_vertices<Object>())
-    if(!is_finite_box(box))
-      return bounding_box_of_vertices(object);
-  return box;
+  if constexpr(has_other_coordinates<Object>()) {
+    using Box = decltype(object.bbox());
+    Box box;
+    for(int v = 0; v < Vertex_count<Object>::value; v += Vertex_step<Object>::value)
+      box = box + bounding_box_of_vertex<Box>(object, v);
+    return box;
+  }
+  else
+    return object.bbox();
 }
 
 } // namespace internal

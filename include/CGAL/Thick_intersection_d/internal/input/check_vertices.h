@@ -13,7 +13,8 @@
 #include <CGAL/Circle_2.h>
 #include <CGAL/Iso_cuboid_3.h>
 #include <CGAL/Iso_rectangle_2.h>
-#include <CGAL/Kernel_traits.h>
+#include <CGAL/Point_2.h>
+#include <CGAL/Point_3.h>
 #include <CGAL/Sphere_3.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
@@ -42,6 +43,12 @@ struct Is_hypersphere<Sphere_3<K>> : std::true_type {};
 template <class Object>
 struct Is_box_of_doubles : std::false_type {};
 template <class K>
+struct Is_box_of_doubles<Point_2<K>> : std::bool_constant<is_held_by_double_v<typename K::FT>>
+{};
+template <class K>
+struct Is_box_of_doubles<Point_3<K>> : std::bool_constant<is_held_by_double_v<typename K::FT>>
+{};
+template <class K>
 struct Is_box_of_doubles<Iso_rectangle_2<K>>
   : std::bool_constant<is_held_by_double_v<typename K::FT>>
 {};
@@ -53,16 +60,6 @@ template <>
 struct Is_box_of_doubles<Bbox_2> : std::true_type {};
 template <>
 struct Is_box_of_doubles<Bbox_3> : std::true_type {};
-
-// Whether doubles hold the coordinates of an object. Its box is finite if its vertices are.
-template <class Object>
-constexpr bool has_double_vertices()
-{
-  if constexpr(Vertex_count<Object>::value == 0)
-    return false;
-  else
-    return is_held_by_double_v<typename Kernel_traits<Object>::Kernel::FT>;
-}
 
 // Throws if the box of an object is not finite. That of an empty Bbox begins behind its end.
 template <class Object>
@@ -76,14 +73,17 @@ void check_bounding_box(const Object& object, std::size_t position)
                                   + " is empty or not finite.");
 }
 
+// Throws if a coordinate of a vertex is NaN or infinite.
 template <class Object>
 void check_vertices(const Object& object, std::size_t position)
 {
-  if constexpr(Vertex_count<Object>::value != 0)
-    for(int v = 0; v < Vertex_count<Object>::value; v += Vertex_step<Object>::value)
-      check_point(object.vertex(v), object.vertex(v).dimension(), "vertex of object", position);
-  if constexpr(!has_double_vertices<Object>())
+  if constexpr(Vertex_count<Object>::value == 0)
     check_bounding_box(object, position);
+  else
+    for(int v = 0; v < Vertex_count<Object>::value; v += Vertex_step<Object>::value)
+      for(int i = 0; i < vertex_dimension_v<Object>; ++i)
+        if(!are_bounds_of_finite(vertex_bounds(object, v, i)))
+          throw_not_finite("vertex of object", position, i);
 }
 
 } // namespace internal

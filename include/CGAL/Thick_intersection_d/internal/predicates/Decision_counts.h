@@ -7,12 +7,13 @@
 
 // How many pairs each arithmetic has decided.
 //
-// Pairs that the first filter finds beyond the bound are not counted, because lanes pass over them
-// without a count.
+// Pairs of points that the first filter finds beyond the bound are not counted, because lanes pass
+// over them without a count. Pairs of objects are counted one by one.
 
 #include <CGAL/Arithmetic_tier.h>
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <mutex>
@@ -20,6 +21,9 @@
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
+
+constexpr std::size_t arithmetic_tier_count
+  = static_cast<std::size_t>(Arithmetic_tier::FILTERED_EXACT) + 1;
 
 // The counts of one thread.
 class Decision_counts
@@ -41,7 +45,7 @@ public:
 private:
   std::uint64_t& of(Arithmetic_tier tier) { return counts_[static_cast<std::size_t>(tier)]; }
 
-  std::array<std::uint64_t, 4> counts_ = {};
+  std::array<std::uint64_t, arithmetic_tier_count> counts_ = {};
 };
 
 // The sum of the counts of all threads.
@@ -60,6 +64,27 @@ public:
 private:
   std::mutex mutex_;
   Decision_counts counts_;
+};
+
+// Counts that all threads add to, one pair at a time.
+class Atomic_decision_counts
+{
+public:
+  void add(Arithmetic_tier tier)
+  {
+    counts_[static_cast<std::size_t>(tier)].fetch_add(1, std::memory_order_relaxed);
+  }
+
+  Decision_counts total() const
+  {
+    Decision_counts total;
+    for(std::size_t tier = 0; tier < counts_.size(); ++tier)
+      total.add(static_cast<Arithmetic_tier>(tier), counts_[tier]);
+    return total;
+  }
+
+private:
+  std::array<std::atomic<std::uint64_t>, arithmetic_tier_count> counts_ = {};
 };
 
 } // namespace internal

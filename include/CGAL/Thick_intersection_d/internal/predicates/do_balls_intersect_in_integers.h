@@ -16,7 +16,7 @@
 // 3. Integers of 128 bits hold the sum of up to eight squares of T <= S, and S^2.
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Double_grid.h>
-#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_tier.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/wide_integers.h>
 
 #include <cmath>
 #include <cstdint>

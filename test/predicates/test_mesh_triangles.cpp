@@ -1,9 +1,13 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Triangles that share a vertex or an edge, in all directions of a small lattice.
+// Triangles that share a vertex or an edge, in all directions of a small lattice, on doubles and on
+// a kernel.
 
-#include <CGAL/Thick_intersection_d/internal/predicates/do_triangles_intersect.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Kernel_orientation.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Staged_orientation.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/mesh_triangles.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
@@ -17,12 +21,44 @@
 
 namespace internal = CGAL::Thick_intersection_d::internal;
 
-BOOST_AUTO_TEST_SUITE(do_triangles_intersect)
+BOOST_AUTO_TEST_SUITE(mesh_triangles)
 
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
+using Doubles = internal::Staged_orientation<3>;
+using Numbers = internal::Kernel_orientation<Kernel, 3>;
+
+void read(const Point& p, Doubles::Point& result) { result = {p.x(), p.y(), p.z()}; }
+void read(const Point& p, Numbers::Point& result) { result = p; }
+
+template <class Orientation>
+typename Orientation::Point read_by(const Point& p)
+{
+  typename Orientation::Point result;
+  read(p, result);
+  return result;
+}
+
+// The same tests of points.
+template <class Orientation>
+bool do_intersect_at_vertex(const Point& v, const Point& a, const Point& b, const Point& c,
+                            const Point& d)
+{
+  const auto in = read_by<Orientation>;
+  Orientation orientation;
+  return internal::do_triangles_at_vertex_intersect(orientation, {in(v), in(a), in(b)},
+                                                    {in(v), in(c), in(d)});
+}
+
+template <class Orientation>
+bool do_intersect_at_edge(const Point& p, const Point& q, const Point& a, const Point& b)
+{
+  const auto in = read_by<Orientation>;
+  Orientation orientation;
+  return internal::do_triangles_at_edge_intersect(orientation, in(p), in(q), in(a), in(b));
+}
 
 // The neighbors of the origin on the lattice.
 std::vector<Point> directions()
@@ -54,7 +90,8 @@ BOOST_AUTO_TEST_CASE(triangles_at_a_vertex_meet_where_an_opposite_edge_does)
               = CGAL::do_intersect(Kernel::Triangle_3(v, a, b), Kernel::Segment_3(c, d))
                 || CGAL::do_intersect(Kernel::Triangle_3(v, c, d), Kernel::Segment_3(a, b));
             intersecting += truth;
-            wrong += truth != internal::do_triangles_at_vertex_intersect(v, a, b, c, d);
+            wrong += truth != do_intersect_at_vertex<Doubles>(v, a, b, c, d);
+            wrong += truth != do_intersect_at_vertex<Numbers>(v, a, b, c, d);
           }
   BOOST_CHECK_EQUAL(wrong, 0u);
   BOOST_CHECK_GT(intersecting, 5000u);
@@ -75,7 +112,8 @@ BOOST_AUTO_TEST_CASE(triangles_at_an_edge_meet_if_one_is_folded_onto_the_other)
           const Point close = middle + (a - middle) / 1024;
           const bool truth = Kernel::Triangle_3(p, q, b).has_on(close);
           intersecting += truth;
-          wrong += truth != internal::do_triangles_at_edge_intersect(p, q, a, b);
+          wrong += truth != do_intersect_at_edge<Doubles>(p, q, a, b);
+          wrong += truth != do_intersect_at_edge<Numbers>(p, q, a, b);
         }
   BOOST_CHECK_EQUAL(wrong, 0u);
   BOOST_CHECK_GT(intersecting, 100u);
@@ -83,10 +121,11 @@ BOOST_AUTO_TEST_CASE(triangles_at_an_edge_meet_if_one_is_folded_onto_the_other)
 
 BOOST_AUTO_TEST_CASE(points_with_inexact_predicates_are_converted)
 {
-  using Inexact = CGAL::Simple_cartesian<double>;
+  using Inexact = CGAL::Simple_cartesian<long double>;
   const auto p = internal::with_exact_predicates(Inexact::Point_3(1, 2, 3));
-  static_assert(std::is_same_v<decltype(p), const Point>);
-  BOOST_CHECK_EQUAL(p, Point(1, 2, 3));
+  using Exact = CGAL::Simple_cartesian<CGAL::Exact_rational>;
+  static_assert(std::is_same_v<decltype(p), const Exact::Point_3>);
+  BOOST_CHECK_EQUAL(p, Exact::Point_3(1, 2, 3));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,206 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_SPATIAL_OBJECTS_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_SPATIAL_OBJECTS_H
+
+// Do closed segments and triangles in space intersect? They may be flat: a segment may be a point,
+// and a triangle a segment or a point.
+//
+// `Orientation` decides about points, as Staged_orientation does.
+
+#include <CGAL/enum.h>
+
+#include <CGAL/Thick_intersection_d/internal/predicates/planar_objects.h>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// The shadow along one of the three axes.
+template <class Orientation>
+Shadow<Orientation> shadow_along(Orientation& orientation, int axis)
+{
+  return {orientation, (axis + 1) % 3, (axis + 2) % 3};
+}
+
+// A triangle that is not flat, seen along an axis along which its shadow is not flat either. So the
+// shadows of two sets in its plane intersect iff the sets do.
+template <class Orientation>
+struct Triangle_shadow
+{
+  Shadow<Orientation> shadow;
+  Simplex<Orientation, 3> triangle; // it turns left there
+};
+
+// Returns nothing if the triangle is flat. Floors are not flat along the last axis.
+template <class Orientation>
+std::optional<Triangle_shadow<Orientation>>
+shadow_of_triangle(Orientation& orientation, const Simplex<Orientation, 3>& triangle)
+{
+  for(int axis = 2; axis >= 0; --axis) {
+    const Shadow<Orientation> shadow = shadow_along(orientation, axis);
+    const Sign side = shadow.turn(triangle[0], triangle[1], triangle[2]);
+    if(side != ZERO)
+      return Triangle_shadow<Orientation>{shadow, turned_left<Orientation>(triangle, side)};
+  }
+  return std::nullopt;
+}
+
+// Segments intersect iff they are in a plane and their shadows along all axes intersect. If the
+// plane is theirs alone, their shadow along one of the axes is like them. If they are on a line,
+// all shadows are, and these ask whether the boxes meet.
+template <class Orientation>
+bool do_intersect_in_space(Orientation& orientation, const Simplex<Orientation, 2>& a,
+                           const Simplex<Orientation, 2>& b)
+{
+  if(orientation.side(orientation.plane(a[0], a[1], b[0]), b[1]) != ZERO)
+    return false;
+  for(int axis = 0; axis < 3; ++axis)
+    if(!do_segments_intersect(shadow_along(orientation, axis), a, b))
+      return false;
+  return true;
+}
+
+// ---- a segment and a triangle -------------------------------------------------------------------
+
+// Whether the line from p to q meets a triangle that is in no plane with it: it passes all edges on
+// one side.
+template <class Orientation>
+bool does_line_meet_triangle(Orientation& orientation, const typename Orientation::Point& p,
+                             const typename Orientation::Point& q,
+                             const Simplex<Orientation, 3>& triangle)
+{
+  Sign side = ZERO;
+  for(std::size_t k = 0; k < 3; ++k) {
+    const Sign of_edge
+      = orientation.side(orientation.plane(p, q, triangle[k]), triangle[(k + 1) % 3]);
+    if(of_edge != ZERO && side != ZERO && of_edge != side)
+      return false;
+    side = of_edge != ZERO ? of_edge : side;
+  }
+  return true;
+}
+
+template <class Orientation>
+bool do_intersect_in_space(Orientation& orientation, const Simplex<Orientation, 2>& segment,
+                           const Simplex<Orientation, 3>& triangle)
+{
+  const auto plane = orientation.plane(triangle[0], triangle[1], triangle[2]);
+  const Sign p = orientation.side(plane, segment[0]), q = orientation.side(plane, segment[1]);
+  if(p == q && p != ZERO)
+    return false;
+  if(p != ZERO || q != ZERO)
+    return does_line_meet_triangle(orientation, segment[0], segment[1], triangle);
+  if(const auto shadow = shadow_of_triangle(orientation, triangle))
+    return does_segment_meet_triangle(shadow->shadow, segment, shadow->triangle);
+  return do_intersect_in_space(orientation, segment, segment_of_flat<Orientation>(triangle));
+}
+
+// ---- two triangles ------------------------------------------------------------------------------
+
+// The sides of the vertices of a triangle along the plane of another one.
+template <class Orientation>
+std::array<Sign, 3> sides_of_plane(Orientation& orientation,
+                                   const Simplex<Orientation, 3>& of_plane,
+                                   const Simplex<Orientation, 3>& triangle)
+{
+  const auto plane = orientation.plane(of_plane[0], of_plane[1], of_plane[2]);
+  return {orientation.side(plane, triangle[0]), orientation.side(plane, triangle[1]),
+          orientation.side(plane, triangle[2])};
+}
+
+inline bool are_all(const std::array<Sign, 3>& signs, Sign sign)
+{
+  return signs[0] == sign && signs[1] == sign && signs[2] == sign;
+}
+
+inline bool are_on_one_side(const std::array<Sign, 3>& signs)
+{
+  return are_all(signs, NEGATIVE) || are_all(signs, POSITIVE);
+}
+
+// Which vertex of a triangle is on one side of a plane, closed, with the two others on the other
+// side, closed; and whether it is the negative side.
+struct Lone_vertex
+{
+  std::size_t place;
+  bool is_below;
+};
+
+// The signs are not all zero, and not all on one side.
+inline Lone_vertex lone_vertex(const std::array<Sign, 3>& signs)
+{
+  for(std::size_t k = 0; k < 3; ++k)
+    if(signs[k] != ZERO && signs[(k + 1) % 3] != signs[k] && signs[(k + 2) % 3] != signs[k])
+      return {k, signs[k] == NEGATIVE};
+  std::size_t zero = 0;
+  while(signs[zero] != ZERO)
+    ++zero;
+  return {zero, signs[(zero + 1) % 3] == POSITIVE};
+}
+
+// Each triangle p q r and a b c has vertices on both sides of the plane of the other, closed, and
+// not all in this plane. So each meets the line of the two planes in an interval. Turn both such
+// that p is above the plane of a b c and the others are not, and a above that of p q r. Then the
+// intervals go along one direction from p q to p r, and from a c to a b. They meet iff each begins
+// before the other ends, and this is a question of orientation (Guigue and Devillers, as above).
+template <class Orientation>
+bool do_triangles_cross(Orientation& orientation, const Simplex<Orientation, 3>& first,
+                        const std::array<Sign, 3>& sides_of_first,
+                        const Simplex<Orientation, 3>& second,
+                        const std::array<Sign, 3>& sides_of_second)
+{
+  const Lone_vertex lone_p = lone_vertex(sides_of_first), lone_a = lone_vertex(sides_of_second);
+  const auto after = [](const Lone_vertex& lone, std::size_t k) { return (lone.place + k) % 3; };
+  const auto& p = first[lone_p.place];
+  const auto& q = first[after(lone_p, lone_a.is_below ? 2 : 1)];
+  const auto& r = first[after(lone_p, lone_a.is_below ? 1 : 2)];
+  const auto& a = second[lone_a.place];
+  const auto& b = second[after(lone_a, lone_p.is_below ? 2 : 1)];
+  const auto& c = second[after(lone_a, lone_p.is_below ? 1 : 2)];
+  return orientation.side(orientation.plane(p, q, a), b) != POSITIVE
+         && orientation.side(orientation.plane(p, r, a), c) != NEGATIVE;
+}
+
+// All vertices of one triangle are in the plane of the other, or one of them has no plane.
+template <class Orientation>
+bool do_flat_or_coplanar_intersect(Orientation& orientation, const Simplex<Orientation, 3>& a,
+                                   const Simplex<Orientation, 3>& b)
+{
+  const auto shadow = shadow_of_triangle(orientation, a);
+  if(!shadow)
+    return do_intersect_in_space(orientation, segment_of_flat<Orientation>(a), b);
+  const Sign side_b = shadow->shadow.turn(b[0], b[1], b[2]);
+  if(side_b == ZERO)
+    return do_intersect_in_space(orientation, segment_of_flat<Orientation>(b), a);
+  return do_triangles_intersect(shadow->shadow, shadow->triangle,
+                                turned_left<Orientation>(b, side_b));
+}
+
+template <class Orientation>
+bool do_intersect_in_space(Orientation& orientation, const Simplex<Orientation, 3>& a,
+                           const Simplex<Orientation, 3>& b)
+{
+  const std::array<Sign, 3> sides_a = sides_of_plane(orientation, b, a);
+  if(are_on_one_side(sides_a))
+    return false;
+  const std::array<Sign, 3> sides_b = sides_of_plane(orientation, a, b);
+  if(are_on_one_side(sides_b))
+    return false;
+  if(are_all(sides_a, ZERO) || are_all(sides_b, ZERO))
+    return do_flat_or_coplanar_intersect(orientation, a, b);
+  return do_triangles_cross(orientation, a, sides_a, b, sides_b);
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_SPATIAL_OBJECTS_H

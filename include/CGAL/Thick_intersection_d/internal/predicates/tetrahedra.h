@@ -1,0 +1,240 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_TETRAHEDRA_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_TETRAHEDRA_H
+
+// Do closed tetrahedra in space intersect? They may be flat: then a tetrahedron is the union of its
+// four triangles, which may be flat themselves.
+//
+// `Orientation` decides about points, as Staged_orientation does.
+//
+// Let two tetrahedra that are not flat intersect. Then one has a vertex in the other, or one has an
+// edge that crosses a face of the other, with its ends on different sides of the face, both not in
+// its plane. For their intersection has a vertex. It is a vertex of one of them, or lies within an
+// edge of one and a face of the other that are in no plane, or within two edges. In the last case
+// let the edge e cross the edge f. If e is in the plane of neither face at f, it crosses these
+// faces. If it is in the plane of one, follow e into this face. It ends there, or leaves the face
+// across another edge, or at a vertex; it is not in the plane of the other face there.
+
+#include <CGAL/enum.h>
+
+#include <CGAL/Thick_intersection_d/internal/predicates/planar_objects.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/spatial_objects.h>
+
+#include <array>
+#include <cstddef>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// Face k of a tetrahedron has all vertices but vertex k. If the orientation of the vertices is
+// positive, so is the side of vertex k along face k.
+constexpr std::size_t face_vertices[4][3] = {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}};
+
+constexpr std::size_t edge_ends[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+
+// The edge from vertex i to vertex j, and whether it is listed in that direction.
+struct Directed_edge
+{
+  std::size_t edge;
+  bool is_forward;
+};
+
+constexpr Directed_edge edge_between(std::size_t i, std::size_t j)
+{
+  constexpr std::size_t edges[4][4] = {{6, 0, 1, 2}, {0, 6, 3, 4}, {1, 3, 6, 5}, {2, 4, 5, 6}};
+  return {edges[i][j], i < j};
+}
+
+template <class Orientation>
+Simplex<Orientation, 3> face_of(const Simplex<Orientation, 4>& tetrahedron, std::size_t k)
+{
+  const std::size_t* const v = face_vertices[k];
+  return {tetrahedron[v[0]], tetrahedron[v[1]], tetrahedron[v[2]]};
+}
+
+// Returns the orientation of the vertices of a tetrahedron: zero if it is flat.
+template <class Orientation>
+Sign orientation_of(Orientation& orientation, const Simplex<Orientation, 4>& t)
+{
+  return orientation.side(orientation.plane(t[0], t[1], t[2]), t[3]);
+}
+
+// The sides of the vertices of one tetrahedron along the faces of another.
+struct Sides_of_faces
+{
+  Sign sides[4][4];            // of a face and a vertex
+  std::array<int, 4> outside = {}; // of a vertex: bit k is set if it is strictly outside of face k
+
+  bool is_any_inside() const
+  {
+    return outside[0] == 0 || outside[1] == 0 || outside[2] == 0 || outside[3] == 0;
+  }
+  bool is_face_between() const
+  {
+    return (outside[0] & outside[1] & outside[2] & outside[3]) != 0;
+  }
+};
+
+// Stops at the first face that has all vertices outside. The tetrahedron has faces of the
+// orientation `sign`.
+template <class Orientation>
+Sides_of_faces sides_of_faces(Orientation& orientation, const Simplex<Orientation, 4>& tetrahedron,
+                              Sign sign, const Simplex<Orientation, 4>& vertices)
+{
+  Sides_of_faces result;
+  for(std::size_t k = 0; k < 4 && !result.is_face_between(); ++k) {
+    const std::size_t* const v = face_vertices[k];
+    const auto plane
+      = orientation.plane(tetrahedron[v[0]], tetrahedron[v[1]], tetrahedron[v[2]]);
+    for(std::size_t i = 0; i < 4; ++i) {
+      const Sign side = orientation.side(plane, vertices[i]);
+      result.sides[k][i] = side;
+      result.outside[i] |= static_cast<int>(side == opposite(sign)) << k;
+    }
+  }
+  return result;
+}
+
+// The orientations of an edge of one tetrahedron and an edge of another. Each is computed once,
+// when it is asked for: an edge belongs to two faces.
+template <class Orientation>
+class Edge_orientations
+{
+public:
+  Edge_orientations(Orientation& orientation, const Simplex<Orientation, 4>& a,
+                    const Simplex<Orientation, 4>& b)
+    : orientation_(orientation), a_(a), b_(b)
+  {}
+
+  // The order of two edges does not matter for the orientation of their ends.
+  Sign operator()(std::size_t edge_of_a, std::size_t edge_of_b)
+  {
+    int& known = known_[edge_of_a][edge_of_b];
+    if(known == unknown) {
+      const std::size_t* const p = edge_ends[edge_of_a];
+      const std::size_t* const q = edge_ends[edge_of_b];
+      known = orientation_.side(orientation_.plane(a_[p[0]], a_[p[1]], b_[q[0]]), b_[q[1]]) + 2;
+    }
+    return static_cast<Sign>(known - 2);
+  }
+
+private:
+  static constexpr int unknown = 0;
+
+  Orientation& orientation_;
+  const Simplex<Orientation, 4>& a_;
+  const Simplex<Orientation, 4>& b_;
+  int known_[6][6] = {}; // the sign plus 2
+};
+
+// Whether an edge passes the three edges of a face on one side. `orientation_with` gives the
+// orientation of the edge with an edge of the tetrahedron of the face.
+template <class Function>
+bool does_edge_pass_face(std::size_t face, const Function& orientation_with)
+{
+  Sign side = ZERO;
+  for(std::size_t k = 0; k < 3; ++k) {
+    const Directed_edge along
+      = edge_between(face_vertices[face][k], face_vertices[face][(k + 1) % 3]);
+    const Sign sign = orientation_with(along.edge);
+    const Sign of_edge = along.is_forward ? sign : opposite(sign);
+    if(of_edge != ZERO && side != ZERO && of_edge != side)
+      return false;
+    side = of_edge != ZERO ? of_edge : side;
+  }
+  return true;
+}
+
+// Whether an edge of the one whose vertices have these sides crosses a face of the other one.
+// `orientation(edge, other_edge)` is that of an edge of the one and an edge of the other.
+template <class Function>
+bool does_any_edge_cross(const Sides_of_faces& sides, const Function& orientation)
+{
+  for(std::size_t edge = 0; edge < 6; ++edge) {
+    const auto [i, j] = edge_ends[edge];
+    if((sides.outside[i] & sides.outside[j]) != 0)
+      continue;
+    for(std::size_t face = 0; face < 4; ++face)
+      if(sides.sides[face][i] * sides.sides[face][j] < 0
+         && does_edge_pass_face(face, [&](std::size_t other) { return orientation(edge, other); }))
+        return true;
+  }
+  return false;
+}
+
+// Neither is flat.
+template <class Orientation>
+bool do_tetrahedra_intersect(Orientation& orientation, const Simplex<Orientation, 4>& a,
+                             Sign sign_a, const Simplex<Orientation, 4>& b, Sign sign_b)
+{
+  const Sides_of_faces sides_a = sides_of_faces(orientation, b, sign_b, a);
+  if(sides_a.is_face_between())
+    return false;
+  const Sides_of_faces sides_b = sides_of_faces(orientation, a, sign_a, b);
+  if(sides_b.is_face_between())
+    return false;
+  if(sides_a.is_any_inside() || sides_b.is_any_inside())
+    return true;
+  Edge_orientations<Orientation> of_edges(orientation, a, b);
+  return does_any_edge_cross(sides_a, [&](std::size_t e, std::size_t f) { return of_edges(e, f); })
+         || does_any_edge_cross(sides_b,
+                                [&](std::size_t f, std::size_t e) { return of_edges(e, f); });
+}
+
+template <class Orientation>
+bool is_in_tetrahedron(Orientation& orientation, const Simplex<Orientation, 4>& tetrahedron,
+                       Sign sign, const typename Orientation::Point& p)
+{
+  for(const auto& v : face_vertices)
+    if(orientation.side(orientation.plane(tetrahedron[v[0]], tetrahedron[v[1]], tetrahedron[v[2]]),
+                        p)
+       == opposite(sign))
+      return false;
+  return true;
+}
+
+// Whether an object, a triangle or segment, meets one of the faces.
+template <class Orientation, std::size_t Count>
+bool does_meet_faces(Orientation& orientation, const Simplex<Orientation, Count>& object,
+                     const Simplex<Orientation, 4>& tetrahedron)
+{
+  for(std::size_t k = 0; k < 4; ++k)
+    if(do_intersect_in_space(orientation, object, face_of<Orientation>(tetrahedron, k)))
+      return true;
+  return false;
+}
+
+// What is in a tetrahedron has its vertices there, and what is not meets a face.
+template <class Orientation>
+bool do_intersect_in_space(Orientation& orientation, const Simplex<Orientation, 3>& triangle,
+                           const Simplex<Orientation, 4>& tetrahedron)
+{
+  const Sign sign = orientation_of(orientation, tetrahedron);
+  return (sign != ZERO && is_in_tetrahedron(orientation, tetrahedron, sign, triangle[0]))
+         || does_meet_faces(orientation, triangle, tetrahedron);
+}
+
+template <class Orientation>
+bool do_intersect_in_space(Orientation& orientation, const Simplex<Orientation, 4>& a,
+                           const Simplex<Orientation, 4>& b)
+{
+  const Sign sign_a = orientation_of(orientation, a), sign_b = orientation_of(orientation, b);
+  if(sign_a != ZERO && sign_b != ZERO)
+    return do_tetrahedra_intersect(orientation, a, sign_a, b, sign_b);
+  const auto& flat = sign_a == ZERO ? a : b;
+  const auto& other = sign_a == ZERO ? b : a;
+  for(std::size_t k = 0; k < 4; ++k)
+    if(do_intersect_in_space(orientation, face_of<Orientation>(flat, k), other))
+      return true;
+  return false;
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_TETRAHEDRA_H
