@@ -5,8 +5,8 @@
 #ifndef CGAL_SCENE_PROFILE_H
 #define CGAL_SCENE_PROFILE_H
 
-// Describes a scene of points and a distance bound. One pass over the coordinates finds the
-// arithmetic that decides every pair exactly.
+// Describes a scene of points and a distance bound, or of objects. One pass over the coordinates
+// finds the arithmetic that decides every pair exactly.
 
 #include <CGAL/Arithmetic_tier.h>
 #include <CGAL/Distance_bound.h>
@@ -18,8 +18,10 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_tier.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
+#include <CGAL/Thick_intersection_d/internal/input/Object_scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/input/print_profile.h>
 #include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
@@ -33,7 +35,6 @@
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -43,9 +44,9 @@ namespace CGAL {
 /*!
 \ingroup PkgThickIntersectionDRef
 
-describes a scene of points together with a distance bound: its size and extent, the coarsest grid
-that holds its coordinates, the arithmetic that the scene needs, and, after a search, how many pairs
-each arithmetic has decided.
+describes a scene of points together with a distance bound, or a scene of objects: its size and
+extent, the coarsest grid that holds its coordinates, the arithmetic that the scene needs, and,
+after a search, how many pairs each arithmetic has decided.
 
 Coordinates that are doubles lie on a grid of step \f$ 2^e \f$. A difference of coordinates up to
 the reach has at most `units()` steps, whatever the offset of the scene. Let \f$ S \f$ be the square
@@ -56,8 +57,15 @@ other numbers are needed. If \f$ S \f$ is below \f$ 2^{63} \f$, or below \f$ 2^{
 than \f$ 2^{63} \f$ steps, integers of 64 or 128 bits decide the pairs that a filter in doubles
 leaves undecided.
 
-`profile_scene()` makes a profile, and a search makes one if it is given a profile. A profile does
-not refer to the points. Several threads may read it at once.
+Whether two objects intersect is a question of the signs of determinants, of degree 2 in the plane
+and 3 in space. Objects whose boxes meet lie in a box of twice the largest extents of objects; this
+is the reach of each axis. With differences of \f$ b \f$ bits, in steps of the grid, determinants
+have \f$ 2b+1 \f$ and \f$ 3b+3 \f$ bits. Doubles compute 53 bits without error. Integers of 64, 128
+and 192 bits, if \f$ b \le 61 \f$, decide what a filter in doubles leaves undecided. Boxes and
+points are compared, which is of degree 1, and needs doubles only.
+
+`profile_scene()` makes a profile of points, and a search makes one if it is given a profile. A
+profile does not refer to the points. Several threads may read it at once.
 */
 class Scene_profile
 {
@@ -65,7 +73,7 @@ public:
   /// \name Creation
   /// @{
 
-  /// constructs the profile of a scene without points.
+  /// constructs the profile of a scene without points or objects.
   Scene_profile() : Scene_profile(0, {}, 0, 0) {}
 
   /// constructs the profile of `size` points with the given ranges of coordinates, reach, and
@@ -74,27 +82,39 @@ public:
   Scene_profile(std::size_t size, const std::vector<std::pair<double, double>>& box, double reach,
                 std::optional<int> grid_exponent)
     : size_(size), box_(box), reach_(reach), grid_exponent_(grid_exponent),
-      units_(grid_exponent ? Thick_intersection_d::internal::steps_within(reach, *grid_exponent)
-                           : std::numeric_limits<double>::infinity()),
+      units_(units(reach, grid_exponent)),
       needed_tier_(Thick_intersection_d::internal::first_exact_tier(reach, grid_exponent,
                                                                     extended_axes()))
+  {}
+
+  /// constructs the profile of `size` objects with the given ranges of coordinates, the reach along
+  /// each axis, the exponent of the grid, or no exponent if the coordinates are not doubles, and
+  /// the degree of the intersection test: 1, 2 or 3.
+  Scene_profile(std::size_t size, const std::vector<std::pair<double, double>>& box,
+                const std::vector<double>& reaches, std::optional<int> grid_exponent, int degree)
+    : size_(size), box_(box),
+      reach_(reaches.empty() ? 0 : *std::max_element(reaches.begin(), reaches.end())),
+      grid_exponent_(grid_exponent), units_(units(reach_, grid_exponent)),
+      needed_tier_(
+        Thick_intersection_d::internal::first_exact_tier(reaches, grid_exponent, degree)),
+      degree_(degree), reaches_(reaches), are_objects_(true)
   {}
 
   /// @}
   /// \name The Scene
   /// @{
 
-  /// returns the number of points.
+  /// returns the number of points or objects.
   std::size_t size() const { return size_; }
 
-  /// returns the dimension of the points, or 0 if there are none.
+  /// returns the dimension of the points or objects, or 0 if there are none.
   int dimension() const { return static_cast<int>(box_.size()); }
 
   /// returns the smallest and the largest coordinate along axis `i`, rounded outwards.
   const std::pair<double, double>& range(int i) const { return box_[i]; }
 
-  /// returns the number of axes along which the points differ. In the plane and in space, a search
-  /// neither stores nor searches other axes.
+  /// returns the number of axes along which the points, or points of the objects, differ. In the
+  /// plane and in space, a search neither stores nor searches other axes.
   int extended_axes() const
   {
     int count = 0;
@@ -103,7 +123,8 @@ public:
     return count;
   }
 
-  /// returns an upper bound on the distance along an axis of points within the bound.
+  /// returns an upper bound on the distance along an axis of points within the bound, or of points
+  /// of two objects whose boxes meet.
   double reach() const { return reach_; }
 
   /// returns whether all coordinates are doubles without rounding, whatever their type. Then there
@@ -117,9 +138,24 @@ public:
   /// returns the reach in steps of the grid, or infinity if there is no grid.
   double units() const { return units_; }
 
-  /// returns how many bits a squared distance up to the bound takes, in squared steps of the grid,
+  /// returns whether the profile is of objects, and not of points and a bound.
+  bool is_of_objects() const { return are_objects_; }
+
+  /// returns the algebraic degree of the question about a pair: 2 for points, 1 to 3 for objects.
+  int degree() const { return degree_; }
+
+  /// returns how many bits a difference of coordinates up to the reach takes, in steps of the grid,
   /// or infinity if there is no grid.
-  double bits() const { return 2 * std::log2((std::max)(units_, 1.)) + std::log2(terms()); }
+  double difference_bits() const { return std::log2((std::max)(units_, 1.)); }
+
+  /// returns how many bits a squared distance up to the bound takes, in squared steps of the grid,
+  /// or the determinants of the test of objects, or infinity if there is no grid.
+  double bits() const
+  {
+    return are_objects_ && has_grid()
+             ? Thick_intersection_d::internal::determinant_bits(reaches_, *grid_exponent_, degree_)
+             : 2 * difference_bits() + std::log2(terms());
+  }
 
   /// @}
   /// \name The Arithmetic
@@ -129,7 +165,12 @@ public:
   Arithmetic_tier needed_tier() const { return needed_tier_; }
 
   /// returns the tier that the search uses: `needed_tier()`, unless another tier is forced.
-  Arithmetic_tier tier() const { return forced_tier_.value_or(needed_tier_); }
+  Arithmetic_tier tier() const
+  {
+    const Arithmetic_tier tier = forced_tier_.value_or(needed_tier_);
+    return tier == Arithmetic_tier::INT192 && !are_objects_ ? Arithmetic_tier::FILTERED_EXACT
+                                                            : tier;
+  }
 
   /// makes searches that are given this profile use `tier`, which is `needed_tier()` or a later
   /// tier. The pairs are the same, but not the time.
@@ -149,10 +190,11 @@ public:
   const std::optional<Arithmetic_tier>& forced_tier() const { return forced_tier_; }
 
   /// returns how many pairs the arithmetic that names a tier has decided, in the search that has
-  /// made this profile: doubles, integers of 64 or of 128 bits, or exact numbers. Pairs that a
-  /// filter in doubles finds beyond the bound are not counted. So the sum over all tiers is the
-  /// number of pairs within the bound, plus the number of near ties beyond the bound, which the
-  /// filter does not decide.
+  /// made this profile: doubles, integers of 64, 128 or 192 bits, or exact numbers. Pairs of points
+  /// that a filter in doubles finds beyond the bound are not counted. So the sum over all tiers is
+  /// the number of pairs within the bound, plus the number of near ties beyond the bound, which the
+  /// filter does not decide. Of objects, each pair whose boxes meet is counted once, for the
+  /// hardest determinant that it needed.
   std::uint64_t decided(Arithmetic_tier tier) const { return counts_[tier]; }
 
   /// returns how many bits the search that has made this profile held a coordinate in, to find near
@@ -171,6 +213,10 @@ public:
   CGAL_RARELY_CALLED Scene_profile(const Thick_intersection_d::internal::Scene& scene, double reach)
     : Scene_profile(scene.size, pairs_of(scene.box), reach, scene.grid_exponent)
   {}
+  CGAL_RARELY_CALLED
+  Scene_profile(const Thick_intersection_d::internal::Object_scene& scene, int degree)
+    : Scene_profile(scene.size, pairs_of(scene.box), scene.reaches, scene.grid_exponent, degree)
+  {}
 
   void set_counts(const Thick_intersection_d::internal::Decision_counts& counts)
   {
@@ -187,23 +233,16 @@ public:
   /// prints the profile, one fact per line, and a sentence that sums it up.
   friend std::ostream& operator<<(std::ostream& out, const Scene_profile& profile)
   {
-    out << "points      " << profile.size() << " in dimension " << profile.dimension() << '\n';
-    for(int i = 0; i < profile.dimension(); ++i)
-      out << "axis " << i << "      [" << profile.range(i).first << ", " << profile.range(i).second
-          << "]\n";
-    out << "reach       " << profile.reach() << '\n';
-    if(profile.has_grid())
-      out << "grid        2^" << profile.grid_exponent() << '\n'
-          << "bits        " << profile.bits() << " for a squared distance, a double has 53\n";
-    else
-      out << "grid        none, the coordinates are not doubles\n";
-    out << "arithmetic  " << profile.tier() << (profile.forced_tier() ? ", forced\n" : "\n");
-    profile.print_coordinates(out);
-    profile.print_counts(out);
-    return out << profile.sentence() << '\n';
+    return Thick_intersection_d::internal::print_profile(out, profile);
   }
 
 private:
+  static double units(double reach, std::optional<int> grid_exponent)
+  {
+    return grid_exponent ? Thick_intersection_d::internal::steps_within(reach, *grid_exponent)
+                         : std::numeric_limits<double>::infinity();
+  }
+
   static std::vector<std::pair<double, double>>
   pairs_of(const std::vector<Thick_intersection_d::internal::Interval>& intervals)
   {
@@ -215,43 +254,6 @@ private:
 
   int terms() const { return Thick_intersection_d::internal::square_terms(extended_axes()); }
 
-  void print_coordinates(std::ostream& out) const
-  {
-    if(coordinate_bits_ == 64)
-      out << "coordinates 64 bits, doubles\n";
-    else if(coordinate_bits_ == 32)
-      out << "coordinates 32 bits, " << (are_coordinates_rounded_ ? "rounded\n" : "exact\n");
-  }
-
-  void print_counts(std::ostream& out) const
-  {
-    const char* separator = "decided     ";
-    for(const Arithmetic_tier tier : {Arithmetic_tier::DOUBLE, Arithmetic_tier::INT64,
-                                      Arithmetic_tier::INT128, Arithmetic_tier::FILTERED_EXACT})
-      if(decided(tier) != 0) {
-        out << separator << decided(tier) << " by ";
-        if(tier == Arithmetic_tier::FILTERED_EXACT)
-          out << "exact numbers";
-        else
-          out << tier;
-        separator = ", ";
-      }
-    if(*separator == ',')
-      out << '\n';
-  }
-
-  std::string sentence() const
-  {
-    const double bits = std::ceil(this->bits()); // infinite without a grid or a finite bound
-    std::string head = std::isfinite(bits) ? std::to_string(std::lround(bits)) + " bits: " : "";
-    switch(tier()) {
-    case Arithmetic_tier::DOUBLE: return head + "double is exact, no filter used.";
-    case Arithmetic_tier::INT64: return head + "doubles filter, 64-bit integers decide the rest.";
-    case Arithmetic_tier::INT128: return head + "doubles filter, 128-bit integers decide the rest.";
-    default: return head + "doubles filter, exact numbers decide the rest.";
-    }
-  }
-
   std::size_t size_;
   std::vector<std::pair<double, double>> box_;
   double reach_;
@@ -262,6 +264,9 @@ private:
   Thick_intersection_d::internal::Decision_counts counts_;
   int coordinate_bits_ = 0;
   bool are_coordinates_rounded_ = false;
+  int degree_ = 2;
+  std::vector<double> reaches_; // of objects, along each axis
+  bool are_objects_ = false;
 };
 
 /*!

@@ -9,6 +9,7 @@
 
 #include <CGAL/Element_callback.h>
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/Scene_profile.h>
 #include <CGAL/Thick_object_traits_d.h>
 #include <CGAL/tags.h>
 
@@ -41,7 +42,11 @@ Balls of one radius are searched as points, in \f$ O(n \log n + k) \f$ time.
 
 An object is never paired with itself. Equal objects at different positions are a pair if they
 intersect. The search gives the result of real arithmetic if the predicates of the traits are exact,
-as the predicates of the package are.
+as the predicates of the package are: on the coordinates that the objects hold, for every kernel,
+`Simple_cartesian<double>` included, and in every rounding mode. Objects of a kernel are closed, so
+objects that touch intersect. They may be degenerate: a segment of length zero is the point that it
+is, a flat triangle a segment or a point, and a flat tetrahedron a polygon, a segment or a point.
+The algebraic degree is 2 in the plane and 3 in space; the `Scene_profile` tells what it takes.
 
 \tparam ConcurrencyTag is `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. In
 sequence, the order of reports depends on the input alone. In parallel, the same pairs are reported
@@ -86,9 +91,10 @@ below
 \return `false` iff the callback or the progress functor stopped the search.
 
 \throws std::invalid_argument if a coordinate or radius of an object is NaN or infinite, or if a
-radius is negative, before anything is reported. The message gives the position of the object.
-Traits of other packages may check their objects in a member function `check(object, position)`.
-Exceptions of the callback and of predicates pass through.
+radius is negative, before anything is reported. The message gives the position of the object. Exact
+numbers beyond the range of doubles are taken. Traits of other packages may check their objects in a
+member function `check(object, position)`. Exceptions of the callback and of predicates pass
+through.
 \throws std::invalid_argument if an interval is empty or NaN, before anything is reported.
 \throws std::length_error if there are 2<sup>31</sup> objects or more, and the traits have intervals
 only.
@@ -106,6 +112,37 @@ bool thick_self_intersection_d(ObjectRange&& objects, Callback&& callback,
   namespace internal = Thick_intersection_d::internal;
   const auto search = [&](const auto& elements, const auto& sets, auto& report) {
     return internal::report_object_pairs<ConcurrencyTag>(elements, sets, report, np);
+  };
+  return internal::search_range<ConcurrencyTag>(objects, callback, np, search);
+}
+
+/*!
+\ingroup PkgThickIntersectionDRef
+
+reports all pairs of objects of a range that intersect, as the version above, and describes the
+scene and the search in `profile`.
+
+If `Scene_profile::force_tier()` has forced a tier in `profile`, the search uses this tier, and
+refuses it if it is not exact for the objects. If only the answer is wanted, pass a `Scene_profile`
+without objects. The search takes one more pass over the objects, and counts pairs one by one.
+
+\param objects,callback,np as in the version above, without `geom_traits`. The objects are of a
+kernel, or of the type `Bbox_2` or `Bbox_3`.
+\param profile is replaced by the profile of the objects, with the same tier forced, and with the
+numbers of pairs that each kind of arithmetic has decided. It does not change if the function
+throws.
+
+\throws std::invalid_argument as the version above, and if the forced tier is not exact for the
+scene.
+*/
+template <class ConcurrencyTag = Sequential_tag, class ObjectRange, class Callback,
+          class NamedParameters = parameters::Default_named_parameters>
+bool thick_self_intersection_d(ObjectRange&& objects, Callback&& callback, Scene_profile& profile,
+                               const NamedParameters& np = parameters::default_values())
+{
+  namespace internal = Thick_intersection_d::internal;
+  const auto search = [&](const auto& elements, const auto& sets, auto& report) {
+    return internal::report_object_pairs<ConcurrencyTag>(elements, sets, report, profile, np);
   };
   return internal::search_range<ConcurrencyTag>(objects, callback, np, search);
 }
@@ -142,6 +179,31 @@ bool thick_intersection_d(ObjectRangeA&& objects_a, ObjectRangeB&& objects_b,
   namespace internal = Thick_intersection_d::internal;
   const auto search = [&](const auto& elements, const auto& sets, auto& report) {
     return internal::report_object_pairs<ConcurrencyTag>(elements, sets, report, np);
+  };
+  return internal::search_two_ranges<ConcurrencyTag>(objects_a, objects_b, callback, np, search);
+}
+
+/*!
+\ingroup PkgThickIntersectionDRef
+
+reports all pairs of an object of one range and an object of another that intersect, as the version
+above, and describes the scene of both ranges and the search in `profile`.
+
+\param objects_a,objects_b,callback,np as in the version above, without `geom_traits`.
+\param profile as for `thick_self_intersection_d()`.
+
+\throws std::invalid_argument as the version above, and if the forced tier is not exact for the
+scene.
+*/
+template <class ConcurrencyTag = Sequential_tag, class ObjectRangeA, class ObjectRangeB,
+          class Callback, class NamedParameters = parameters::Default_named_parameters>
+bool thick_intersection_d(ObjectRangeA&& objects_a, ObjectRangeB&& objects_b, Callback&& callback,
+                          Scene_profile& profile,
+                          const NamedParameters& np = parameters::default_values())
+{
+  namespace internal = Thick_intersection_d::internal;
+  const auto search = [&](const auto& elements, const auto& sets, auto& report) {
+    return internal::report_object_pairs<ConcurrencyTag>(elements, sets, report, profile, np);
   };
   return internal::search_two_ranges<ConcurrencyTag>(objects_a, objects_b, callback, np, search);
 }

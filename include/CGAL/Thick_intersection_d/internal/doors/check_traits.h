@@ -13,6 +13,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/doors/Traits_boxes.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
+#include <CGAL/Thick_intersection_d/internal/input/vertices.h>
 
 #include <type_traits>
 #include <utility>
@@ -92,6 +93,19 @@ constexpr bool check_objects_and_traits()
       std::declval<const NamedParameters&>(), internal_np::geom_traits));
     return check_traits<std::decay_t<Traits>, Object>();
   }
+}
+
+// Checks the objects of a search with a profile. The coordinates of other objects are not known.
+template <class Object, class NamedParameters>
+constexpr bool check_profiled_objects()
+{
+  constexpr bool is_known = Vertex_count<Object>::value != 0 || std::is_same_v<Object, Bbox_2>
+                            || std::is_same_v<Object, Bbox_3>;
+  constexpr bool has_traits
+    = !parameters::is_default_parameter<NamedParameters, internal_np::geom_traits_t>::value;
+  static_assert(is_known && !has_traits,
+                "A Scene_profile is for objects of a kernel or boxes, without geom_traits.");
+  return is_known && !has_traits;
 }
 
 } // namespace internal
