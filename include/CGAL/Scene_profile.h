@@ -30,7 +30,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <ostream>
 #include <sstream>
@@ -82,7 +81,7 @@ public:
   Scene_profile(std::size_t size, const std::vector<std::pair<double, double>>& box, double reach,
                 std::optional<int> grid_exponent)
     : size_(size), box_(box), reach_(reach), grid_exponent_(grid_exponent),
-      units_(units(reach, grid_exponent)),
+      units_(Thick_intersection_d::internal::steps_within(reach, grid_exponent)),
       needed_tier_(Thick_intersection_d::internal::first_exact_tier(reach, grid_exponent,
                                                                     extended_axes()))
   {}
@@ -94,7 +93,7 @@ public:
                 const std::vector<double>& reaches, std::optional<int> grid_exponent, int degree)
     : size_(size), box_(box),
       reach_(reaches.empty() ? 0 : *std::max_element(reaches.begin(), reaches.end())),
-      grid_exponent_(grid_exponent), units_(units(reach_, grid_exponent)),
+      grid_exponent_(grid_exponent), units_(Thick_intersection_d::internal::steps_within(reach_, grid_exponent)),
       needed_tier_(
         Thick_intersection_d::internal::first_exact_tier(reaches, grid_exponent, degree)),
       degree_(degree), reaches_(reaches), are_objects_(true)
@@ -154,7 +153,8 @@ public:
   {
     return are_objects_ && has_grid()
              ? Thick_intersection_d::internal::determinant_bits(reaches_, *grid_exponent_, degree_)
-             : 2 * difference_bits() + std::log2(terms());
+             : 2 * difference_bits()
+                 + std::log2(Thick_intersection_d::internal::square_terms(extended_axes()));
   }
 
   /// @}
@@ -208,7 +208,6 @@ public:
   bool are_coordinates_rounded() const { return are_coordinates_rounded_; }
 
   /// @}
-
 #ifndef DOXYGEN_RUNNING
   CGAL_RARELY_CALLED Scene_profile(const Thick_intersection_d::internal::Scene& scene, double reach)
     : Scene_profile(scene.size, pairs_of(scene.box), reach, scene.grid_exponent)
@@ -237,12 +236,6 @@ public:
   }
 
 private:
-  static double units(double reach, std::optional<int> grid_exponent)
-  {
-    return grid_exponent ? Thick_intersection_d::internal::steps_within(reach, *grid_exponent)
-                         : std::numeric_limits<double>::infinity();
-  }
-
   static std::vector<std::pair<double, double>>
   pairs_of(const std::vector<Thick_intersection_d::internal::Interval>& intervals)
   {
@@ -251,8 +244,6 @@ private:
       pairs[i] = {intervals[i].low, intervals[i].high};
     return pairs;
   }
-
-  int terms() const { return Thick_intersection_d::internal::square_terms(extended_axes()); }
 
   std::size_t size_;
   std::vector<std::pair<double, double>> box_;

@@ -50,6 +50,13 @@ inline std::uint64_t steps_modulo_2_64(double x, int e)
   return x < 0 ? 0 - steps : steps;
 }
 
+// Returns the exponent of a power of two below 2^63, read from the bits of a double.
+inline int logarithm(std::uint64_t power)
+{
+  return static_cast<int>(bits_of(static_cast<double>(static_cast<std::int64_t>(power))) >> 52)
+         - 1023;
+}
+
 class Double_grid
 {
 public:
@@ -72,13 +79,6 @@ public:
   int exponent() const { return exponent_ == none ? 0 : exponent_; }
 
 private:
-  // Returns the exponent of a power of two, read from the bits of a double.
-  static int logarithm(std::uint64_t power)
-  {
-    return static_cast<int>(bits_of(static_cast<double>(static_cast<std::int64_t>(power))) >> 52)
-           - 1023;
-  }
-
   static constexpr int none = 2000; // above every exponent of a double
   int exponent_ = none;
 };

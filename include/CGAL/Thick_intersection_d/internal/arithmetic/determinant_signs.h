@@ -5,10 +5,9 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_ARITHMETIC_DETERMINANT_SIGNS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_ARITHMETIC_DETERMINANT_SIGNS_H
 
-// The signs of determinants of integers and of exact numbers, in rows of two or three.
+// The signs of determinants of two and of three vectors, of integers and of exact numbers.
 
 #include <CGAL/enum.h>
-#include <CGAL/number_utils.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/wide_integers.h>
 
@@ -20,54 +19,52 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-template <class Number, std::size_t N>
-using Square_matrix = std::array<std::array<Number, N>, N>;
-
 template <class Number>
 Sign sign_of_number(const Number& x)
 {
   return x < Number(0) ? NEGATIVE : Number(0) < x ? POSITIVE : ZERO;
 }
 
-// Computes in the type `Wide`, which has to hold all products and their sum.
+// Returns the sign of the determinant of two vectors. `Wide` has to hold both terms and their
+// difference.
 template <class Wide, class Number>
-Sign sign_of_determinant(const Square_matrix<Number, 2>& m)
+Sign sign_of_determinant(const std::array<Number, 2>& u, const std::array<Number, 2>& v)
 {
-  return sign_of_number(Wide(Wide(m[0][0]) * Wide(m[1][1]) - Wide(m[0][1]) * Wide(m[1][0])));
+  return sign_of_number(Wide(Wide(u[0]) * Wide(v[1]) - Wide(u[1]) * Wide(v[0])));
 }
 
-// The minor of the rows 1 and 2 without column i, of the columns that follow i in cyclic order.
+// Returns the cross product of two vectors. The determinant of three is its product with the third.
 template <class Wide, class Number>
-Wide minor_without_column(const Square_matrix<Number, 3>& m, std::size_t i)
+std::array<Wide, 3> normal_of(const std::array<Number, 3>& u, const std::array<Number, 3>& v)
 {
-  const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-  return Wide(m[1][j]) * Wide(m[2][k]) - Wide(m[1][k]) * Wide(m[2][j]);
+  const auto minor = [&](std::size_t j, std::size_t k) {
+    return Wide(Wide(u[j]) * Wide(v[k]) - Wide(u[k]) * Wide(v[j]));
+  };
+  return {minor(1, 2), minor(2, 0), minor(0, 1)};
 }
 
 template <class Wide, class Number>
-Sign sign_of_determinant(const Square_matrix<Number, 3>& m)
+Sign sign_of_product(const std::array<Wide, 3>& normal, const std::array<Number, 3>& w)
 {
-  Wide sum(0);
-  for(std::size_t i = 0; i < 3; ++i)
-    sum = sum + minor_without_column<Wide>(m, i) * Wide(m[0][i]);
-  return sign_of_number(sum);
+  return sign_of_number(Wide(normal[0] * Wide(w[0]) + normal[1] * Wide(w[1])
+                             + normal[2] * Wide(w[2])));
 }
 
-// The same in 192 bits, for numbers of up to 61 bits and a sign. A minor has up to 123 bits, and is
-// split into high 2^60 + low, with |low| < 2^60. So each product with a number of 61 bits, and each
-// sum of three of them, has at most 126 bits.
-inline Sign sign_of_long_determinant(const Square_matrix<std::int64_t, 3>& m)
+// The same in 192 bits, for vectors of numbers of up to 61 bits and a sign. The entries of the
+// normal have up to 123 bits, and are split. So a product of a half with a number of 61 bits has at
+// most 124 bits, and a sum of three of them has 126.
+inline Sign sign_of_long_product(const std::array<Int128, 3>& normal,
+                                 const std::array<std::int64_t, 3>& w)
 {
-  const Int128 unit = Int128(1) << 60;
   Int128 high = 0, low = 0;
   for(std::size_t i = 0; i < 3; ++i) {
-    const Int128 minor = minor_without_column<Int128>(m, i);
-    high += minor / unit * m[0][i];
-    low += minor % unit * m[0][i];
+    const Split_integer entry(normal[i]);
+    high += Int128(entry.high) * w[i];
+    low += Int128(entry.low) * w[i];
   }
-  high += low / unit;
-  low %= unit; // so the sign is that of `high`, unless that is zero
-  return high != 0 ? sign_of_number(high) : sign_of_number(low);
+  const Split_integer rest(low);
+  high += rest.high;
+  return high != 0 ? sign_of_number(high) : sign_of_number(rest.low);
 }
 
 } // namespace internal

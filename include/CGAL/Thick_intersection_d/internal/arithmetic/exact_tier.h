@@ -36,6 +36,13 @@ inline double steps_within(double reach, int grid_exponent)
   return std::floor(std::ldexp(reach, -grid_exponent));
 }
 
+// The same, or infinity if there is no grid.
+inline double steps_within(double reach, const std::optional<int>& grid_exponent)
+{
+  return grid_exponent ? steps_within(reach, *grid_exponent)
+                       : std::numeric_limits<double>::infinity();
+}
+
 // Returns how many squares a sum counts as: at least 2, so the square of U + 1 is exact as well.
 inline int square_terms(int axis_count) { return (std::max)(axis_count, 2); }
 

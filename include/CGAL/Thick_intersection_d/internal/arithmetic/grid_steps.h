@@ -5,10 +5,10 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_ARITHMETIC_GRID_STEPS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_ARITHMETIC_GRID_STEPS_H
 
-// Differences of a few doubles, in steps of a grid of their own.
+// A few doubles in steps of a grid of their own.
 //
-// Let 2^e Z be the coarsest grid that holds the doubles. Their differences are few steps long, even
-// if they are small and far from zero, or near the ends of the range of doubles.
+// Let 2^e Z be the coarsest grid that holds the differences of the doubles. They are few steps
+// long, even if the doubles are far from zero, or near the ends of their range.
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Double_grid.h>
 
@@ -17,7 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
+#include <cstring>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -26,45 +26,73 @@ namespace internal {
 // Differences of more bits are not computed.
 constexpr int max_step_bits = 61;
 
-// Returns the least m such that a rounded difference shows that the difference is at most 2^m.
-//
-// A rounded difference below 2^m is one of a difference of at most 2^m, because rounding is
-// monotone and fixes 2^m. What overflows is infinite or the largest double, in the rounding mode.
-// Both stand for a difference below 2^1025.
-inline int bits_of_difference(double rounded)
+// A double times a power of two, which itself may be beyond the doubles.
+class Power_of_two
 {
-  if(rounded == 0)
-    return -1074;
-  return rounded < (std::numeric_limits<double>::max)() ? std::ilogb(rounded) + 1 : 1025;
-}
+public:
+  explicit Power_of_two(int exponent)
+    : first_(power(exponent / 2)), second_(power(exponent - exponent / 2))
+  {}
 
-template <std::size_t N>
-struct Grid_steps
-{
-  std::array<std::int64_t, N> steps; // if there are at most max_step_bits
-  int bits;                          // each difference is at most 2^bits steps
+  double times(double x) const { return x * first_ * second_; }
+
+private:
+  static double power(int exponent)
+  {
+    const std::uint64_t bits = static_cast<std::uint64_t>(exponent + 1023) << 52;
+    double result;
+    std::memcpy(&result, &bits, sizeof(result));
+    return result;
+  }
+
+  double first_;
+  double second_;
 };
 
-// Returns the differences x[i] - x[0] for i > 0. If they have at most max_step_bits, they are those
-// of the numbers of steps modulo 2^64.
+// Returns an m such that |x| < 2^m, the least one if x is no denormal number.
+inline int exponent_above(double x) { return static_cast<int>((bits_of(x) >> 52) & 0x7ff) - 1022; }
+
+// Moves integers to an origin, and divides them by the largest power of two that leaves integers.
+// Returns an m such that two of them differ by at most 2^m.
 template <std::size_t N>
-Grid_steps<N - 1> grid_steps(const std::array<double, N>& x)
+int coarsen(std::array<std::int64_t, N>& numbers)
 {
-  Double_grid grid;
-  double largest = 0;
-  for(const double value : x) {
-    grid.add(value);
-    largest = (std::max)(largest, std::fabs(value - x[0]));
+  std::int64_t least = numbers[0], greatest = numbers[0];
+  for(const std::int64_t x : numbers) {
+    least = (std::min)(least, x);
+    greatest = (std::max)(greatest, x);
   }
-  Grid_steps<N - 1> result = {};
-  result.bits = (std::max)(bits_of_difference(largest) - grid.exponent(), 0);
-  if(result.bits > max_step_bits)
-    return result;
-  const std::uint64_t origin = steps_modulo_2_64(x[0], grid.exponent());
-  for(std::size_t i = 1; i < N; ++i)
-    result.steps[i - 1]
-      = static_cast<std::int64_t>(steps_modulo_2_64(x[i], grid.exponent()) - origin);
-  return result;
+  std::uint64_t all_bits = std::uint64_t(1) << 62; // above all others
+  for(std::int64_t& x : numbers) {
+    x -= least;
+    all_bits |= static_cast<std::uint64_t>(x);
+  }
+  const int zeros = logarithm(all_bits & (~all_bits + 1));
+  for(std::int64_t& x : numbers)
+    x >>= zeros;
+  return (std::max)(exponent_above(static_cast<double>((greatest - least) >> zeros)), 0);
+}
+
+// Sets `steps` to the numbers in steps of a grid, from the least of them on. Returns an m such that
+// two of them differ by at most 2^m steps, or more than max_step_bits if they do not fit.
+//
+// Let |x| < 2^m for all numbers. First they are counted in units of 2^(m - 60), or of the least
+// double. Numbers that lose their lower bits do not fit. All others differ by less than 2^61 units.
+// Products with powers of two are exact as long as no bit is lost, in every rounding mode.
+template <std::size_t N>
+int grid_steps(const std::array<double, N>& numbers, std::array<std::int64_t, N>& steps)
+{
+  double largest = 0;
+  for(const double x : numbers)
+    largest = (std::max)(largest, std::fabs(x));
+  const int exponent = (std::max)(exponent_above(largest) - 60, -1074);
+  const Power_of_two unit(exponent), units(-exponent);
+  bool are_exact = true;
+  for(std::size_t i = 0; i < N; ++i) {
+    steps[i] = static_cast<std::int64_t>(units.times(numbers[i]));
+    are_exact &= unit.times(static_cast<double>(steps[i])) == numbers[i];
+  }
+  return are_exact ? coarsen(steps) : max_step_bits + 1;
 }
 
 } // namespace internal

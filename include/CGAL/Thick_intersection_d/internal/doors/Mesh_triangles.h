@@ -19,12 +19,12 @@
 #include <CGAL/Thick_intersection_d/internal/predicates/Staged_orientation.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/mesh_triangles.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/planar_objects.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/spatial_objects.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <array>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -89,12 +89,17 @@ public:
     const Face& a = faces_[i];
     const Face& b = faces_[j];
     const Common_vertices common = common_vertices(a, b);
-    Orientation orientation;
     if(common.count == 0)
-      return do_intersect_in_space(orientation, triangle(a, 0), triangle(b, 0));
+      return with_triangles(a, 0, b, 0, [](Orientation& orientation, const Points<6>& p) {
+        return do_intersect_in_space<Orientation>(orientation, {p[0], p[1], p[2]},
+                                                  {p[3], p[4], p[5]});
+      });
     if(common.count == 1)
-      return do_triangles_at_vertex_intersect(orientation, triangle(a, common.place_in_first),
-                                              triangle(b, common.place_in_second));
+      return with_triangles(a, common.place_in_first, b, common.place_in_second,
+                            [](Orientation& orientation, const Points<6>& p) {
+                              return do_triangles_at_vertex_intersect<Orientation>(
+                                orientation, {p[0], p[1], p[2]}, {p[0], p[4], p[5]});
+                            });
     const auto edge = find_common_edge(a, b, mesh_);
     return !edge || do_intersect_beyond_edge(*edge);
   }
@@ -106,24 +111,48 @@ private:
     = typename Kernel_traits<typename boost::property_traits<Point_map>::value_type>::Kernel;
   static constexpr bool are_doubles = is_held_by_double_v<typename Kernel::FT>;
   using Orientation
-    = std::conditional_t<are_doubles, Staged_orientation<3>,
-                         Kernel_orientation<Kernel_with_exact_predicates<Kernel>, 3>>;
-  using Triangle = Simplex<Orientation, 3>;
+    = std::conditional_t<are_doubles, Staged_orientation<3, 6>,
+                         Kernel_orientation<Kernel_with_exact_predicates<Kernel>, 3, 6>>;
+  template <std::size_t Count>
+  using Points = std::array<typename Orientation::Point, Count>;
 
-  typename Orientation::Point point(const Vertex& vertex) const
+  void read(const Vertex& vertex, typename Orientation::Vertex& result) const
   {
     const auto& p = get(point_map_, vertex);
     if constexpr(are_doubles)
-      return {static_cast<double>(p.x()), static_cast<double>(p.y()), static_cast<double>(p.z())};
+      result.x = {static_cast<double>(p.x()), static_cast<double>(p.y()),
+                  static_cast<double>(p.z())};
     else
-      return with_exact_predicates(p);
+      result = with_exact_predicates(p);
   }
 
-  // Returns the triangle of a face, from one of its vertices on.
-  Triangle triangle(const Face& face, std::size_t first) const
+  // Returns test(orientation, points) for the points of up to six vertices. The first one takes the
+  // places that are left.
+  template <std::size_t Count, class Function>
+  bool with_points(const std::array<Vertex, Count>& vertices, const Function& test) const
   {
-    const auto& v = face.vertices;
-    return {point(v[first]), point(v[(first + 1) % 3]), point(v[(first + 2) % 3])};
+    typename Orientation::Vertices all;
+    Points<Count> points;
+    for(std::size_t k = 0; k < all.size(); ++k)
+      if(k < Count) {
+        read(vertices[k], all[k]);
+        points[k] = typename Orientation::Point(all[k]);
+      }
+      else
+        all[k] = all[0];
+    Orientation orientation(all);
+    return test(orientation, points);
+  }
+
+  // The same for the vertices of two faces, from one of them on.
+  template <class Function>
+  bool with_triangles(const Face& a, std::size_t i, const Face& b, std::size_t j,
+                      const Function& test) const
+  {
+    const auto& v = a.vertices;
+    const auto& w = b.vertices;
+    return with_points<6>(
+      {v[i], v[(i + 1) % 3], v[(i + 2) % 3], w[j], w[(j + 1) % 3], w[(j + 2) % 3]}, test);
   }
 
   Bbox_3 vertex_box(const Vertex& vertex) const
@@ -144,18 +173,21 @@ private:
 
   bool is_degenerate(const Face& face) const
   {
-    Orientation orientation;
-    return !shadow_of_triangle(orientation, triangle(face, 0));
+    return with_points(face.vertices, [](Orientation& orientation, const Points<3>& points) {
+      return !shadow_of_triangle<Orientation>(orientation, points);
+    });
   }
 
   bool do_intersect_beyond_edge(const Halfedge& edge) const
   {
     const Halfedge after = next(edge, mesh_);
     const Halfedge after_opposite = next(opposite(edge, mesh_), mesh_);
-    Orientation orientation;
-    return do_triangles_at_edge_intersect(
-      orientation, point(source(edge, mesh_)), point(target(edge, mesh_)),
-      point(target(after, mesh_)), point(target(after_opposite, mesh_)));
+    return with_points<4>({source(edge, mesh_), target(edge, mesh_), target(after, mesh_),
+                           target(after_opposite, mesh_)},
+                          [](Orientation& orientation, const Points<4>& p) {
+                            return do_triangles_at_edge_intersect(orientation, p[0], p[1], p[2],
+                                                                  p[3]);
+                          });
   }
 
   const Mesh& mesh_;

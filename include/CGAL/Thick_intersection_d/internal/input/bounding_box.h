@@ -9,7 +9,6 @@
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Bbox_3.h>
-#include <CGAL/Kernel_traits.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
@@ -70,28 +69,20 @@ Box bounding_box_of_vertex(const Object& object, int v)
   }
 }
 
-// Whether an object of a kernel has coordinates that need not be doubles.
-template <class Object>
-constexpr bool has_other_coordinates()
-{
-  if constexpr(Vertex_count<Object>::value == 0)
-    return false;
-  else
-    return !is_held_by_double_v<typename Kernel_traits<Object>::Kernel::FT>;
-}
-
 template <class Object>
 auto bounding_box(const Object& object)
 {
-  if constexpr(has_other_coordinates<Object>()) {
+  if constexpr(Vertex_count<Object>::value == 0)
+    return object.bbox();
+  else if constexpr(has_double_vertices_v<Object>)
+    return object.bbox();
+  else {
     using Box = decltype(object.bbox());
     Box box;
     for(int v = 0; v < Vertex_count<Object>::value; v += Vertex_step<Object>::value)
       box = box + bounding_box_of_vertex<Box>(object, v);
     return box;
   }
-  else
-    return object.bbox();
 }
 
 } // namespace internal

@@ -34,15 +34,8 @@ bool refine_grid(const Object& object, Double_grid& grid)
     }
     return true;
   }
-  else {
-    Vertex_doubles<Object> vertices;
-    if(!read_vertices(object, vertices))
-      return false;
-    for(const auto& vertex : vertices)
-      for(const double x : vertex)
-        grid.add(x);
-    return true;
-  }
+  else
+    return read_vertices(object, [&](std::size_t, int, double x) { grid.add(x); });
 }
 
 // Two objects whose boxes meet lie in a box of twice the largest extents.

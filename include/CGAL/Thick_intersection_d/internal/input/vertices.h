@@ -11,6 +11,7 @@
 #include <CGAL/Dimension.h>
 #include <CGAL/Iso_cuboid_3.h>
 #include <CGAL/Iso_rectangle_2.h>
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/Point_2.h>
 #include <CGAL/Point_3.h>
 #include <CGAL/Segment_2.h>
@@ -19,9 +20,9 @@
 #include <CGAL/Triangle_2.h>
 #include <CGAL/Triangle_3.h>
 
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 
-#include <array>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -112,26 +113,28 @@ std::pair<double, double> vertex_bounds(const Object& object, int v, int i)
     return coordinate_bounds(vertex_of(object, v), i);
 }
 
-// The doubles of the vertices that have all coordinates of an object.
+// Whether the coordinates of an object of a kernel are doubles, by their type.
 template <class Object>
-using Vertex_doubles
-  = std::array<std::array<double, static_cast<std::size_t>(vertex_dimension_v<Object>)>,
-               corner_count_v<Object>>;
+constexpr bool has_double_vertices_v
+  = is_held_by_double_v<typename Kernel_traits<Object>::Kernel::FT>;
 
-// Reads the vertices of an object. Returns false if a coordinate is no double.
-template <class Object>
-bool read_vertices(const Object& object, Vertex_doubles<Object>& vertices)
+// Calls put(k, axis, x) for the coordinates of the vertices that have all coordinates of an object.
+// Returns false if one of them is no double.
+template <class Object, class Function>
+bool read_vertices(const Object& object, const Function& put)
 {
-  int v = 0;
-  for(auto& vertex : vertices) {
-    for(int i = 0; i < vertex_dimension_v<Object>; ++i) {
-      const std::pair<double, double> x = vertex_bounds(object, v, i);
-      if(x.first != x.second)
-        return false;
-      vertex[i] = x.first;
+  for(std::size_t k = 0; k < corner_count_v<Object>; ++k)
+    for(int axis = 0; axis < vertex_dimension_v<Object>; ++axis) {
+      const int v = static_cast<int>(k) * Vertex_step<Object>::value;
+      if constexpr(has_double_vertices_v<Object>)
+        put(k, axis, static_cast<double>(coordinate(vertex_of(object, v), axis)));
+      else {
+        const std::pair<double, double> x = vertex_bounds(object, v, axis);
+        if(x.first != x.second)
+          return false;
+        put(k, axis, x.first);
+      }
     }
-    v += Vertex_step<Object>::value;
-  }
   return true;
 }
 

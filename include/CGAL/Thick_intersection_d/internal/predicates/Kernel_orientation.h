@@ -11,6 +11,8 @@
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 
+#include <array>
+#include <cstddef>
 #include <type_traits>
 
 namespace CGAL {
@@ -18,46 +20,66 @@ namespace Thick_intersection_d {
 namespace internal {
 
 // As Staged_orientation.
-template <class Kernel, int Dimension>
+template <class Kernel, int Dimension, std::size_t Size>
 class Kernel_orientation
 {
   using Point_2 = typename Kernel::Point_2;
 
 public:
-  using Point = std::conditional_t<Dimension == 2, Point_2, typename Kernel::Point_3>;
   static constexpr int dimension = Dimension;
+
+  using Vertex = std::conditional_t<Dimension == 2, Point_2, typename Kernel::Point_3>;
+
+  // Refers to a vertex.
+  class Point
+  {
+  public:
+    Point() = default;
+    explicit Point(const Vertex& vertex) : vertex_(&vertex) {}
+    const Vertex& operator*() const { return *vertex_; }
+
+  private:
+    const Vertex* vertex_;
+  };
+
+  using Vertices = std::array<Vertex, Size>;
+
+  explicit Kernel_orientation(Vertices&, Arithmetic_tier = Arithmetic_tier::FILTERED_EXACT) {}
 
   static Arithmetic_tier needed_tier() { return Arithmetic_tier::FILTERED_EXACT; }
 
   static Sign compare(const Point& p, const Point& q, int axis)
   {
-    return CGAL::compare(p.cartesian(axis), q.cartesian(axis));
+    return CGAL::compare((*p).cartesian(axis), (*q).cartesian(axis));
   }
 
   static Sign turn(const Point& p, const Point& q, const Point& r, int i, int j)
   {
     const typename Kernel::Orientation_2 orientation = Kernel().orientation_2_object();
     if constexpr(Dimension == 2)
-      return orientation(p, q, r);
+      return orientation(*p, *q, *r);
     else {
-      const auto shadow = [=](const Point& x) { return Point_2(x.cartesian(i), x.cartesian(j)); };
+      const auto shadow
+        = [=](const Point& x) { return Point_2((*x).cartesian(i), (*x).cartesian(j)); };
       return orientation(shadow(p), shadow(q), shadow(r));
     }
   }
 
   struct Plane
   {
-    const Point& p;
-    const Point& q;
-    const Point& r;
+    Point p, q, r;
   };
 
   static Plane plane(const Point& p, const Point& q, const Point& r) { return {p, q, r}; }
 
   static Sign side(const Plane& plane, const Point& s)
   {
-    return Kernel().orientation_3_object()(plane.p, plane.q, plane.r, s);
+    return Kernel().orientation_3_object()(*plane.p, *plane.q, *plane.r, *s);
   }
+
+  static Sign side_by_filter(const Plane& plane, const Point& s) { return side(plane, s); }
+
+  static Sign decide_side(const Plane& plane, const Point& s) { return side(plane, s); }
 };
 
 } // namespace internal

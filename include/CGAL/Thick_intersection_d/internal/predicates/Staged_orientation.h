@@ -6,7 +6,7 @@
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_STAGED_ORIENTATION_H
 
 // The orientation of points whose coordinates are doubles, exact in stages: a filter in doubles,
-// equal points, integers on a grid of the few points asked about, exact numbers.
+// integers on a grid of the points asked about, exact numbers.
 //
 // The filter computes a determinant of differences, and the sum of the absolute values of its
 // terms. Let u = 2^-52, which bounds the relative error of an operation in every rounding mode. In
@@ -27,6 +27,8 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/wide_integers.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 
+#include <boost/config.hpp> // BOOST_FORCEINLINE, BOOST_NOINLINE
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -38,19 +40,42 @@ namespace Thick_intersection_d {
 namespace internal {
 
 // `Dimension` is that of the points, 2 or 3. An object of this class is for one question about two
-// objects: it remembers which arithmetic was needed.
-template <int Dimension>
+// objects, which have `Size` vertices. It remembers which arithmetic was needed.
+template <int Dimension, std::size_t Size>
 class Staged_orientation
 {
 public:
-  using Point = std::array<double, Dimension>;
   static constexpr int dimension = Dimension;
 
-  // The first arithmetic after the filter. It is exact for the differences of the points that will
-  // be asked about: DOUBLE if doubles compute their determinants without rounding. Where nothing is
-  // known about the points, it is INT64, because wider integers follow where they are needed.
-  explicit Staged_orientation(Arithmetic_tier least_tier = Arithmetic_tier::INT64)
-    : least_tier_(least_tier)
+  // A vertex, and the same in steps of a grid once these are needed.
+  struct Vertex
+  {
+    std::array<double, Dimension> x;
+    std::array<std::int64_t, Dimension> steps;
+  };
+
+  // Refers to a vertex.
+  class Point
+  {
+  public:
+    Point() = default;
+    explicit Point(const Vertex& vertex) : vertex_(&vertex) {}
+    double operator[](int axis) const { return vertex_->x[axis]; }
+    std::int64_t steps(int axis) const { return vertex_->steps[axis]; }
+
+  private:
+    const Vertex* vertex_;
+  };
+
+  using Vertices = std::array<Vertex, Size>;
+
+  // The points asked about are those of the vertices. `least_tier` is the first arithmetic after
+  // the filter. It is exact for the differences of the points: DOUBLE if doubles compute their
+  // determinants without rounding. Where nothing is known about the points, it is INT64, because
+  // wider integers follow where they are needed.
+  explicit Staged_orientation(Vertices& vertices,
+                              Arithmetic_tier least_tier = Arithmetic_tier::INT64)
+    : vertices_(vertices), least_tier_(least_tier)
   {}
 
   // The arithmetic that the hardest question so far has needed.
@@ -62,23 +87,20 @@ public:
   }
 
   // Returns whether p, q, r make a left turn, a right turn or none along the axes i and j.
-  Sign turn(const Point& p, const Point& q, const Point& r, int i, int j)
+  BOOST_FORCEINLINE Sign turn(const Point& p, const Point& q, const Point& r, int i, int j)
   {
     const double left = (q[i] - p[i]) * (r[j] - p[j]);
     const double right = (q[j] - p[j]) * (r[i] - p[i]);
     const double determinant = left - right;
     const double bound = planar_factor * (std::fabs(left) + std::fabs(right)) + least_bound;
-    return determinant > bound ? POSITIVE
-           : -determinant > bound ? NEGATIVE
-                                  : decide_turn(p, q, r, i, j, determinant);
+    const Sign sign = sign_beyond(bound, determinant);
+    return sign != ZERO ? sign : decide_turn(p, q, r, i, j, determinant);
   }
 
   // The plane of three points, for questions about several others.
   struct Plane
   {
-    const Point& p;
-    const Point& q;
-    const Point& r;
+    Point p, q, r;
     std::array<double, 3> normal;
     std::array<double, 3> sums; // of the absolute values of the terms of the normal
   };
@@ -99,129 +121,168 @@ public:
   // Returns on which side of a plane s is: the orientation of p, q, r and s.
   Sign side(const Plane& plane, const Point& s)
   {
-    double determinant = 0, sum = 0;
+    const Sign sign = side_by_filter(plane, s);
+    return sign != ZERO ? sign : decide_side(plane, s);
+  }
+
+  // The same, or zero if s is close to the plane, where decide_side() answers.
+  static Sign side_by_filter(const Plane& plane, const Point& s)
+  {
+    double sum = 0;
+    const double determinant = determinant_of(plane, s, sum);
+    return sign_beyond(spatial_factor * sum + least_bound, determinant);
+  }
+
+  BOOST_NOINLINE Sign decide_side(const Plane& plane, const Point& s)
+  {
+    double sum = 0;
+    if(least_tier_ == Arithmetic_tier::DOUBLE)
+      return sign_of_number(determinant_of(plane, s, sum));
+    const auto is_flat = [&](int i) { // where all have one coordinate
+      return s[i] == plane.p[i] && s[i] == plane.q[i] && s[i] == plane.r[i];
+    };
+    if(is_flat(0) || is_flat(1) || is_flat(2))
+      return ZERO;
+    if(!have_steps())
+      return decide_side_in_exact_numbers(plane, s);
+    const auto vector_to = [&](const Point& x) {
+      const auto along = [&](int i) { return x.steps(i) - plane.p.steps(i); };
+      return Vector{along(0), along(1), along(2)};
+    };
+    return sign_in_space(vector_to(plane.q), vector_to(plane.r), vector_to(s));
+  }
+
+private:
+  using Exact = Exact_number_t<double>;
+
+  static constexpr double planar_factor = 0x1p-49, spatial_factor = 0x1p-48;
+  static constexpr double least_bound = 0x1p-1000;
+
+  // Returns the sign of a number that is off by at most `bound`, or zero if that is not known.
+  // Which sign it is cannot be predicted, so it takes no branch.
+  static Sign sign_beyond(double bound, double x)
+  {
+    return static_cast<Sign>(static_cast<int>(x > bound) - static_cast<int>(-x > bound));
+  }
+
+  BOOST_NOINLINE Sign decide_turn(const Point& p, const Point& q, const Point& r, int i, int j,
+                                  double determinant)
+  {
+    if(least_tier_ == Arithmetic_tier::DOUBLE)
+      return sign_of_number(determinant);
+    const std::array<double, 3> x = {p[i], q[i], r[i]}, y = {p[j], q[j], r[j]};
+    const auto are_equal
+      = [](const std::array<double, 3>& z) { return z[0] == z[1] && z[1] == z[2]; };
+    if(are_equal(x) || are_equal(y))
+      return ZERO;
+    std::array<std::int64_t, 3> x_steps, y_steps;
+    const int x_bits = grid_steps(x, x_steps), y_bits = grid_steps(y, y_steps);
+    if((std::max)(x_bits, y_bits) > max_step_bits || least_tier_ == Arithmetic_tier::FILTERED_EXACT)
+      return decide_turn_in_exact_numbers(x, y);
+    return sign_in_plane({x_steps[1] - x_steps[0], y_steps[1] - y_steps[0]},
+                         {x_steps[2] - x_steps[0], y_steps[2] - y_steps[0]}, x_bits + y_bits);
+  }
+
+  // Adds the absolute values of the terms to `sum`.
+  static double determinant_of(const Plane& plane, const Point& s, double& sum)
+  {
+    double determinant = 0;
     for(int i = 0; i < 3; ++i) {
       const double difference = s[i] - plane.p[i];
       determinant += plane.normal[i] * difference;
       sum += plane.sums[i] * std::fabs(difference);
     }
-    const double bound = spatial_factor * sum + least_bound;
-    return determinant > bound ? POSITIVE
-           : -determinant > bound ? NEGATIVE
-                                  : decide_side(plane.p, plane.q, plane.r, s, determinant);
+    return determinant;
   }
 
-private:
-  static constexpr double planar_factor = 0x1p-49, spatial_factor = 0x1p-48;
-  static constexpr double least_bound = 0x1p-1000;
+  // ---- integers ---------------------------------------------------------------------------------
 
-  CGAL_RARELY_CALLED Sign decide_turn(const Point& p, const Point& q, const Point& r, int i, int j,
-                                      double determinant)
+  // Each axis has steps of a grid of its own: to scale an axis changes the size of a determinant,
+  // not its sign. Turns have a grid of three points, because few of them get here. Sides have a
+  // grid of all vertices: where one vertex is close to a plane, others are. Returns whether
+  // integers hold the vertices.
+  bool have_steps()
   {
-    if(least_tier_ == Arithmetic_tier::DOUBLE)
-      return sign_of_number(determinant);
-    if(is_flat(i, p, q, r) || is_flat(j, p, q, r))
-      return ZERO;
-    return decide<3>({&p, &q, &r}, std::array<int, 2>{i, j});
+    if(!are_steps_known_)
+      find_steps();
+    return are_steps_usable_;
   }
 
-  CGAL_RARELY_CALLED Sign decide_side(const Point& p, const Point& q, const Point& r,
-                                      const Point& s, double determinant)
+  BOOST_NOINLINE void find_steps()
   {
-    if(least_tier_ == Arithmetic_tier::DOUBLE)
-      return sign_of_number(determinant);
-    for(int i = 0; i < 3; ++i)
-      if(is_flat(i, p, q, r, s))
-        return ZERO;
-    return decide<4>({&p, &q, &r, &s}, std::array<int, 3>{0, 1, 2});
-  }
-
-  // Whether all points have one coordinate along an axis.
-  template <class... Others>
-  static bool is_flat(int axis, const Point& p, const Others&... others)
-  {
-    return ((others[axis] == p[axis]) && ...);
-  }
-
-  template <std::size_t Count>
-  using Points = std::array<const Point*, Count>;
-
-  template <std::size_t Count, class Axes>
-  Sign decide(const Points<Count>& points, const Axes& axes)
-  {
-    if(are_any_equal(points, axes))
-      return ZERO;
-    if(least_tier_ < Arithmetic_tier::FILTERED_EXACT)
-      return decide_in_integers(points, axes);
-    return decide_exactly(points, axes);
-  }
-
-  template <std::size_t Count, class Axes>
-  static bool are_any_equal(const Points<Count>& points, const Axes& axes)
-  {
-    for(std::size_t a = 0; a < Count; ++a)
-      for(std::size_t b = 0; b < a; ++b)
-        if(std::all_of(axes.begin(), axes.end(), [&](int axis) {
-             return (*points[a])[axis] == (*points[b])[axis];
-           }))
-          return true;
-    return false;
-  }
-
-  // The rows of the matrix are the axes, each in steps of a grid of its own: to scale a row changes
-  // the size of the determinant, not its sign.
-  template <std::size_t Count, class Axes>
-  Sign decide_in_integers(const Points<Count>& points, const Axes& axes)
-  {
-    Square_matrix<std::int64_t, Count - 1> matrix;
-    int bits = 0;
-    for(std::size_t row = 0; row < Count - 1; ++row) {
-      std::array<double, Count> x;
-      for(std::size_t k = 0; k < Count; ++k)
-        x[k] = (*points[k])[axes[row]];
-      const Grid_steps<Count - 1> steps = grid_steps(x);
-      if(steps.bits > max_step_bits)
-        return decide_exactly(points, axes);
-      matrix[row] = steps.steps;
-      bits += steps.bits;
+    are_steps_known_ = true;
+    are_steps_usable_ = least_tier_ < Arithmetic_tier::FILTERED_EXACT;
+    bits_ = 3;
+    for(std::size_t axis = 0; axis < 3 && are_steps_usable_; ++axis) {
+      std::array<double, Size> x;
+      std::array<std::int64_t, Size> steps;
+      for(std::size_t k = 0; k < Size; ++k)
+        x[k] = vertices_[k].x[axis];
+      const int bits = grid_steps(x, steps);
+      for(std::size_t k = 0; k < Size; ++k)
+        vertices_[k].steps[axis] = steps[k];
+      are_steps_usable_ = bits <= max_step_bits;
+      bits_ += bits;
     }
-    return sign_in_integers(matrix, bits);
   }
 
-  // A determinant has two terms of up to 2^bits in the plane, and six in space.
-  template <std::size_t N>
-  Sign sign_in_integers(const Square_matrix<std::int64_t, N>& matrix, int bits)
+  // A determinant has two terms of up to 2^bits in the plane, and six terms in space.
+  Sign sign_in_plane(const std::array<std::int64_t, 2>& u, const std::array<std::int64_t, 2>& v,
+                     int bits)
   {
-    const int all_bits = bits + (N == 2 ? 1 : 3);
-    if(all_bits < 64 && least_tier_ <= Arithmetic_tier::INT64) {
+    if(bits + 1 < 64 && least_tier_ <= Arithmetic_tier::INT64) {
       need(Arithmetic_tier::INT64);
-      return sign_of_determinant<std::int64_t>(matrix);
+      return sign_of_determinant<std::int64_t>(u, v);
     }
-    if(N == 2 || (all_bits < 128 && least_tier_ <= Arithmetic_tier::INT128)) {
+    need(Arithmetic_tier::INT128);
+    return sign_of_determinant<Int128>(u, v);
+  }
+
+  using Vector = std::array<std::int64_t, 3>;
+
+  Sign sign_in_space(const Vector& u, const Vector& v, const Vector& w)
+  {
+    if(bits_ < 64 && least_tier_ <= Arithmetic_tier::INT64) {
+      need(Arithmetic_tier::INT64);
+      return sign_of_product<std::int64_t>(normal_of<std::int64_t>(u, v), w);
+    }
+    if(bits_ < 128 && least_tier_ <= Arithmetic_tier::INT128) {
       need(Arithmetic_tier::INT128);
-      return sign_of_determinant<Int128>(matrix);
+      return sign_of_product<Int128>(normal_of<Int128>(u, v), w);
     }
     need(Arithmetic_tier::INT192);
-    if constexpr(N == 3)
-      return sign_of_long_determinant(matrix);
-    return ZERO;
+    return sign_of_long_product(normal_of<Int128>(u, v), w);
   }
 
-  template <std::size_t Count, class Axes>
-  Sign decide_exactly(const Points<Count>& points, const Axes& axes)
+  // ---- exact numbers ----------------------------------------------------------------------------
+
+  CGAL_RARELY_CALLED Sign decide_turn_in_exact_numbers(const std::array<double, 3>& x,
+                                                       const std::array<double, 3>& y)
   {
-    using Exact = Exact_number_t<double>;
     need(Arithmetic_tier::FILTERED_EXACT);
-    Square_matrix<Exact, Count - 1> matrix;
-    for(std::size_t row = 0; row < Count - 1; ++row)
-      for(std::size_t k = 1; k < Count; ++k)
-        matrix[row][k - 1]
-          = Exact((*points[k])[axes[row]]) - Exact((*points[0])[axes[row]]);
-    return sign_of_determinant<Exact>(matrix);
+    const auto vector_to = [&](std::size_t k) {
+      return std::array<Exact, 2>{Exact(x[k]) - Exact(x[0]), Exact(y[k]) - Exact(y[0])};
+    };
+    return sign_of_determinant<Exact>(vector_to(1), vector_to(2));
+  }
+
+  CGAL_RARELY_CALLED Sign decide_side_in_exact_numbers(const Plane& plane, const Point& s)
+  {
+    need(Arithmetic_tier::FILTERED_EXACT);
+    const auto vector_to = [&](const Point& x) {
+      const auto along = [&](int i) { return Exact(x[i]) - Exact(plane.p[i]); };
+      return std::array<Exact, 3>{along(0), along(1), along(2)};
+    };
+    return sign_of_product<Exact>(normal_of<Exact>(vector_to(plane.q), vector_to(plane.r)),
+                                  vector_to(s));
   }
 
   void need(Arithmetic_tier tier) { needed_tier_ = (std::max)(needed_tier_, tier); }
 
+  Vertices& vertices_;
+  int bits_; // of determinants of the steps
+  bool are_steps_known_ = false;
+  bool are_steps_usable_ = false;
   Arithmetic_tier least_tier_;
   Arithmetic_tier needed_tier_ = Arithmetic_tier::DOUBLE;
 };

@@ -26,6 +26,7 @@
 #include <CGAL/Thick_intersection_d/internal/predicates/spatial_objects.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/tetrahedra.h>
 
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <type_traits>
@@ -76,11 +77,9 @@ template <class Object>
 void settle(const Object& object)
 {
   if constexpr(Vertex_count<Object>::value != 0)
-    if constexpr(Is_lazy<typename Kernel_traits<Object>::Kernel::FT>::value) {
-      Vertex_doubles<Object> vertices;
-      if(!read_vertices(object, vertices))
+    if constexpr(Is_lazy<typename Kernel_traits<Object>::Kernel::FT>::value)
+      if(!read_vertices(object, [](std::size_t, int, double) {}))
         CGAL::exact(object);
-    }
 }
 
 // The algebraic degree of the test of two objects that are of a kernel or boxes.
@@ -105,13 +104,22 @@ bool do_iso_boxes_intersect(const Simplex<Orientation, 2>& a, const Simplex<Orie
   return true;
 }
 
+template <class Orientation>
+bool are_points_equal(const typename Orientation::Point& p, const typename Orientation::Point& q)
+{
+  for(int axis = 0; axis < Orientation::dimension; ++axis)
+    if(Orientation::compare(p, q, axis) != ZERO)
+      return false;
+  return true;
+}
+
 // Whether objects of the type Object intersect, by the vertices that have all their coordinates.
 template <class Object, class Orientation, std::size_t Count>
 bool do_simplices_intersect(Orientation& orientation, const Simplex<Orientation, Count>& a,
                             const Simplex<Orientation, Count>& b)
 {
   if constexpr(Count == 1)
-    return a == b;
+    return are_points_equal<Orientation>(a[0], b[0]);
   else if constexpr(is_iso_box_v<Object>)
     return do_iso_boxes_intersect<Orientation>(a, b);
   else if constexpr(Orientation::dimension == 2)
@@ -120,36 +128,53 @@ bool do_simplices_intersect(Orientation& orientation, const Simplex<Orientation,
     return do_intersect_in_space(orientation, a, b);
 }
 
-// Neighbors in meshes and roads share a vertex.
-template <class Vertices>
-bool have_common_vertex(const Vertices& a, const Vertices& b)
+// Whether objects of the type Object intersect, which have one half of the vertices each.
+template <class Object, class Orientation>
+bool do_vertices_intersect(typename Orientation::Vertices& vertices, Arithmetic_tier& tier)
+{
+  constexpr std::size_t count = corner_count_v<Object>;
+  Simplex<Orientation, count> a, b;
+  for(std::size_t k = 0; k < count; ++k) {
+    a[k] = typename Orientation::Point(vertices[k]);
+    b[k] = typename Orientation::Point(vertices[count + k]);
+  }
+  Orientation orientation(vertices, tier);
+  const bool do_intersect = do_simplices_intersect<Object>(orientation, a, b);
+  tier = orientation.needed_tier();
+  return do_intersect;
+}
+
+// Neighbors in meshes and roads share a vertex. No branch depends on which one it is.
+template <class Vertex, std::size_t Count>
+bool have_common_vertex(const std::array<Vertex, Count>& vertices)
 {
   bool is_any = false;
-  for(const auto& p : a)
-    for(const auto& q : b)
-      is_any |= p == q;
+  for(std::size_t a = 0; a < Count / 2; ++a)
+    for(std::size_t b = Count / 2; b < Count; ++b) {
+      bool is_common = true;
+      for(std::size_t i = 0; i < vertices[a].x.size(); ++i)
+        is_common &= vertices[a].x[i] == vertices[b].x[i];
+      is_any |= is_common;
+    }
   return is_any;
 }
 
 // ---- by coordinates -----------------------------------------------------------------------------
 
-// Objects whose vertices are no doubles.
+// Objects whose coordinates are not all doubles.
 template <class Object>
-bool do_objects_intersect_by_kernel(const Object& a, const Object& b)
+bool do_objects_intersect_by_kernel(const Object& a, const Object& b, Arithmetic_tier& tier)
 {
   using Kernel = Kernel_with_exact_predicates<typename Kernel_traits<Object>::Kernel>;
-  using Orientation = Kernel_orientation<Kernel, vertex_dimension_v<Object>>;
-  const auto vertices_of = [](const Object& object) {
-    Simplex<Orientation, corner_count_v<Object>> vertices;
-    int v = 0;
-    for(auto& vertex : vertices) {
-      vertex = with_exact_predicates(vertex_of(object, v));
-      v += Vertex_step<Object>::value;
-    }
-    return vertices;
-  };
-  Orientation orientation;
-  return do_simplices_intersect<Object>(orientation, vertices_of(a), vertices_of(b));
+  constexpr std::size_t count = corner_count_v<Object>;
+  using Orientation = Kernel_orientation<Kernel, vertex_dimension_v<Object>, 2 * count>;
+  typename Orientation::Vertices vertices;
+  for(std::size_t k = 0; k < count; ++k) {
+    const int v = static_cast<int>(k) * Vertex_step<Object>::value;
+    vertices[k] = with_exact_predicates(vertex_of(a, v));
+    vertices[count + k] = with_exact_predicates(vertex_of(b, v));
+  }
+  return do_vertices_intersect<Object, Orientation>(vertices, tier);
 }
 
 // Tests two objects of a kernel. `tier` is the first arithmetic after the filter, as for
@@ -157,17 +182,22 @@ bool do_objects_intersect_by_kernel(const Object& a, const Object& b)
 template <class Object>
 bool do_kernel_objects_intersect(const Object& a, const Object& b, Arithmetic_tier& tier)
 {
-  Vertex_doubles<Object> vertices_a, vertices_b;
-  if(!read_vertices(a, vertices_a) || !read_vertices(b, vertices_b)) {
-    tier = Arithmetic_tier::FILTERED_EXACT;
-    return do_objects_intersect_by_kernel(a, b);
-  }
-  Staged_orientation<vertex_dimension_v<Object>> orientation(tier);
-  const bool do_intersect
-    = have_common_vertex(vertices_a, vertices_b)
-      || do_simplices_intersect<Object>(orientation, vertices_a, vertices_b);
-  tier = orientation.needed_tier();
-  return do_intersect;
+  constexpr std::size_t count = corner_count_v<Object>;
+  using Orientation = Staged_orientation<vertex_dimension_v<Object>, 2 * count>;
+  typename Orientation::Vertices vertices;
+  const auto read = [&](const Object& object, std::size_t first) {
+    return read_vertices(object, [&](std::size_t k, int axis, double x) {
+      vertices[first + k].x[axis] = x;
+    });
+  };
+  [[maybe_unused]] const bool are_doubles = read(a, 0) && read(b, count);
+  if constexpr(!has_double_vertices_v<Object>)
+    if(!are_doubles)
+      return do_objects_intersect_by_kernel(a, b, tier);
+  if(!have_common_vertex(vertices))
+    return do_vertices_intersect<Object, Orientation>(vertices, tier);
+  tier = Arithmetic_tier::DOUBLE;
+  return true;
 }
 
 // do_intersect() of other objects is found in their namespace.

@@ -12,9 +12,12 @@
 
 #include <CGAL/enum.h>
 
+#include <boost/config.hpp> // BOOST_FORCEINLINE
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -33,9 +36,12 @@ public:
 
   Shadow(Orientation& orientation, int i, int j) : orientation_(orientation), i_(i), j_(j) {}
 
-  Sign turn(const Point& p, const Point& q, const Point& r) const
+  BOOST_FORCEINLINE Sign turn(const Point& p, const Point& q, const Point& r) const
   {
-    return orientation_.turn(p, q, r, i_, j_);
+    if constexpr(Orientation::dimension == 2)
+      return orientation_.turn(p, q, r, 0, 1);
+    else
+      return orientation_.turn(p, q, r, i_, j_);
   }
 
   // Whether the boxes of the segments p q and r s meet.
@@ -111,16 +117,17 @@ bool does_segment_meet_triangle(const Shadow<Orientation>& shadow,
   return false;
 }
 
-// Whether the triangle p q r, which turns left, meets the segment from c to a. The turn from c to a
-// to p is negative, so p sees the segment turn left from a to c.
+// The triangle p q r turns left. The turn from c to a to p is negative, so p sees the segment from
+// c to a turn left from a to c. Returns whether the triangle meets this segment, or nothing if the
+// line of the segment has all of the triangle on one side, strictly.
 //
-// The triangle and the line of the segment have an interval in common, unless q and r are on the
-// side of p. Along the line from a to c, it begins on the edge of the triangle that ends beyond the
-// line and turns right as seen from p.
+// Otherwise the triangle and the line have an interval in common. Along the line from a to c, it
+// begins on the edge of the triangle that ends beyond the line and turns right as seen from p.
 template <class Orientation>
-bool does_triangle_reach(const Shadow<Orientation>& shadow, const Simplex<Orientation, 3>& triangle,
-                         const typename Orientation::Point& c,
-                         const typename Orientation::Point& a)
+std::optional<bool> does_triangle_reach(const Shadow<Orientation>& shadow,
+                                        const Simplex<Orientation, 3>& triangle,
+                                        const typename Orientation::Point& c,
+                                        const typename Orientation::Point& a)
 {
   const auto& [p, q, r] = triangle;
   const auto is_left = [&](const auto& x, const auto& y, const auto& z) {
@@ -129,7 +136,7 @@ bool does_triangle_reach(const Shadow<Orientation>& shadow, const Simplex<Orient
   if(is_left(c, a, q)) // the interval begins on p q: behind a, or else it has to hold a
     return is_left(p, a, q) ? is_left(p, q, c) : is_left(q, r, a) && is_left(r, p, a);
   if(!is_left(c, a, r))
-    return false;
+    return std::nullopt;
   // The interval begins on q r and ends on p r. It has to end behind a, and to begin before c.
   return is_left(p, a, r) && (is_left(p, r, c) || is_left(q, r, c));
 }
@@ -145,18 +152,22 @@ bool do_triangles_intersect(const Shadow<Orientation>& shadow, const Simplex<Ori
   if(!is_any_negative(sides))
     return true;
   for(std::size_t k = 0; k < 3; ++k)
-    if(sides[k] == NEGATIVE && does_triangle_reach(shadow, a, b[k], b[(k + 1) % 3]))
-      return true;
+    if(sides[k] == NEGATIVE) {
+      const std::optional<bool> does_reach
+        = does_triangle_reach(shadow, a, b[k], b[(k + 1) % 3]);
+      if(!does_reach || *does_reach)
+        return does_reach.has_value();
+    }
   return false;
 }
 
 // Returns the triangle with its vertices in the order in which they turn left, if it turns to
-// `side`.
+// `side`. Which side it is cannot be predicted, so it takes no branch.
 template <class Orientation>
 Simplex<Orientation, 3> turned_left(const Simplex<Orientation, 3>& triangle, Sign side)
 {
-  return side == NEGATIVE ? Simplex<Orientation, 3>{triangle[0], triangle[2], triangle[1]}
-                          : triangle;
+  const std::size_t second = side == NEGATIVE ? 2 : 1;
+  return {triangle[0], triangle[second], triangle[3 - second]};
 }
 
 // Returns the segment from the first to the last of some points on a line, by their coordinates.

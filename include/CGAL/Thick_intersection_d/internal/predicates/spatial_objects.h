@@ -14,6 +14,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/predicates/planar_objects.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -55,17 +56,19 @@ shadow_of_triangle(Orientation& orientation, const Simplex<Orientation, 3>& tria
 
 // Segments intersect iff they are in a plane and their shadows along all axes intersect. If the
 // plane is theirs alone, their shadow along one of the axes is like them. If they are on a line,
-// all shadows are, and these ask whether the boxes meet.
+// all shadows are, and these ask whether the boxes meet. Shadows cost less than to tell whether
+// segments that are nearly in a plane are in it.
 template <class Orientation>
 bool do_intersect_in_space(Orientation& orientation, const Simplex<Orientation, 2>& a,
                            const Simplex<Orientation, 2>& b)
 {
-  if(orientation.side(orientation.plane(a[0], a[1], b[0]), b[1]) != ZERO)
+  const auto plane = orientation.plane(a[0], a[1], b[0]);
+  if(orientation.side_by_filter(plane, b[1]) != ZERO)
     return false;
   for(int axis = 0; axis < 3; ++axis)
     if(!do_segments_intersect(shadow_along(orientation, axis), a, b))
       return false;
-  return true;
+  return orientation.decide_side(plane, b[1]) == ZERO;
 }
 
 // ---- a segment and a triangle -------------------------------------------------------------------
@@ -105,21 +108,61 @@ bool do_intersect_in_space(Orientation& orientation, const Simplex<Orientation, 
 
 // ---- two triangles ------------------------------------------------------------------------------
 
-// The sides of the vertices of a triangle along the plane of another one.
-template <class Orientation>
-std::array<Sign, 3> sides_of_plane(Orientation& orientation,
-                                   const Simplex<Orientation, 3>& of_plane,
-                                   const Simplex<Orientation, 3>& triangle)
-{
-  const auto plane = orientation.plane(of_plane[0], of_plane[1], of_plane[2]);
-  return {orientation.side(plane, triangle[0]), orientation.side(plane, triangle[1]),
-          orientation.side(plane, triangle[2])};
-}
-
 inline bool are_all(const std::array<Sign, 3>& signs, Sign sign)
 {
   return signs[0] == sign && signs[1] == sign && signs[2] == sign;
 }
+
+// Whether the shadows of two triangles intersect. Returns nothing if one of them is flat there. If
+// the triangles are in one plane, they intersect iff their shadows do. If not, shadows that are
+// apart are those of triangles that are apart.
+template <class Orientation>
+std::optional<bool> do_shadows_intersect(Orientation& orientation, const Simplex<Orientation, 3>& a,
+                                         const Simplex<Orientation, 3>& b)
+{
+  const auto shadow = shadow_of_triangle(orientation, a);
+  if(!shadow)
+    return std::nullopt;
+  const Sign side_b = shadow->shadow.turn(b[0], b[1], b[2]);
+  if(side_b == ZERO)
+    return std::nullopt;
+  return do_triangles_intersect(shadow->shadow, shadow->triangle,
+                                turned_left<Orientation>(b, side_b));
+}
+
+// The sides of the vertices of a triangle along the plane of another one: first what the filter
+// knows, then all.
+template <class Orientation>
+class Sides_of_plane
+{
+public:
+  Sides_of_plane(const Simplex<Orientation, 3>& of_plane, const Simplex<Orientation, 3>& triangle)
+    : plane_(Orientation::plane(of_plane[0], of_plane[1], of_plane[2])), triangle_(triangle)
+  {
+    for(std::size_t k = 0; k < 3; ++k)
+      by_filter_[k] = Orientation::side_by_filter(plane_, triangle[k]);
+  }
+
+  // Whether the triangle is nearly in the plane, as far as the filter knows.
+  bool is_nearly_coplanar() const
+  {
+    return std::count(by_filter_.begin(), by_filter_.end(), ZERO) > 1;
+  }
+
+  std::array<Sign, 3> decide(Orientation& orientation) const
+  {
+    std::array<Sign, 3> sides;
+    for(std::size_t k = 0; k < 3; ++k)
+      sides[k] = by_filter_[k] != ZERO ? by_filter_[k]
+                                       : orientation.decide_side(plane_, triangle_[k]);
+    return sides;
+  }
+
+private:
+  const typename Orientation::Plane plane_;
+  const Simplex<Orientation, 3>& triangle_;
+  std::array<Sign, 3> by_filter_;
+};
 
 inline bool are_on_one_side(const std::array<Sign, 3>& signs)
 {
@@ -169,34 +212,42 @@ bool do_triangles_cross(Orientation& orientation, const Simplex<Orientation, 3>&
          && orientation.side(orientation.plane(p, r, a), c) != NEGATIVE;
 }
 
-// All vertices of one triangle are in the plane of the other, or one of them has no plane.
+// One of the triangles is flat.
 template <class Orientation>
-bool do_flat_or_coplanar_intersect(Orientation& orientation, const Simplex<Orientation, 3>& a,
-                                   const Simplex<Orientation, 3>& b)
+bool do_flat_intersect(Orientation& orientation, const Simplex<Orientation, 3>& a,
+                       const Simplex<Orientation, 3>& b)
 {
-  const auto shadow = shadow_of_triangle(orientation, a);
-  if(!shadow)
-    return do_intersect_in_space(orientation, segment_of_flat<Orientation>(a), b);
-  const Sign side_b = shadow->shadow.turn(b[0], b[1], b[2]);
-  if(side_b == ZERO)
-    return do_intersect_in_space(orientation, segment_of_flat<Orientation>(b), a);
-  return do_triangles_intersect(shadow->shadow, shadow->triangle,
-                                turned_left<Orientation>(b, side_b));
+  return shadow_of_triangle(orientation, a)
+           ? do_intersect_in_space(orientation, segment_of_flat<Orientation>(b), a)
+           : do_intersect_in_space(orientation, segment_of_flat<Orientation>(a), b);
 }
 
+// If all vertices of one triangle are in the plane of the other one, there is one plane, or a
+// triangle is flat. Shadows come first where the triangles may be in one plane, because to tell
+// whether vertices are in a plane costs more.
 template <class Orientation>
 bool do_intersect_in_space(Orientation& orientation, const Simplex<Orientation, 3>& a,
                            const Simplex<Orientation, 3>& b)
 {
-  const std::array<Sign, 3> sides_a = sides_of_plane(orientation, b, a);
+  const Sides_of_plane<Orientation> of_a(b, a);
+  std::optional<bool> do_shadows;
+  if(of_a.is_nearly_coplanar()) {
+    do_shadows = do_shadows_intersect(orientation, a, b);
+    if(do_shadows == false)
+      return false;
+  }
+  const std::array<Sign, 3> sides_a = of_a.decide(orientation);
   if(are_on_one_side(sides_a))
     return false;
-  const std::array<Sign, 3> sides_b = sides_of_plane(orientation, a, b);
+  if(do_shadows && are_all(sides_a, ZERO))
+    return true;
+  const std::array<Sign, 3> sides_b = Sides_of_plane<Orientation>(a, b).decide(orientation);
   if(are_on_one_side(sides_b))
     return false;
-  if(are_all(sides_a, ZERO) || are_all(sides_b, ZERO))
-    return do_flat_or_coplanar_intersect(orientation, a, b);
-  return do_triangles_cross(orientation, a, sides_a, b, sides_b);
+  if(!are_all(sides_a, ZERO) && !are_all(sides_b, ZERO))
+    return do_triangles_cross(orientation, a, sides_a, b, sides_b);
+  do_shadows = do_shadows_intersect(orientation, a, b);
+  return do_shadows ? *do_shadows : do_flat_intersect(orientation, a, b);
 }
 
 } // namespace internal
