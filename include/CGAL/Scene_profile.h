@@ -93,7 +93,8 @@ public:
                 const std::vector<double>& reaches, std::optional<int> grid_exponent, int degree)
     : size_(size), box_(box),
       reach_(reaches.empty() ? 0 : *std::max_element(reaches.begin(), reaches.end())),
-      grid_exponent_(grid_exponent), units_(Thick_intersection_d::internal::steps_within(reach_, grid_exponent)),
+      grid_exponent_(grid_exponent),
+      units_(Thick_intersection_d::internal::steps_within(reach_, grid_exponent)),
       needed_tier_(
         Thick_intersection_d::internal::first_exact_tier(reaches, grid_exponent, degree)),
       degree_(degree), reaches_(reaches), are_objects_(true)

@@ -15,6 +15,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <array>
 #include <cstddef>
 #include <type_traits>
 #include <vector>
@@ -27,37 +28,42 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
-using Doubles = internal::Staged_orientation<3>;
-using Numbers = internal::Kernel_orientation<Kernel, 3>;
+using Doubles = internal::Staged_orientation<3, 5>;
+using Numbers = internal::Kernel_orientation<Kernel, 3, 5>;
 
-void read(const Point& p, Doubles::Point& result) { result = {p.x(), p.y(), p.z()}; }
-void read(const Point& p, Numbers::Point& result) { result = p; }
+void read(const Point& p, Doubles::Vertex& result) { result.x = {p.x(), p.y(), p.z()}; }
+void read(const Point& p, Numbers::Vertex& result) { result = p; }
 
-template <class Orientation>
-typename Orientation::Point read_by(const Point& p)
+// Returns test(orientation, points) for some points.
+template <class Orientation, class Function>
+bool with_points(const std::array<Point, 5>& points, const Function& test)
 {
-  typename Orientation::Point result;
-  read(p, result);
-  return result;
+  typename Orientation::Vertices vertices;
+  std::array<typename Orientation::Point, 5> all;
+  for(std::size_t k = 0; k < 5; ++k) {
+    read(points[k], vertices[k]);
+    all[k] = typename Orientation::Point(vertices[k]);
+  }
+  Orientation orientation(vertices);
+  return test(orientation, all);
 }
 
-// The same tests of points.
 template <class Orientation>
 bool do_intersect_at_vertex(const Point& v, const Point& a, const Point& b, const Point& c,
                             const Point& d)
 {
-  const auto in = read_by<Orientation>;
-  Orientation orientation;
-  return internal::do_triangles_at_vertex_intersect(orientation, {in(v), in(a), in(b)},
-                                                    {in(v), in(c), in(d)});
+  return with_points<Orientation>({v, a, b, c, d}, [](Orientation& orientation, const auto& p) {
+    return internal::do_triangles_at_vertex_intersect<Orientation>(
+      orientation, {p[0], p[1], p[2]}, {p[0], p[3], p[4]});
+  });
 }
 
 template <class Orientation>
 bool do_intersect_at_edge(const Point& p, const Point& q, const Point& a, const Point& b)
 {
-  const auto in = read_by<Orientation>;
-  Orientation orientation;
-  return internal::do_triangles_at_edge_intersect(orientation, in(p), in(q), in(a), in(b));
+  return with_points<Orientation>({p, q, a, b, b}, [](Orientation& orientation, const auto& x) {
+    return internal::do_triangles_at_edge_intersect(orientation, x[0], x[1], x[2], x[3]);
+  });
 }
 
 // The neighbors of the origin on the lattice.

@@ -1,12 +1,13 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Kernel objects on several kernels and scales, against all pairs tested in exact rational numbers,
+// Kernel objects on several kernels and scales, against all pairs tested by the oracle of hulls,
 // against CGAL::box_intersection_d() with the same test, and against the recursive route.
 
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_CHECK_OBJECTS_H
 #define THICK_INTERSECTION_TEST_SUPPORT_CHECK_OBJECTS_H
 
+#include "hull_oracle.h"
 #include "number_boxes.h"
 #include "object_makers.h"
 #include "object_scenes.h"
@@ -28,11 +29,13 @@
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/thick_intersection_d.h>
 
+#include <boost/multiprecision/cpp_int.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <initializer_list>
 #include <optional>
@@ -102,13 +105,46 @@ auto make_objects(const std::vector<Numbers>& numbers, Scale scale = Scale::ONE)
 // Whether two objects intersect.
 using Test = std::function<bool(std::size_t, std::size_t)>;
 
-// In exact rational numbers.
+inline bool are_integers(const std::vector<Numbers>& numbers)
+{
+  return std::all_of(numbers.begin(), numbers.end(), [](const Numbers& c) {
+    return std::all_of(c.begin(), c.end(), [](double x) { return x == std::trunc(x); });
+  });
+}
+
+// The vertices of an object in integers: coordinates times 2^27, if they are those of floats.
+template <class Maker, class Integer>
+Hull_vectors<Integer> hull_of(const Numbers& numbers, bool are_integers)
+{
+  const auto integer = [&](double x) {
+    return Integer(static_cast<std::int64_t>(are_integers ? x : std::ldexp(x, 27)));
+  };
+  const std::size_t corners
+    = Maker::are_boxes ? std::size_t(1) << Maker::dimension : std::size_t(Maker::points);
+  Hull_vectors<Integer> hull(corners);
+  for(std::size_t k = 0; k < corners; ++k)
+    for(std::size_t axis = 0; axis < Maker::dimension; ++axis) {
+      const std::size_t point = Maker::are_boxes ? k >> axis & 1 : k;
+      hull[k][axis] = integer(numbers[point * Maker::dimension + axis]);
+    }
+  return hull;
+}
+
+template <class Maker, class Integer>
+Test hull_test(const std::vector<Numbers>& numbers, bool are_integers)
+{
+  std::vector<Hull_vectors<Integer>> hulls;
+  for(const Numbers& c : numbers)
+    hulls.push_back(hull_of<Maker, Integer>(c, are_integers));
+  return [hulls](std::size_t i, std::size_t j) { return do_hulls_intersect(hulls[i], hulls[j]); };
+}
+
+// By an oracle that takes degenerate objects as the sets that they are.
 template <class Maker>
 Test exact_test(const std::vector<Numbers>& numbers)
 {
-  return [objects = make_objects<Maker, Rational_kernel>(numbers)](std::size_t i, std::size_t j) {
-    return CGAL::do_intersect(objects[i], objects[j]);
-  };
+  return are_integers(numbers) ? hull_test<Maker, std::int64_t>(numbers, true)
+                               : hull_test<Maker, boost::multiprecision::int128_t>(numbers, false);
 }
 
 inline Number_box box_of(const Numbers& object, int dimension)
@@ -285,13 +321,6 @@ void check_objects(const std::vector<Numbers>& numbers, Scale scale, const Objec
   check_truth_by_boxes<Maker::dimension>(boxes, truth);
   if constexpr(std::is_same_v<Kernel, Epeck> || std::is_same_v<Kernel, Double_kernel>)
     check_search<CGAL::Parallel_tag>(make(), truth, "in parallel");
-}
-
-inline bool are_integers(const std::vector<Numbers>& numbers)
-{
-  return std::all_of(numbers.begin(), numbers.end(), [](const Numbers& c) {
-    return std::all_of(c.begin(), c.end(), [](double x) { return x == std::trunc(x); });
-  });
 }
 
 // The first objects of a scene on the scales that the numbers of a kernel have. Returns the number

@@ -21,18 +21,35 @@ auto point_of_object(const Coordinates& c, std::size_t i)
     return typename Kernel::Point_3(FT(c[3 * i]), FT(c[3 * i + 1]), FT(c[3 * i + 2]));
 }
 
-// What all makers have. Predicates of CGAL take boxes without extent, but no other degenerate
-// objects.
+// What all makers have. Boxes are made of two opposite corners.
 template <int Dimension, int Points, bool AreBoxes = false>
 struct Object_maker
 {
   static constexpr int dimension = Dimension, points = Points;
-  static constexpr bool may_be_degenerate = AreBoxes;
+  static constexpr bool are_boxes = AreBoxes;
 
   template <class Kernel, class Coordinates>
   static auto point(const Coordinates& c, std::size_t i)
   {
     return point_of_object<Kernel, Dimension>(c, i);
+  }
+};
+
+struct Points_2 : Object_maker<2, 1>
+{
+  template <class K, class Coordinates>
+  static auto make(const Coordinates& c)
+  {
+    return point<K>(c, 0);
+  }
+};
+
+struct Points_3 : Object_maker<3, 1>
+{
+  template <class K, class Coordinates>
+  static auto make(const Coordinates& c)
+  {
+    return point<K>(c, 0);
   }
 };
 

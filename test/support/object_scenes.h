@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Scenes of objects on a lattice, whose boxes are of all sizes.
+// Scenes of objects on a lattice, whose boxes are of all sizes. Some objects are degenerate.
 //
 // A maker of a type of objects has the `dimension` and the number of `points` that they are made
-// of, make<Kernel>(coordinates), and whether they `may_be_degenerate`.
+// of, make<Kernel>(coordinates), and whether they `are_boxes`.
 
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_OBJECT_SCENES_H
 #define THICK_INTERSECTION_TEST_SUPPORT_OBJECT_SCENES_H
@@ -40,16 +40,12 @@ struct Object_kind
 {
   int dimension;
   int points;
-  std::function<bool(const Numbers&)> is_allowed;
 };
 
 template <class Maker>
 Object_kind object_kind()
 {
-  return {Maker::dimension, Maker::points, [](const Numbers& c) {
-            return Maker::may_be_degenerate
-                   || !Maker::template make<Rational_kernel>(c).is_degenerate();
-          }};
+  return {Maker::dimension, Maker::points};
 }
 
 // Along each axis, a coordinate of a corner of a box, or an extent of it.
@@ -67,8 +63,7 @@ inline Numbers object_in_box(const Object_kind& kind, Generator& random, const T
   return object;
 }
 
-// Calls box(random, i, corner, extents) for n objects, and makes each in its box, if the kind
-// allows it.
+// Calls box(random, i, corner, extents) for n objects, and makes each in its box.
 using Box_maker = std::function<void(Generator&, std::size_t, Triple&, Triple&)>;
 inline Object_scene object_scene(const Object_kind& kind, const std::string& name, std::size_t n,
                                  const Box_maker& box)
@@ -78,9 +73,7 @@ inline Object_scene object_scene(const Object_kind& kind, const std::string& nam
   for(std::size_t i = 0; i < n; ++i) {
     Triple corner, extents;
     box(random, i, corner, extents);
-    const Numbers object = object_in_box(kind, random, corner, extents);
-    if(kind.is_allowed(object))
-      scene.objects.push_back(object);
+    scene.objects.push_back(object_in_box(kind, random, corner, extents));
   }
   return scene;
 }
@@ -191,6 +184,12 @@ inline std::vector<Object_scene> object_scenes(const Object_kind& kind)
     extents[i % dimension] = 0;
   };
   scenes.push_back(object_scene(kind, "flat", n, flat));
+  const auto tiny = [&](Generator& random, std::size_t, Triple& corner, Triple& extents) {
+    for(std::uint64_t& c : corner)
+      c = random() % 3;
+    extents.fill(1 + random() % 2); // most objects are degenerate
+  };
+  scenes.push_back(object_scene(kind, "tiny", 150, tiny));
   scenes.push_back(mesh_scene(kind));
   scenes.push_back(face_scene(kind));
   scenes.push_back({"identical", std::vector<Numbers>(60, scenes[0].objects.front())});

@@ -91,8 +91,8 @@ public:
     const Common_vertices common = common_vertices(a, b);
     if(common.count == 0)
       return with_triangles(a, 0, b, 0, [](Orientation& orientation, const Points<6>& p) {
-        return do_intersect_in_space<Orientation>(orientation, {p[0], p[1], p[2]},
-                                                  {p[3], p[4], p[5]});
+        return do_intersect_in_space(orientation, Points<3>{p[0], p[1], p[2]},
+                                     Points<3>{p[3], p[4], p[5]});
       });
     if(common.count == 1)
       return with_triangles(a, common.place_in_first, b, common.place_in_second,

@@ -9,14 +9,15 @@
 // integers on a grid of the points asked about, exact numbers.
 //
 // The filter computes a determinant of differences, and the sum of the absolute values of its
-// terms. Let u = 2^-52, which bounds the relative error of an operation in every rounding mode. In
-// the plane, a term has the error of two differences and a product, and the determinant that of
-// one more difference: together 4u of the sum, to first order. In space it is three differences,
-// two products, the difference of a minor and two sums: 8u. The factors below have room for the
-// error of the sum itself, and for fused operations. A product that underflows is off by at most
-// 2^-1074. The least sums make up for that: a minor that has lost bits is multiplied by a
-// difference, and so is its least sum. What overflows leaves the filter undecided, as comparisons
-// with NaN and with infinity are false.
+// terms. Let u = 2^-53, which bounds the relative error of an operation. In the plane, a term has
+// the error of two differences and a product, and the determinant that of one more difference:
+// together 4u of the sum, to first order. In space it is three differences, two products, the
+// difference of a minor and two sums: 8u. The factors below have room for the error of the sum
+// itself, and for fused operations. A product that underflows is off by at most 2^-1074. The least
+// sums make up for that: a minor that has lost bits is multiplied by a difference, and so is its
+// least sum. What overflows leaves the filter undecided, as comparisons with NaN and with infinity
+// are false. In other rounding modes than to nearest, it may become the largest double, which looks
+// like a number. So the filter decides nothing there.
 
 #include <CGAL/Arithmetic_tier.h>
 #include <CGAL/enum.h>
@@ -24,6 +25,7 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/determinant_signs.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/grid_steps.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/rounding.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/wide_integers.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 
@@ -34,6 +36,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -75,7 +78,8 @@ public:
   // wider integers follow where they are needed.
   explicit Staged_orientation(Vertices& vertices,
                               Arithmetic_tier least_tier = Arithmetic_tier::INT64)
-    : vertices_(vertices), least_tier_(least_tier)
+    : vertices_(vertices), least_tier_(least_tier),
+      least_bound_(rounds_to_nearest() ? least_sum : std::numeric_limits<double>::infinity())
   {}
 
   // The arithmetic that the hardest question so far has needed.
@@ -92,7 +96,7 @@ public:
     const double left = (q[i] - p[i]) * (r[j] - p[j]);
     const double right = (q[j] - p[j]) * (r[i] - p[i]);
     const double determinant = left - right;
-    const double bound = planar_factor * (std::fabs(left) + std::fabs(right)) + least_bound;
+    const double bound = planar_factor * (std::fabs(left) + std::fabs(right)) + least_bound_;
     const Sign sign = sign_beyond(bound, determinant);
     return sign != ZERO ? sign : decide_turn(p, q, r, i, j, determinant);
   }
@@ -113,7 +117,7 @@ public:
       const double left = (q[j] - p[j]) * (r[k] - p[k]);
       const double right = (q[k] - p[k]) * (r[j] - p[j]);
       plane.normal[i] = left - right;
-      plane.sums[i] = std::fabs(left) + std::fabs(right) + least_bound;
+      plane.sums[i] = std::fabs(left) + std::fabs(right) + least_sum;
     }
     return plane;
   }
@@ -126,11 +130,11 @@ public:
   }
 
   // The same, or zero if s is close to the plane, where decide_side() answers.
-  static Sign side_by_filter(const Plane& plane, const Point& s)
+  Sign side_by_filter(const Plane& plane, const Point& s) const
   {
     double sum = 0;
     const double determinant = determinant_of(plane, s, sum);
-    return sign_beyond(spatial_factor * sum + least_bound, determinant);
+    return sign_beyond(spatial_factor * sum + least_bound_, determinant);
   }
 
   BOOST_NOINLINE Sign decide_side(const Plane& plane, const Point& s)
@@ -155,8 +159,8 @@ public:
 private:
   using Exact = Exact_number_t<double>;
 
-  static constexpr double planar_factor = 0x1p-49, spatial_factor = 0x1p-48;
-  static constexpr double least_bound = 0x1p-1000;
+  static constexpr double planar_factor = 0x1p-50, spatial_factor = 0x1p-49;
+  static constexpr double least_sum = 0x1p-1000;
 
   // Returns the sign of a number that is off by at most `bound`, or zero if that is not known.
   // Which sign it is cannot be predicted, so it takes no branch.
@@ -285,6 +289,7 @@ private:
   bool are_steps_usable_ = false;
   Arithmetic_tier least_tier_;
   Arithmetic_tier needed_tier_ = Arithmetic_tier::DOUBLE;
+  double least_bound_; // infinite if the filter decides nothing
 };
 
 } // namespace internal

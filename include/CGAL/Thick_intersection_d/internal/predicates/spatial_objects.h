@@ -136,11 +136,12 @@ template <class Orientation>
 class Sides_of_plane
 {
 public:
-  Sides_of_plane(const Simplex<Orientation, 3>& of_plane, const Simplex<Orientation, 3>& triangle)
+  Sides_of_plane(const Orientation& orientation, const Simplex<Orientation, 3>& of_plane,
+                 const Simplex<Orientation, 3>& triangle)
     : plane_(Orientation::plane(of_plane[0], of_plane[1], of_plane[2])), triangle_(triangle)
   {
     for(std::size_t k = 0; k < 3; ++k)
-      by_filter_[k] = Orientation::side_by_filter(plane_, triangle[k]);
+      by_filter_[k] = orientation.side_by_filter(plane_, triangle[k]);
   }
 
   // Whether the triangle is nearly in the plane, as far as the filter knows.
@@ -229,7 +230,7 @@ template <class Orientation>
 bool do_intersect_in_space(Orientation& orientation, const Simplex<Orientation, 3>& a,
                            const Simplex<Orientation, 3>& b)
 {
-  const Sides_of_plane<Orientation> of_a(b, a);
+  const Sides_of_plane<Orientation> of_a(orientation, b, a);
   std::optional<bool> do_shadows;
   if(of_a.is_nearly_coplanar()) {
     do_shadows = do_shadows_intersect(orientation, a, b);
@@ -241,7 +242,8 @@ bool do_intersect_in_space(Orientation& orientation, const Simplex<Orientation, 
     return false;
   if(do_shadows && are_all(sides_a, ZERO))
     return true;
-  const std::array<Sign, 3> sides_b = Sides_of_plane<Orientation>(a, b).decide(orientation);
+  const Sides_of_plane<Orientation> of_b(orientation, a, b);
+  const std::array<Sign, 3> sides_b = of_b.decide(orientation);
   if(are_on_one_side(sides_b))
     return false;
   if(!are_all(sides_a, ZERO) && !are_all(sides_b, ZERO))

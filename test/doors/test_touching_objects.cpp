@@ -1,0 +1,234 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Objects that touch, are degenerate or have extreme coordinates, where predicates of kernels gave
+// wrong pairs: against the oracle of hulls.
+
+#define BOOST_TEST_MODULE touching_objects
+#include "support/hull_oracle.h"
+#include "support/pairs.h"
+#include "support/point_generators.h"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Homogeneous.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Simple_homogeneous.h>
+#include <CGAL/thick_intersection_d.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <boost/test/unit_test.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using namespace test_support;
+
+namespace {
+
+using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
+using Integer = boost::multiprecision::int512_t;
+
+template <class Object>
+Pairs pairs_of(const std::vector<Object>& objects)
+{
+  Pairs found;
+  CGAL::thick_self_intersection_d(
+    objects, [&](std::size_t i, std::size_t j) { found.emplace_back(i, j); });
+  return sorted(found);
+}
+
+// The pairs of the hulls of some vertices each.
+Pairs pairs_of_hulls(const std::vector<Hull_vectors<Integer>>& hulls)
+{
+  Pairs expected;
+  for(std::size_t i = 0; i < hulls.size(); ++i)
+    for(std::size_t j = i + 1; j < hulls.size(); ++j)
+      if(do_hulls_intersect(hulls[i], hulls[j]))
+        expected.emplace_back(i, j);
+  return expected;
+}
+
+// ---- kernels of integers ------------------------------------------------------------------------
+
+// Segments with ends x/w, y/w of up to `bits` bits. Many share ends or are nearly parallel.
+template <class Kernel>
+void check_integer_segments(int bits)
+{
+  using NT = typename Kernel::RT;
+  Random random(static_cast<unsigned int>(bits));
+  const auto draw = [&] {
+    return static_cast<std::int64_t>(random.below(4)) * ((std::int64_t(1) << bits) / 4)
+           + static_cast<std::int64_t>(random.below(2));
+  };
+  std::vector<typename Kernel::Segment_2> segments;
+  std::vector<Hull_vectors<Integer>> hulls;
+  for(int i = 0; i < 60; ++i) {
+    const std::int64_t x[4] = {draw(), draw(), draw(), draw()};
+    segments.emplace_back(typename Kernel::Point_2(NT(x[0]), NT(x[1])),
+                          typename Kernel::Point_2(NT(x[2]), NT(x[3])));
+    hulls.push_back({{Integer(x[0]), Integer(x[1]), 0}, {Integer(x[2]), Integer(x[3]), 0}});
+  }
+  const Pairs expected = pairs_of_hulls(hulls);
+  const Pairs_difference difference = compare(expected, pairs_of(segments));
+  BOOST_CHECK_MESSAGE(difference.empty(), bits << " bits: " << difference);
+  BOOST_CHECK_GT(expected.size(), 100u);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(products_of_integers_do_not_overflow)
+{
+  for(const int bits : {10, 40, 60}) {
+    check_integer_segments<CGAL::Homogeneous<long long>>(bits);
+    check_integer_segments<CGAL::Simple_homogeneous<long long>>(bits);
+    check_integer_segments<CGAL::Simple_cartesian<long long>>(bits);
+  }
+}
+
+// ---- degenerate objects -------------------------------------------------------------------------
+
+namespace {
+
+// Vertices on a small lattice: often in one place, on a line or in a plane.
+template <class Kernel, std::size_t Count>
+struct Small_objects
+{
+  explicit Small_objects(unsigned int seed)
+  {
+    Random random(seed);
+    for(int i = 0; i < 60; ++i) {
+      Hull_vectors<Integer> hull(Count);
+      std::array<typename Kernel::Point_3, Count> p;
+      for(std::size_t k = 0; k < Count; ++k) {
+        const int x[3] = {int(random.below(4)), int(random.below(3)), int(random.below(3))};
+        hull[k] = {x[0], x[1], x[2]};
+        p[k] = typename Kernel::Point_3(x[0], x[1], x[2]);
+      }
+      hulls.push_back(hull);
+      points.push_back(p);
+    }
+  }
+
+  std::vector<Hull_vectors<Integer>> hulls;
+  std::vector<std::array<typename Kernel::Point_3, Count>> points;
+};
+
+template <class Kernel>
+void check_degenerate_objects()
+{
+  for(unsigned int seed = 0; seed < 3; ++seed) {
+    const Small_objects<Kernel, 1> ones(seed);
+    const Small_objects<Kernel, 2> twos(seed);
+    const Small_objects<Kernel, 3> threes(seed);
+    const Small_objects<Kernel, 4> fours(seed);
+    std::vector<typename Kernel::Point_3> points;
+    std::vector<typename Kernel::Segment_3> segments;
+    std::vector<typename Kernel::Triangle_3> triangles;
+    std::vector<typename Kernel::Tetrahedron_3> tetrahedra;
+    for(const auto& p : ones.points)
+      points.push_back(p[0]);
+    for(const auto& p : twos.points)
+      segments.emplace_back(p[0], p[1]);
+    for(const auto& p : threes.points)
+      triangles.emplace_back(p[0], p[1], p[2]);
+    for(const auto& p : fours.points)
+      tetrahedra.emplace_back(p[0], p[1], p[2], p[3]);
+    BOOST_CHECK(pairs_of(points) == pairs_of_hulls(ones.hulls));
+    BOOST_CHECK(pairs_of(segments) == pairs_of_hulls(twos.hulls));
+    BOOST_CHECK(pairs_of(triangles) == pairs_of_hulls(threes.hulls));
+    BOOST_CHECK(pairs_of(tetrahedra) == pairs_of_hulls(fours.hulls));
+  }
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(degenerate_objects_are_the_sets_that_they_are)
+{
+  check_degenerate_objects<Epick>();
+  check_degenerate_objects<CGAL::Simple_cartesian<double>>();
+  check_degenerate_objects<Epeck>();
+  check_degenerate_objects<CGAL::Simple_cartesian<CGAL::Exact_rational>>();
+}
+
+BOOST_AUTO_TEST_CASE(test_of_two_objects_takes_objects_whose_boxes_are_apart)
+{
+  using Triangle = Epick::Triangle_3;
+  const Triangle a(Epick::Point_3(0, 0, 0), Epick::Point_3(1, 0, 0), Epick::Point_3(2, 0, 0));
+  const Triangle b(Epick::Point_3(3, 0, 0), Epick::Point_3(4, 0, 0), Epick::Point_3(5, 0, 0));
+  const Triangle c(Epick::Point_3(2, 0, 0), Epick::Point_3(2, 0, 0), Epick::Point_3(2, 0, 0));
+  const auto do_intersect = CGAL::Thick_object_traits_d<Triangle>().do_intersect_d_object();
+  BOOST_CHECK(!do_intersect(a, b));
+  BOOST_CHECK(do_intersect(a, c));
+  BOOST_CHECK(!do_intersect(b, c));
+}
+
+// ---- extremes -----------------------------------------------------------------------------------
+
+BOOST_AUTO_TEST_CASE(exact_numbers_beyond_the_doubles_are_searched)
+{
+  using Number = Epeck::FT;
+  Number huge(1);
+  for(int i = 0; i < 2000; ++i)
+    huge *= 2;
+  const auto segment = [&](int x0, int y0, int x1, int y1) {
+    return Epeck::Segment_2(Epeck::Point_2(x0 * huge, y0 * huge + 1),
+                            Epeck::Point_2(x1 * huge, y1 * huge + 1));
+  };
+  const std::vector<Epeck::Segment_2> segments
+    = {segment(-1, -1, 1, 1), segment(-1, 1, 1, -1), segment(3, 1, 2, 2), segment(1, 1, 4, 1),
+       segment(0, -2, 5, -2)};
+  BOOST_CHECK(pairs_of(segments) == Pairs({{0, 1}, {0, 3}, {2, 3}}));
+}
+
+BOOST_AUTO_TEST_CASE(objects_that_touch_at_all_scales_are_pairs)
+{
+  for(const int exponent : {-1074, -1030, -400, 0, 400, 1000}) {
+    const auto point = [&](int x, int y, int z) {
+      return Epick::Point_3(std::ldexp(x, exponent), std::ldexp(y, exponent),
+                            std::ldexp(z, exponent));
+    };
+    // Two bricks in a tilted plane that touch in the middle of an edge, and one above them.
+    const std::vector<Epick::Triangle_3> triangles
+      = {{point(0, 0, 0), point(6, 0, 6), point(0, 6, 12)},
+         {point(3, 3, 9), point(9, 3, 15), point(9, 9, 27)},
+         {point(3, 3, 10), point(9, 3, 16), point(9, 9, 28)}};
+    BOOST_CHECK(pairs_of(triangles) == Pairs({{0, 1}}));
+  }
+}
+
+// One of two triangles is moved by a last bit, so that they touch no longer.
+BOOST_AUTO_TEST_CASE(last_bit_decides_whether_objects_touch)
+{
+  for(const double height : {0.1, 1e3, 1e16}) {
+    const auto triangle = [](double x, double z) {
+      return Epick::Triangle_3(Epick::Point_3(x, 0, z), Epick::Point_3(x + 1, 0, z),
+                               Epick::Point_3(x, 1, z));
+    };
+    const double above = std::nextafter(height, 1e300), below = std::nextafter(height, 0);
+    const std::vector<Epick::Triangle_3> triangles
+      = {triangle(0, height), triangle(0.5, height), triangle(0, above), triangle(0, below)};
+    BOOST_CHECK(pairs_of(triangles) == Pairs({{0, 1}}));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(coordinates_that_are_not_finite_are_refused_with_their_position)
+{
+  for(const double x : {std::numeric_limits<double>::quiet_NaN(),
+                        std::numeric_limits<double>::infinity()}) {
+    using Point = Epick::Point_2;
+    const std::vector<Epick::Segment_2> segments
+      = {{Point(0, 0), Point(1, 1)}, {Point(0, x), Point(1, 0)}};
+    BOOST_CHECK_EXCEPTION(pairs_of(segments), std::invalid_argument, [](const auto& error) {
+      return error.what()
+             == std::string("Coordinate 1 of vertex of object 1 is NaN or infinite.");
+    });
+  }
+}
