@@ -27,7 +27,8 @@ bool do_triangles_at_edge_intersect(Orientation& orientation, const typename Ori
                                     const typename Orientation::Point& a,
                                     const typename Orientation::Point& b)
 {
-  if(orientation.side(orientation.plane(p, q, a), b) != ZERO)
+  if(!are_level<Orientation>(p, a, b, q)
+     && orientation.side(orientation.plane(p, q, a), b) != ZERO)
     return false;
   const auto seen = shadow_of_triangle<Orientation>(orientation, {p, q, a});
   const Shadow<Orientation>& shadow = seen->shadow;
@@ -73,6 +74,8 @@ template <class Orientation>
 bool do_triangles_at_vertex_intersect(Orientation& orientation, const Simplex<Orientation, 3>& vab,
                                       const Simplex<Orientation, 3>& vcd)
 {
+  if(are_level<Orientation>(vab[0], vcd[1], vab[1], vab[2], vcd[2]))
+    return do_cones_intersect(orientation, vab, vcd);
   const auto plane_ab = orientation.plane(vab[0], vab[1], vab[2]);
   const Sign abc = orientation.side(plane_ab, vcd[1]);
   const Sign abd = orientation.side(plane_ab, vcd[2]);

@@ -213,6 +213,17 @@ bool do_triangles_cross(Orientation& orientation, const Simplex<Orientation, 3>&
          && orientation.side(orientation.plane(p, r, a), c) != NEGATIVE;
 }
 
+// Whether points have one coordinate along an axis, as those of a floor or wall have. Then they are
+// in one plane, and no determinant has to say so.
+template <class Orientation, class... Points>
+bool are_level(const typename Orientation::Point& p, const Points&... others)
+{
+  for(int axis = 2; axis >= 0; --axis)
+    if(((Orientation::compare(p, others, axis) == ZERO) && ...))
+      return true;
+  return false;
+}
+
 // One of the triangles is flat.
 template <class Orientation>
 bool do_flat_intersect(Orientation& orientation, const Simplex<Orientation, 3>& a,
@@ -230,8 +241,12 @@ template <class Orientation>
 bool do_intersect_in_space(Orientation& orientation, const Simplex<Orientation, 3>& a,
                            const Simplex<Orientation, 3>& b)
 {
-  const Sides_of_plane<Orientation> of_a(orientation, b, a);
   std::optional<bool> do_shadows;
+  if(are_level<Orientation>(a[0], b[0], a[1], a[2], b[1], b[2])) {
+    do_shadows = do_shadows_intersect(orientation, a, b);
+    return do_shadows ? *do_shadows : do_flat_intersect(orientation, a, b);
+  }
+  const Sides_of_plane<Orientation> of_a(orientation, b, a);
   if(of_a.is_nearly_coplanar()) {
     do_shadows = do_shadows_intersect(orientation, a, b);
     if(do_shadows == false)
