@@ -9,6 +9,7 @@
 
 #include "ours.h"
 
+#include "measuring/Pair_list.h"
 #include "scenes/Object_scene.h"
 
 #include <vector>
@@ -22,6 +23,13 @@ enum class Dimension_kind { STATIC, DYNAMIC };
 
 Search search_objects(const Object_scene& scene); // thick_self_intersection_d, thick_intersection_d
 Search search_points_d(const Scene& scene, Dimension_kind kind); // fixed_radius_near_neighbors
+
+// The pairs of segments, triangles or tetrahedra in one set.
+Run<Pair_list> list_pairs(const Object_scene& scene);
+
+// The same search with the kernel of plain doubles. It finds wrong pairs, and misses others.
+Run<Tally> search_in_doubles(const Object_scene& scene);
+Run<Pair_list> list_pairs_in_doubles(const Object_scene& scene);
 
 // thick_box_self_intersection_d, on boxes that lie in the scene, which must outlive the runs.
 Search search_boxes_d(const Object_scene& scene, Dimension_kind kind);

@@ -13,6 +13,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Thick_ball_traits_d.h>
 
+#include <cstddef>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -43,18 +44,21 @@ Point point_at(const double* x)
     return Point(x[0], x[1], x[2]);
 }
 
-// An object of a kernel with two or three corners.
-template <class Object, class Point, int Corners>
+// An object of a kernel with two corners or more.
+template <class Object, class Point, std::size_t Corners>
 struct From_corners
 {
   static Object make(const double* x)
   {
-    constexpr int dimension = CGAL::Ambient_dimension<Point>::value;
-    if constexpr(Corners == 2)
-      return Object(point_at<Point>(x), point_at<Point>(x + dimension));
-    else
-      return Object(point_at<Point>(x), point_at<Point>(x + dimension),
-                    point_at<Point>(x + 2 * dimension));
+    return make(x, std::make_index_sequence<Corners>());
+  }
+
+private:
+  template <std::size_t... Corner>
+  static Object make(const double* x, std::index_sequence<Corner...>)
+  {
+    constexpr std::size_t dimension = CGAL::Ambient_dimension<Point>::value;
+    return Object(point_at<Point>(x + Corner * dimension)...);
   }
 };
 
@@ -91,28 +95,41 @@ Run<Answer> run_on_objects(const Object_scene& scene, const Search& search)
   };
 }
 
-// Of search(objects, answer).
-template <class Answer, class Search>
-Run<Answer> run_on_objects(const Object_scene& scene, const Search& search)
+// Of search(objects, answer), on segments, triangles and tetrahedra of a kernel.
+template <class Answer, class Kernel, class Search>
+Run<Answer> run_on_simplices(const Object_scene& scene, const Search& search)
 {
-  using K = Epick;
-  using Segment_2 = From_corners<K::Segment_2, K::Point_2, 2>;
-  using Segment_3 = From_corners<K::Segment_3, K::Point_3, 2>;
-  using Triangle_3 = From_corners<K::Triangle_3, K::Point_3, 3>;
+  using K = Kernel;
+  using Segment_2 = From_corners<typename K::Segment_2, typename K::Point_2, 2>;
+  using Segment_3 = From_corners<typename K::Segment_3, typename K::Point_3, 2>;
+  using Triangle_2 = From_corners<typename K::Triangle_2, typename K::Point_2, 3>;
+  using Triangle_3 = From_corners<typename K::Triangle_3, typename K::Point_3, 3>;
+  using Tetrahedron_3 = From_corners<typename K::Tetrahedron_3, typename K::Point_3, 4>;
   const bool is_plane = scene.dimension == 2;
   switch(scene.shape) {
-  case Shape::BOX:
-    return is_plane ? run_on_objects<Answer, Rectangle_from_numbers>(scene, search)
-                    : run_on_objects<Answer, Cuboid_from_numbers>(scene, search);
   case Shape::SEGMENT:
     return is_plane ? run_on_objects<Answer, Segment_2>(scene, search)
                     : run_on_objects<Answer, Segment_3>(scene, search);
-  case Shape::BALL:
-    return run_on_objects<Answer, Ball_from_numbers>(scene, search);
   case Shape::TRIANGLE:
-    return run_on_objects<Answer, Triangle_3>(scene, search);
+    return is_plane ? run_on_objects<Answer, Triangle_2>(scene, search)
+                    : run_on_objects<Answer, Triangle_3>(scene, search);
+  case Shape::TETRAHEDRON:
+    return run_on_objects<Answer, Tetrahedron_3>(scene, search);
+  default:
+    throw std::invalid_argument("a scene of another shape");
   }
-  throw std::invalid_argument("a scene of an unknown shape");
+}
+
+// Of search(objects, answer), in EPICK.
+template <class Answer, class Search>
+Run<Answer> run_on_objects(const Object_scene& scene, const Search& search)
+{
+  if(scene.shape == Shape::BALL)
+    return run_on_objects<Answer, Ball_from_numbers>(scene, search);
+  if(scene.shape != Shape::BOX)
+    return run_on_simplices<Answer, Epick>(scene, search);
+  return scene.dimension == 2 ? run_on_objects<Answer, Rectangle_from_numbers>(scene, search)
+                              : run_on_objects<Answer, Cuboid_from_numbers>(scene, search);
 }
 
 } // namespace thick_benchmark

@@ -61,4 +61,11 @@ Search search_objects(const Object_scene& scene)
   return result;
 }
 
+Run<Pair_list> list_pairs(const Object_scene& scene)
+{
+  return run_on_simplices<Pair_list, Epick>(scene, [](const auto& objects, Pair_list& pairs) {
+    search<CGAL::Sequential_tag>(objects, pairs);
+  });
+}
+
 } // namespace thick_benchmark

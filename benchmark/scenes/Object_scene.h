@@ -13,8 +13,14 @@
 namespace thick_benchmark {
 
 // What the numbers of an object are: the lower and the upper corner, the center and the radius, the
-// two ends, the three corners.
-enum class Shape { BOX, BALL, SEGMENT, TRIANGLE };
+// two ends, the three corners, the four corners.
+enum class Shape { BOX, BALL, SEGMENT, TRIANGLE, TETRAHEDRON };
+
+// Of objects other than balls.
+inline std::size_t corners_of(Shape shape)
+{
+  return shape == Shape::TETRAHEDRON ? 4 : shape == Shape::TRIANGLE ? 3 : 2;
+}
 
 struct Object_scene
 {
@@ -27,7 +33,7 @@ struct Object_scene
   std::size_t numbers_per_object() const
   {
     const auto d = static_cast<std::size_t>(dimension);
-    return shape == Shape::BALL ? d + 1 : shape == Shape::TRIANGLE ? 3 * d : 2 * d;
+    return shape == Shape::BALL ? d + 1 : corners_of(shape) * d;
   }
   std::size_t size() const { return numbers.size() / numbers_per_object(); }
   const double* object(std::size_t i) const { return numbers.data() + i * numbers_per_object(); }
