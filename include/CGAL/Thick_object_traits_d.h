@@ -30,10 +30,14 @@ namespace CGAL {
 \ingroup PkgThickIntersectionDTraits
 
 is the traits class for bounded objects with `bbox()` and `do_intersect()`. For objects of a kernel
-of \cgal, the intersection test is exact on the coordinates that the objects hold. It is the test of
-the kernel if the kernel has exact predicates. Otherwise, as for `Simple_cartesian<double>`, it is
-the test of a kernel with exact predicates. For objects of other classes, it is the function
-`do_intersect()` in the namespace of the class.
+of \cgal, the intersection test is that of the package, and exact on the coordinates that the
+objects hold. Objects are closed sets: those that touch intersect. They may be degenerate: a segment
+of length zero is a point, a flat triangle a segment or a point, and a flat tetrahedron a polygon, a
+segment or a point. The test has degree 2 in the plane and 3 in space. If the coordinates are
+doubles, whatever their type, a filter in doubles, integers and exact numbers decide, in this order.
+Otherwise the orientations of the kernel decide if they are exact, or else those of rational
+numbers. For objects of other classes, the test is the function `do_intersect()` in the namespace of
+the class.
 
 A search reads the bounding boxes of the objects as intervals, and tests the pairs whose boxes meet.
 So objects may have any sizes. A `Bbox_2` or `Bbox_3`, and an iso-rectangle or iso-cuboid whose
@@ -49,9 +53,9 @@ within another circle would not intersect it. Use `Thick_ball_traits_d`.
 
 Objects of this class may be used by several threads at once.
 
-\tparam Object is `Segment_2`, `Triangle_2`, `Iso_rectangle_2`, `Segment_3`, `Triangle_3`,
-`Iso_cuboid_3`, `Tetrahedron_3`, `Bbox_2`, `Bbox_3`, or another type. Another type has a member
-function `bbox()` that returns a `Bbox_2` or `Bbox_3` around the object, and a function
+\tparam Object is `Point_2`, `Segment_2`, `Triangle_2`, `Iso_rectangle_2`, `Point_3`, `Segment_3`,
+`Triangle_3`, `Iso_cuboid_3`, `Tetrahedron_3`, `Bbox_2`, `Bbox_3`, or another type. Another type has
+a member function `bbox()` that returns a `Bbox_2` or `Bbox_3` around the object, and a function
 `do_intersect(const Object&, const Object&)` in its namespace. It may not be a class of a kernel
 with inexact predicates.
 
