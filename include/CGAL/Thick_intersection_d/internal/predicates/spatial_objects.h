@@ -224,11 +224,13 @@ bool are_level(const typename Orientation::Point& p, const Points&... others)
   return false;
 }
 
-// One of the triangles is flat.
+// The triangles are in one plane, or one of them is flat.
 template <class Orientation>
-bool do_flat_intersect(Orientation& orientation, const Simplex<Orientation, 3>& a,
-                       const Simplex<Orientation, 3>& b)
+bool do_coplanar_or_flat_intersect(Orientation& orientation, const Simplex<Orientation, 3>& a,
+                                   const Simplex<Orientation, 3>& b)
 {
+  if(const std::optional<bool> do_shadows = do_shadows_intersect(orientation, a, b))
+    return *do_shadows;
   return shadow_of_triangle(orientation, a)
            ? do_intersect_in_space(orientation, segment_of_flat<Orientation>(b), a)
            : do_intersect_in_space(orientation, segment_of_flat<Orientation>(a), b);
@@ -241,12 +243,10 @@ template <class Orientation>
 bool do_intersect_in_space(Orientation& orientation, const Simplex<Orientation, 3>& a,
                            const Simplex<Orientation, 3>& b)
 {
-  std::optional<bool> do_shadows;
-  if(are_level<Orientation>(a[0], b[0], a[1], a[2], b[1], b[2])) {
-    do_shadows = do_shadows_intersect(orientation, a, b);
-    return do_shadows ? *do_shadows : do_flat_intersect(orientation, a, b);
-  }
+  if(are_level<Orientation>(a[0], b[0], a[1], a[2], b[1], b[2]))
+    return do_coplanar_or_flat_intersect(orientation, a, b);
   const Sides_of_plane<Orientation> of_a(orientation, b, a);
+  std::optional<bool> do_shadows;
   if(of_a.is_nearly_coplanar()) {
     do_shadows = do_shadows_intersect(orientation, a, b);
     if(do_shadows == false)
@@ -263,8 +263,7 @@ bool do_intersect_in_space(Orientation& orientation, const Simplex<Orientation, 
     return false;
   if(!are_all(sides_a, ZERO) && !are_all(sides_b, ZERO))
     return do_triangles_cross(orientation, a, sides_a, b, sides_b);
-  do_shadows = do_shadows_intersect(orientation, a, b);
-  return do_shadows ? *do_shadows : do_flat_intersect(orientation, a, b);
+  return do_coplanar_or_flat_intersect(orientation, a, b);
 }
 
 } // namespace internal
