@@ -128,6 +128,19 @@ BOOST_AUTO_TEST_CASE(signs_are_those_of_rational_numbers)
   BOOST_CHECK_EQUAL(wrong, 0u);
 }
 
+// Beside the line through two points that are far away, where differences are rounded (L. Kettner et
+// al., Classroom examples of robustness problems in geometric computations, 2008).
+BOOST_AUTO_TEST_CASE(turns_beside_a_line_are_those_of_rational_numbers)
+{
+  std::size_t wrong = 0;
+  for(int i = 0; i < 32; ++i)
+    for(int j = 0; j < 32; ++j) {
+      const double x = 0.5 + i * 0x1p-53, y = 0.5 + j * 0x1p-53;
+      wrong += count_wrong({{{x, y, 0}, {8.1, 8.1, 1}, {17.3, 17.3, 0}, {x, y, 1}}});
+    }
+  BOOST_CHECK_EQUAL(wrong, 0u);
+}
+
 // Exponents within an axis differ too much for integers.
 BOOST_AUTO_TEST_CASE(coordinates_of_all_sizes_take_exact_numbers)
 {
@@ -163,6 +176,13 @@ BOOST_AUTO_TEST_CASE(no_more_bits_are_used_than_the_points_need)
   BOOST_CHECK(tier_of({{{0, 0, 0}, {1, 0, 1}, {0, 1, 1}, {1, 1, 2}}}) == Arithmetic_tier::INT64);
   BOOST_CHECK(tier_of({{{0, 0, 5}, {1, 0, 5}, {0, 1, 5}, {1, 1, 5}}}) == Arithmetic_tier::DOUBLE);
   BOOST_CHECK(tier_of({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 2}}}) == Arithmetic_tier::DOUBLE);
+}
+
+BOOST_AUTO_TEST_CASE(exact_numbers_are_used_where_they_are_asked_for)
+{
+  const Answer found = answer(flat_points(21), Arithmetic_tier::FILTERED_EXACT);
+  BOOST_CHECK(found.side == CGAL::ZERO);
+  BOOST_CHECK(found.tier == Arithmetic_tier::FILTERED_EXACT);
 }
 
 BOOST_AUTO_TEST_CASE(certified_doubles_take_nothing_else)

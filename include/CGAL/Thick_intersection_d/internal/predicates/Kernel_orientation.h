@@ -65,6 +65,16 @@ public:
     }
   }
 
+  static Sign turn_by_filter(const Point& p, const Point& q, const Point& r, int i, int j)
+  {
+    return turn(p, q, r, i, j);
+  }
+
+  static Sign decide_turn(const Point& p, const Point& q, const Point& r, int i, int j)
+  {
+    return turn(p, q, r, i, j);
+  }
+
   struct Plane
   {
     Point p, q, r;

@@ -93,12 +93,33 @@ public:
   // Returns whether p, q, r make a left turn, a right turn or none along the axes i and j.
   BOOST_FORCEINLINE Sign turn(const Point& p, const Point& q, const Point& r, int i, int j)
   {
+    const Sign sign = turn_by_filter(p, q, r, i, j);
+    return sign != ZERO ? sign : decide_turn(p, q, r, i, j);
+  }
+
+  // The same, or zero if the points are nearly on a line, where decide_turn() answers.
+  BOOST_FORCEINLINE
+  Sign turn_by_filter(const Point& p, const Point& q, const Point& r, int i, int j) const
+  {
     const double left = (q[i] - p[i]) * (r[j] - p[j]);
     const double right = (q[j] - p[j]) * (r[i] - p[i]);
-    const double determinant = left - right;
     const double bound = planar_factor * (std::fabs(left) + std::fabs(right)) + least_bound_;
-    const Sign sign = sign_beyond(bound, determinant);
-    return sign != ZERO ? sign : decide_turn(p, q, r, i, j, determinant);
+    return sign_beyond(bound, left - right);
+  }
+
+  BOOST_NOINLINE Sign decide_turn(const Point& p, const Point& q, const Point& r, int i, int j)
+  {
+    const std::array<double, 3> x = {p[i], q[i], r[i]}, y = {p[j], q[j], r[j]};
+    if(least_tier_ == Arithmetic_tier::DOUBLE)
+      return sign_of_number((x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]));
+    if((x[0] == x[1] && x[1] == x[2]) || (y[0] == y[1] && y[1] == y[2]))
+      return ZERO;
+    std::array<std::int64_t, 3> x_steps, y_steps;
+    const int x_bits = grid_steps(x, x_steps), y_bits = grid_steps(y, y_steps);
+    if((std::max)(x_bits, y_bits) > max_step_bits || least_tier_ == Arithmetic_tier::FILTERED_EXACT)
+      return decide_turn_in_exact_numbers(x, y);
+    return sign_in_plane({x_steps[1] - x_steps[0], y_steps[1] - y_steps[0]},
+                         {x_steps[2] - x_steps[0], y_steps[2] - y_steps[0]}, x_bits + y_bits);
   }
 
   // The plane of three points, for questions about several others.
@@ -142,9 +163,8 @@ public:
     double sum = 0;
     if(least_tier_ == Arithmetic_tier::DOUBLE)
       return sign_of_number(determinant_of(plane, s, sum));
-    const auto is_flat = [&](int i) { // where all have one coordinate
-      return s[i] == plane.p[i] && s[i] == plane.q[i] && s[i] == plane.r[i];
-    };
+    const auto is_flat
+      = [&](int i) { return s[i] == plane.p[i] && s[i] == plane.q[i] && s[i] == plane.r[i]; };
     if(is_flat(0) || is_flat(1) || is_flat(2))
       return ZERO;
     if(!have_steps())
@@ -159,32 +179,13 @@ public:
 private:
   using Exact = Exact_number_t<double>;
 
-  static constexpr double planar_factor = 0x1p-50, spatial_factor = 0x1p-49;
-  static constexpr double least_sum = 0x1p-1000;
+  static constexpr double planar_factor = 0x1p-50, spatial_factor = 0x1p-49, least_sum = 0x1p-1000;
 
   // Returns the sign of a number that is off by at most `bound`, or zero if that is not known.
   // Which sign it is cannot be predicted, so it takes no branch.
   static Sign sign_beyond(double bound, double x)
   {
     return static_cast<Sign>(static_cast<int>(x > bound) - static_cast<int>(-x > bound));
-  }
-
-  BOOST_NOINLINE Sign decide_turn(const Point& p, const Point& q, const Point& r, int i, int j,
-                                  double determinant)
-  {
-    if(least_tier_ == Arithmetic_tier::DOUBLE)
-      return sign_of_number(determinant);
-    const std::array<double, 3> x = {p[i], q[i], r[i]}, y = {p[j], q[j], r[j]};
-    const auto are_equal
-      = [](const std::array<double, 3>& z) { return z[0] == z[1] && z[1] == z[2]; };
-    if(are_equal(x) || are_equal(y))
-      return ZERO;
-    std::array<std::int64_t, 3> x_steps, y_steps;
-    const int x_bits = grid_steps(x, x_steps), y_bits = grid_steps(y, y_steps);
-    if((std::max)(x_bits, y_bits) > max_step_bits || least_tier_ == Arithmetic_tier::FILTERED_EXACT)
-      return decide_turn_in_exact_numbers(x, y);
-    return sign_in_plane({x_steps[1] - x_steps[0], y_steps[1] - y_steps[0]},
-                         {x_steps[2] - x_steps[0], y_steps[2] - y_steps[0]}, x_bits + y_bits);
   }
 
   // Adds the absolute values of the terms to `sum`.

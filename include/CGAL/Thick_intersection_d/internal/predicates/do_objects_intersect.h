@@ -11,6 +11,8 @@
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Arithmetic_tier.h>
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Quotient.h>
@@ -144,19 +146,25 @@ bool do_vertices_intersect(typename Orientation::Vertices& vertices, Arithmetic_
   return do_intersect;
 }
 
-// Neighbors in meshes and roads share a vertex. No branch depends on which one it is.
+// Neighbors in meshes and roads share a vertex. No branch depends on which one it is, and most of
+// those that share none have no first coordinate in common either.
 template <class Vertex, std::size_t Count>
 bool have_common_vertex(const std::array<Vertex, Count>& vertices)
 {
-  bool is_any = false;
-  for(std::size_t a = 0; a < Count / 2; ++a)
-    for(std::size_t b = Count / 2; b < Count; ++b) {
-      bool is_common = true;
-      for(std::size_t i = 0; i < vertices[a].x.size(); ++i)
-        is_common &= vertices[a].x[i] == vertices[b].x[i];
-      is_any |= is_common;
-    }
-  return is_any;
+  const auto is_any_pair = [&](const auto& is_common) {
+    bool is_any = false;
+    for(std::size_t a = 0; a < Count / 2; ++a)
+      for(std::size_t b = Count / 2; b < Count; ++b)
+        is_any |= is_common(vertices[a].x, vertices[b].x);
+    return is_any;
+  };
+  return is_any_pair([](const auto& x, const auto& y) { return x[0] == y[0]; })
+         && is_any_pair([](const auto& x, const auto& y) {
+              bool are_equal = true;
+              for(std::size_t i = 0; i < x.size(); ++i)
+                are_equal &= x[i] == y[i];
+              return are_equal;
+            });
 }
 
 // ---- by coordinates -----------------------------------------------------------------------------
@@ -200,12 +208,14 @@ bool do_kernel_objects_intersect(const Object& a, const Object& b, Arithmetic_ti
   return true;
 }
 
-// do_intersect() of other objects is found in their namespace.
+// do_intersect() of objects that are not of CGAL is found in their namespace.
 template <class Object>
 bool do_objects_intersect(const Object& a, const Object& b, Arithmetic_tier& tier)
 {
   if constexpr(Vertex_count<Object>::value != 0)
     return do_kernel_objects_intersect(a, b, tier);
+  else if constexpr(std::is_same_v<Object, Bbox_2> || std::is_same_v<Object, Bbox_3>)
+    return do_overlap(a, b);
   else
     return do_intersect(a, b);
 }

@@ -44,6 +44,20 @@ public:
       return orientation_.turn(p, q, r, i_, j_);
   }
 
+  // The same in two parts: what the filter knows, or zero, and what to ask then.
+  Sign turn_by_filter(const Point& p, const Point& q, const Point& r) const
+  {
+    if constexpr(Orientation::dimension == 2)
+      return orientation_.turn_by_filter(p, q, r, 0, 1);
+    else
+      return orientation_.turn_by_filter(p, q, r, i_, j_);
+  }
+
+  Sign decide_turn(const Point& p, const Point& q, const Point& r) const
+  {
+    return orientation_.decide_turn(p, q, r, i_, j_);
+  }
+
   // Whether the boxes of the segments p q and r s meet.
   bool do_boxes_meet(const Point& p, const Point& q, const Point& r, const Point& s) const
   {
@@ -85,14 +99,20 @@ bool do_segments_intersect(const Shadow<Orientation>& shadow,
 }
 
 // The sides of a point along the edges of a triangle. That of edge k is the turn from vertex k to
-// vertex k + 1 to the point.
+// vertex k + 1 to the point. The filter comes first for all of them, so that compilers subtract the
+// point from a vertex once.
 template <class Orientation>
 std::array<Sign, 3> sides_of_edges(const Shadow<Orientation>& shadow,
                                    const Simplex<Orientation, 3>& triangle,
                                    const typename Orientation::Point& p)
 {
-  return {shadow.turn(triangle[0], triangle[1], p), shadow.turn(triangle[1], triangle[2], p),
-          shadow.turn(triangle[2], triangle[0], p)};
+  std::array<Sign, 3> sides;
+  for(std::size_t k = 0; k < 3; ++k)
+    sides[k] = shadow.turn_by_filter(p, triangle[k], triangle[(k + 1) % 3]);
+  for(std::size_t k = 0; k < 3; ++k)
+    if(sides[k] == ZERO)
+      sides[k] = shadow.decide_turn(p, triangle[k], triangle[(k + 1) % 3]);
+  return sides;
 }
 
 inline bool is_any_negative(const std::array<Sign, 3>& signs)
@@ -117,12 +137,13 @@ bool does_segment_meet_triangle(const Shadow<Orientation>& shadow,
   return false;
 }
 
-// The triangle p q r turns left. The turn from c to a to p is negative, so p sees the segment from
-// c to a turn left from a to c. Returns whether the triangle meets this segment, or nothing if the
-// line of the segment has all of the triangle on one side, strictly.
+// The triangle p q r turns left, or is flat. The turn from c to a to p is negative, so p sees the
+// segment from c to a turn left from a to c. Returns whether the triangle meets this segment, or
+// nothing if the line of the segment has all of the triangle on one side, strictly.
 //
 // Otherwise the triangle and the line have an interval in common. Along the line from a to c, it
-// begins on the edge of the triangle that ends beyond the line and turns right as seen from p.
+// begins on the edge of the triangle that ends beyond the line and turns right as seen from p. It is
+// a point if the triangle is flat.
 template <class Orientation>
 std::optional<bool> does_triangle_reach(const Shadow<Orientation>& shadow,
                                         const Simplex<Orientation, 3>& triangle,
@@ -138,12 +159,12 @@ std::optional<bool> does_triangle_reach(const Shadow<Orientation>& shadow,
   if(!is_left(c, a, r))
     return std::nullopt;
   // The interval begins on q r and ends on p r. It has to end behind a, and to begin before c.
-  return is_left(p, a, r) && (is_left(p, r, c) || is_left(q, r, c));
+  return is_left(p, a, r) && is_left(q, r, c);
 }
 
-// Both triangles turn left. If a vertex p of one is outside of the other, what p sees of the other
-// is edges that p is beyond, and each segment from p into the other crosses one of them. This is
-// the idea of P. Guigue and O. Devillers (Journal of Graphics Tools 8, 2003).
+// Both triangles turn left; the first one may be flat. If its vertex p is outside of the other one,
+// what p sees of the other is edges that p is beyond, and each segment from p into the other crosses
+// one of them. This is the idea of P. Guigue and O. Devillers (Journal of Graphics Tools 8, 2003).
 template <class Orientation>
 bool do_triangles_intersect(const Shadow<Orientation>& shadow, const Simplex<Orientation, 3>& a,
                             const Simplex<Orientation, 3>& b)
@@ -218,8 +239,6 @@ bool do_intersect_in_plane(Orientation& orientation, const Simplex<Orientation, 
 {
   const Shadow<Orientation> shadow = shadow_of_plane(orientation);
   const Sign side_a = shadow.turn(a[0], a[1], a[2]), side_b = shadow.turn(b[0], b[1], b[2]);
-  if(side_a == ZERO)
-    return do_intersect_in_plane(orientation, segment_of_flat<Orientation>(a), b);
   if(side_b == ZERO)
     return do_intersect_in_plane(orientation, segment_of_flat<Orientation>(b), a);
   return do_triangles_intersect(shadow, turned_left<Orientation>(a, side_a),
