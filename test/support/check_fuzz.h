@@ -13,6 +13,7 @@
 #define THICK_INTERSECTION_TEST_SUPPORT_CHECK_FUZZ_H
 
 #include "fuzz_scenes.h"
+#include "hull_oracle.h"
 #include "instruction_sets.h"
 #include "pairs.h"
 #include "rounding_mode.h"
@@ -27,6 +28,7 @@
 #include <CGAL/thick_box_intersection_d.h>
 #include <CGAL/thick_intersection_d.h>
 
+#include <boost/multiprecision/cpp_int.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include <chrono>
@@ -311,6 +313,8 @@ private:
 
   void check_objects()
   {
+    if(draw_.is_chance(4))
+      return check_triangles();
     if constexpr(dimension == 2)
       if(draw_.is_chance(2))
         return check_segments();
@@ -318,6 +322,40 @@ private:
       if(draw_.is_chance(2))
         return check_boxes();
     check_iso_boxes();
+  }
+
+  // Few triangles, because the oracle takes its time. Many are flat. Doubles are decided in any
+  // rounding mode.
+  void check_triangles()
+  {
+    using Triangle = std::conditional_t<dimension == 2, typename Maker::Kernel::Triangle_2,
+                                        typename Maker::Kernel::Triangle_3>;
+    using Integer = boost::multiprecision::int512_t;
+    std::vector<Hull_vectors<Integer>> hulls;
+    std::vector<Triangle> triangles;
+    const std::size_t size = (std::min)(scene_.size(), std::size_t(8));
+    for(std::size_t i = 0; i < size; ++i) {
+      const std::size_t vertices[]
+        = {i, draw_.random().below(scene_.size()), draw_.random().below(scene_.size())};
+      hulls.emplace_back();
+      for(const std::size_t v : vertices) {
+        const Lattice_place& p = scene_.places[v];
+        hulls.back().push_back({Integer(p[0]), Integer(p[1]), Integer(p[2])});
+      }
+      triangles.emplace_back(points_[vertices[0]], points_[vertices[1]], points_[vertices[2]]);
+    }
+    if(first_set_size_)
+      first_set_size_ = (std::min)(*first_set_size_, size);
+    const auto find_pairs = [&] {
+      const Rounding_mode rounding(Maker::is_exact ? FE_TONEAREST
+                                                   : rounding_modes[draw_.random().below(4)]);
+      return object_pairs(triangles, CGAL::parameters::default_values());
+    };
+    compare_pairs("triangles", pairs_where(size, first_set_size_,
+                                           [&](std::size_t i, std::size_t j) {
+                                             return do_hulls_intersect(hulls[i], hulls[j]);
+                                           }),
+                  find_pairs());
   }
 
   void check_segments()
