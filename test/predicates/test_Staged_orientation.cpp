@@ -128,8 +128,8 @@ BOOST_AUTO_TEST_CASE(signs_are_those_of_rational_numbers)
   BOOST_CHECK_EQUAL(wrong, 0u);
 }
 
-// Beside the line through two points that are far away, where differences are rounded (L. Kettner et
-// al., Classroom examples of robustness problems in geometric computations, 2008).
+// Beside the line through two points that are far away, where differences are rounded (L. Kettner
+// et al., Classroom examples of robustness problems in geometric computations, 2008).
 BOOST_AUTO_TEST_CASE(turns_beside_a_line_are_those_of_rational_numbers)
 {
   std::size_t wrong = 0;

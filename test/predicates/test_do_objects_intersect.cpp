@@ -60,13 +60,13 @@ BOOST_AUTO_TEST_CASE(other_numbers_are_decided_exactly)
 
 BOOST_AUTO_TEST_CASE(numbers_that_overflow_are_not_exact)
 {
-  static_assert(internal::has_exact_predicates_v<CGAL::Exact_rational>);
-  static_assert(internal::has_exact_predicates_v<Epeck::FT>);
-  static_assert(internal::has_exact_predicates_v<CGAL::Quotient<CGAL::Exact_integer>>);
-  static_assert(!internal::has_exact_predicates_v<double>);
-  static_assert(!internal::has_exact_predicates_v<long long>);
-  static_assert(!internal::has_exact_predicates_v<CGAL::Quotient<long long>>);
-  static_assert(!internal::has_exact_predicates_v<boost::multiprecision::int128_t>);
+  BOOST_CHECK(internal::has_exact_predicates_v<CGAL::Exact_rational>);
+  BOOST_CHECK(internal::has_exact_predicates_v<Epeck::FT>);
+  BOOST_CHECK(internal::has_exact_predicates_v<CGAL::Quotient<CGAL::Exact_integer>>);
+  BOOST_CHECK(!internal::has_exact_predicates_v<double>);
+  BOOST_CHECK(!internal::has_exact_predicates_v<long long>);
+  BOOST_CHECK(!internal::has_exact_predicates_v<CGAL::Quotient<long long>>);
+  BOOST_CHECK(!internal::has_exact_predicates_v<boost::multiprecision::int128_t>);
 }
 
 BOOST_AUTO_TEST_CASE(objects_with_a_common_vertex_need_no_determinant)

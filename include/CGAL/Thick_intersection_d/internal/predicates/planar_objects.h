@@ -141,9 +141,9 @@ bool does_segment_meet_triangle(const Shadow<Orientation>& shadow,
 // segment from c to a turn left from a to c. Returns whether the triangle meets this segment, or
 // nothing if the line of the segment has all of the triangle on one side, strictly.
 //
-// Otherwise the triangle and the line have an interval in common. Along the line from a to c, it
-// begins on the edge of the triangle that ends beyond the line and turns right as seen from p. It is
-// a point if the triangle is flat.
+// Otherwise the triangle and the line have an interval in common, or a point if the triangle is
+// flat. Along the line from a to c, it begins on the edge of the triangle that ends beyond the line
+// and turns right as seen from p.
 template <class Orientation>
 std::optional<bool> does_triangle_reach(const Shadow<Orientation>& shadow,
                                         const Simplex<Orientation, 3>& triangle,
@@ -163,8 +163,8 @@ std::optional<bool> does_triangle_reach(const Shadow<Orientation>& shadow,
 }
 
 // Both triangles turn left; the first one may be flat. If its vertex p is outside of the other one,
-// what p sees of the other is edges that p is beyond, and each segment from p into the other crosses
-// one of them. This is the idea of P. Guigue and O. Devillers (Journal of Graphics Tools 8, 2003).
+// what p sees of the other is edges that p is beyond, and each segment from p to it crosses one of
+// them. This is the idea of P. Guigue and O. Devillers (Journal of Graphics Tools 8, 2003).
 template <class Orientation>
 bool do_triangles_intersect(const Shadow<Orientation>& shadow, const Simplex<Orientation, 3>& a,
                             const Simplex<Orientation, 3>& b)
