@@ -8,14 +8,17 @@
 //   measure_degree <folder for degree.csv>
 
 #include "support/degree_traits.h"
+#include "support/object_makers.h"
 
 #include "measuring/Csv_file.h"
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Thick_ball_traits_d.h>
+#include <CGAL/Thick_object_traits_d.h>
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
+#include <CGAL/intersections.h>
 #include <CGAL/thick_intersection_d.h>
 
 #include <functional>
@@ -158,6 +161,49 @@ void run_circles_of_the_kernel(int bits)
                    Kernel::Circle_2(b.first, b.second * b.second));
 }
 
+// Objects of which many touch.
+template <class Maker>
+auto degree_objects(int bits)
+{
+  using Point = decltype(Maker::template point<Kernel>(std::vector<Degree_number>(3), 0));
+  const auto points
+    = degree_points<Point, Maker::dimension>(Maker::points * n / 2, bits, Maker::points);
+  std::vector<decltype(Maker::template make<Kernel>(std::vector<Degree_number>(12)))> objects;
+  for(std::size_t i = 0; i < points.size(); i += Maker::points) {
+    std::vector<Degree_number> c;
+    for(std::size_t k = i; k < i + Maker::points; ++k)
+      for(int axis = 0; axis < Maker::dimension; ++axis)
+        c.push_back(points[k].cartesian(axis));
+    objects.push_back(Maker::template make<Kernel>(c));
+  }
+  return objects;
+}
+
+template <class Objects, class Predicate>
+void ask_about_all_pairs(const Objects& objects, const Predicate& do_intersect)
+{
+  for(const auto& a : objects)
+    for(const auto& b : objects)
+      do_intersect(a, b);
+}
+
+// Their boxes are boxes of doubles, which know nothing about hidden coordinates: all boxes meet.
+template <class Maker>
+void run_object_traits(int bits)
+{
+  const auto objects = degree_objects<Maker>(bits);
+  using Object = typename decltype(objects)::value_type;
+  const CGAL::Thick_object_traits_d<Object> traits(objects);
+  ask_about_all_pairs(objects, traits.do_intersect_d_object());
+}
+
+template <class Maker>
+void run_do_intersect(int bits)
+{
+  ask_about_all_pairs(degree_objects<Maker>(bits),
+                      [](const auto& a, const auto& b) { return CGAL::do_intersect(a, b); });
+}
+
 template <class Delaunay, class Point, int Dimension>
 void run_delaunay(int bits)
 {
@@ -203,6 +249,18 @@ std::vector<Algorithm> algorithms()
     {"disks stored by squared radius", false, run_squared_radii<Kernel::Circle_2, Point_2, 2>},
     {"balls stored by squared radius", false, run_squared_radii<Kernel::Sphere_3, Point_3, 3>},
     {"do_intersect(Circle_2, Circle_2)", false, run_circles_of_the_kernel},
+    {"Thick_object_traits_d<Segment_2>", true, run_object_traits<Segments_2>},
+    {"Thick_object_traits_d<Triangle_2>", true, run_object_traits<Triangles_2>},
+    {"Thick_object_traits_d<Iso_rectangle_2>", true, run_object_traits<Rectangles_2>},
+    {"Thick_object_traits_d<Segment_3>", true, run_object_traits<Segments_3>},
+    {"Thick_object_traits_d<Triangle_3>", true, run_object_traits<Triangles_3>},
+    {"Thick_object_traits_d<Tetrahedron_3>", true, run_object_traits<Tetrahedra_3>},
+    {"Thick_object_traits_d<Iso_cuboid_3>", true, run_object_traits<Cuboids_3>},
+    {"do_intersect(Segment_2, Segment_2)", false, run_do_intersect<Segments_2>},
+    {"do_intersect(Triangle_2, Triangle_2)", false, run_do_intersect<Triangles_2>},
+    {"do_intersect(Segment_3, Segment_3)", false, run_do_intersect<Segments_3>},
+    {"do_intersect(Triangle_3, Triangle_3)", false, run_do_intersect<Triangles_3>},
+    {"do_intersect(Tetrahedron_3, Tetrahedron_3)", false, run_do_intersect<Tetrahedra_3>},
     {"Delaunay_triangulation_2", false,
      run_delaunay<CGAL::Delaunay_triangulation_2<Delaunay_traits_2>, Point_2, 2>},
     {"Delaunay_triangulation_3", false,

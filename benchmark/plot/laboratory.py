@@ -61,11 +61,11 @@ def draw_degree(rows):
     rows = [r for r in rows if r["input_bits"] == "24" and int(r["degree"]) > 0]
     sites = set(r["algorithm"] for r in rows if r["call_site"] != "all")
     rows = [r for r in rows if (r["call_site"] != "all") == (r["algorithm"] in sites)]
-    figure, ((axes,),) = panels(1, 1, (9, 6.8))
+    figure, ((axes,),) = panels(1, 1, (9, 8.6))
     labels = []
     for y, row in enumerate(reversed(rows)):
         degree = int(row["degree"])
-        axes.barh(y, degree, color={1: SKY, 2: GREEN}.get(degree, RED), height=0.66)
+        axes.barh(y, degree, color={1: SKY, 2: GREEN, 3: ORANGE}.get(degree, RED), height=0.66)
         axes.text(degree + 0.06, y, f"{row['longest_number_bits']} bits", va="center", fontsize=8)
         site = "" if row["call_site"] == "all" else ":  " + row["call_site"]
         labels.append(row["algorithm"] + site)
@@ -94,9 +94,17 @@ def mark_formats(axes, top):
         axes.text(bits, top, name, rotation=90, fontsize=6.5, color=GREY, ha="right", va="top")
 
 
-def draw_stairs(axes, rows, marks_theory):
-    for predicate, (colour, marker, label) in STAIR_STYLES.items():
-        some = where(rows, predicate=predicate)
+OBJECT_STAIR_STYLES = {"Segment_2": (GREEN, "s", "degree 2: Segment_2"),
+                       "Triangle_2": (YELLOW, "D", "degree 2: Triangle_2"),
+                       "Segment_3": (BLUE, "o", "degree 3: Segment_3"),
+                       "Triangle_3": (ORANGE, "^", "degree 3: Triangle_3"),
+                       "Tetrahedron_3": (RED, "P", "degree 3: Tetrahedron_3")}
+
+
+def draw_stairs(axes, some_rows, styles, marks_theory):
+    """A line for each predicate of the styles, whose rows are given by its name."""
+    for predicate, (colour, marker, label) in styles.items():
+        some = some_rows(predicate)
         points = points_of(some, "precision",
                            lambda r: 100 * int(r["wrong"]) / int(r["questions"]))
         draw_line(axes, points, (colour, marker), label, markersize=3.5)
@@ -105,25 +113,36 @@ def draw_stairs(axes, rows, marks_theory):
                          linewidth=1.4)
 
 
-@figure_of("staircase.csv")
-def draw_staircase(rows):
-    inputs = in_order(rows, "input_bits")
+def draw_all_stairs(rows, column, styles, tops):
+    """Upper row: the first set, lower row: the second one; `tops` are the ends of their axes."""
+    inputs, sets = in_order(rows, "input_bits"), in_order(rows, "set")
     figure, grid = panels(2, len(inputs), (9.6, 6), sharex=True, sharey="row",
                           gridspec_kw={"height_ratios": [3, 1.2]})
-    for line, name, label in zip(grid, ("near-degenerate", "random"), ("", PRECISION)):
+    for line, name, label, top in zip(grid, sets, ("", PRECISION), tops):
         for axes, bits in zip(line, inputs):
             prepare(axes, f"{name}, input of {bits} bits", label)
             axes.grid(False)
-            draw_stairs(axes, where(rows, set=name, input_bits=bits), name != "random")
+            draw_stairs(axes, lambda p: where(rows, set=name, input_bits=bits, **{column: p}),
+                        styles, name == sets[0])
         line[0].set_ylabel("wrong answers, %")
+        line[0].set_ylim(-0.03 * top, top)
     for axes in grid[0]:
-        mark_formats(axes, 71)
-    grid[0][0].set_ylim(-2, 72)
-    grid[1][0].set_ylim(-0.3, 8)
+        mark_formats(axes, tops[0] - 1)
     handles, labels = grid[0][0].get_legend_handles_labels()
     handles.append(plt.Line2D([], [], color=GREY, linestyle=":"))
     legend_below(figure, 4, handles, labels + ["bits that suffice by theory"])
-    return figure, "lab_staircase.png"
+    return figure
+
+
+@figure_of("staircase.csv")
+def draw_staircase(rows):
+    return draw_all_stairs(rows, "predicate", STAIR_STYLES, (72, 8)), "lab_staircase.png"
+
+
+@figure_of("object_staircase.csv")
+def draw_object_staircase(rows):
+    return (draw_all_stairs(rows, "kind", OBJECT_STAIR_STYLES, (72, 8)),
+            "lab_object_staircase.png")
 
 
 @figure_of("staircase_runs.csv")
@@ -386,6 +405,98 @@ def draw_chart_of_sizes(rows):
         axes.xaxis.set_minor_locator(NullLocator())
     figure.axes[0].set_ylabel("wrong pairs per true pair, in the worst family")
     return figure, name
+
+
+# ---- segments, triangles and tetrahedra ---------------------------------------------------------
+
+def wrong_cell(row):
+    """The number that colors a cell, and its text: wrong answers per 100 true pairs."""
+    if row["status"] != "ok":
+        return None, row["status"].replace("SIG", "")
+    counts = [(sign, int(row[name])) for sign, name in
+              (("−", "missing"), ("+", "extra"), ("?", "undecided"))]
+    wrong = sum(count for _, count in counts)
+    text = "\n".join(sign + short(count) for sign, count in counts if count)
+    return 100 * wrong / max(int(row["true_pairs"]), 1), text + "*" * (row["asymmetric"] != "0")
+
+
+def time_cells(rows, own_method):
+    """Times over those of our method; the text of our columns is their time."""
+    own = {place_of(r): float(r["ns"]) for r in where(rows, method=own_method)}
+    cells = {}
+    for row in rows:
+        if row["status"] != "ok":
+            cells[place_of(row), row["method"]] = None, row["status"].replace("SIG", "")
+            continue
+        ratio = float(row["ns"]) / own[place_of(row)]
+        text = of_two_digits(float(row["ns"]) if row["group"] == "ours" else ratio)
+        cells[place_of(row), row["method"]] = ratio, text
+    return cells
+
+
+def draw_object_families(rows, dimension, height):
+    rows = [{**r, "shape": r["kind"], "objects": r["questions"]}
+            for r in where(rows, dimension=dimension)]
+    methods, places = in_order(rows, "method"), list(dict.fromkeys(place_of(r) for r in rows))
+    wrong = {(place_of(r), r["method"]): wrong_cell(r) for r in rows}
+    figure, ((left, right),) = panels(1, 2, (11.5, height), sharey=True)
+    image = draw_cells(left, places, methods, time_cells(rows, "ours, EPICK"), cmap="PuOr_r",
+                       norm=LogNorm(0.01, 100))
+    bar = figure.colorbar(image, ax=left, location="bottom", shrink=0.8, pad=0.01, extend="max")
+    bar.ax.set_xlim(0.1, 100)
+    image = draw_cells(right, places, methods, wrong, cmap=viridis_on_white(),
+                       norm=LogNorm(0.01, 1000))
+    figure.colorbar(image, ax=right, location="bottom", shrink=0.8, pad=0.01)
+    for axes in (left, right):
+        label_places(axes, places, methods, rows)
+    left.set_title("time over \"ours, EPICK\"; of ours, ns per answer", fontsize=9)
+    right.set_title("missing (−), extra (+), undecided (?); color: per 100 true pairs", fontsize=9)
+    return figure, f"lab_object_families_{dimension}d.png"
+
+
+figure_of("object_families.csv")(lambda rows: draw_object_families(rows, "2", 8.6))
+figure_of("object_families.csv")(lambda rows: draw_object_families(rows, "3", 11))
+
+
+@figure_of("object_families.csv")
+def draw_object_chart(rows):
+    """Of triangles in space: one family where nothing touches, and two where much does."""
+    some = [{**r, "set": f"Triangle_3, {r['family']}",
+             "wrong": sum(int(r[name]) for name in ("missing", "extra", "undecided"))}
+            for family in ("general", "shared vertices", "tilted plane, 50 bits")
+            for r in where(rows, kind="Triangle_3", family=family)]
+    return draw_chart(some, lambda r: float(r["ns"]), "time of one answer, ns",
+                      "lab_object_chart.png")
+
+
+@figure_of("object_stages.csv")
+def draw_object_stages(rows):
+    colours = {"double": GREEN, "int64": SKY, "int128": BLUE, "int192": ORANGE, "exact": RED}
+    kinds = in_order(rows, "kind")
+    figure, (grid,) = panels(1, len(kinds), (11.5, 4.6))
+    for axes, kind in zip(grid, kinds):
+        some = where(rows, kind=kind)
+        for y, row in enumerate(reversed(some)):
+            counts = [int(row[tier]) for tier in colours]
+            left = 0
+            for count, colour in zip(counts, colours.values()):
+                share = 100 * count / sum(counts)
+                axes.barh(y, share, left=left, color=colour, height=0.7)
+                left += share
+            axes.text(103, y, f"{float(row['bits']):.0f}", va="center", fontsize=7.5)
+        is_labelled = kind in (kinds[0], "Segment_3")
+        axes.set_yticks(range(len(some)),
+                        [r["family"] if is_labelled else "" for r in reversed(some)], fontsize=7.5)
+        axes.set_title(kind, fontsize=9)
+        axes.text(103, len(some) - 0.4, "bits", fontsize=7.5)
+        axes.set_xlim(0, 100)
+        axes.set_ylim(-0.5, len(some) - 0.5)
+        axes.set_xlabel("pairs of boxes, %", fontsize=8)
+        axes.tick_params(labelsize=7.5)
+        hide_sides(axes, "top", "right")
+    handles = [plt.Rectangle((0, 0), 1, 1, color=colour) for colour in colours.values()]
+    legend_below(figure, 5, handles, list(colours))
+    return figure, "lab_object_stages.png"
 
 
 # ---- pictures -----------------------------------------------------------------------------------

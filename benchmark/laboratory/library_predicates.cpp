@@ -1,0 +1,156 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Libraries: predicates of the plane in doubles or in twice as many bits, and the adaptive
+// predicates of Shewchuk in our tests of objects.
+
+#include "predicate_columns.h"
+
+#include <boost/geometry.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/geometries/ring.hpp>
+#include <boost/geometry/geometries/segment.hpp>
+
+#ifdef THICK_BENCHMARK_HAS_GEOS
+#include <geos_c.h>
+
+#include <memory>
+#include <stdexcept>
+#include <utility>
+#endif
+
+#ifdef THICK_BENCHMARK_HAS_GTS
+#include "Gts_orientation.h"
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
+#endif
+
+namespace lab {
+namespace {
+
+bool is_in_plane(const Kind& kind) { return kind.dimension == 2; }
+
+// ---- Boost --------------------------------------------------------------------------------------
+
+namespace bg = boost::geometry;
+using Boost_point = bg::model::d2::point_xy<double>;
+using Boost_segment = bg::model::segment<Boost_point>;
+using Boost_ring = bg::model::ring<Boost_point>;
+
+Boost_point point_at(const double* x) { return {x[0], x[1]}; }
+
+Boost_ring ring(const double* x)
+{
+  Boost_ring ring = {point_at(x), point_at(x + 2), point_at(x + 4), point_at(x)};
+  bg::correct(ring); // which turns it right
+  return ring;
+}
+
+template <class Object, class Make>
+Answers ask_boost(const Object_questions& questions, double milliseconds, const Make& make)
+{
+  std::vector<Object> objects;
+  for(std::size_t i = 0; i < questions.objects.size(); ++i)
+    objects.push_back(make(questions.objects.object(i)));
+  return answers_to(questions, milliseconds, [&](std::size_t i, std::size_t j) {
+    return bg::intersects(objects[i], objects[j]);
+  });
+}
+
+Answers ask_boost(const Object_questions& questions, double milliseconds)
+{
+  if(questions.objects.kind.vertices == 3)
+    return ask_boost<Boost_ring>(questions, milliseconds, ring);
+  return ask_boost<Boost_segment>(questions, milliseconds, [](const double* x) {
+    return Boost_segment(point_at(x), point_at(x + 2));
+  });
+}
+
+// ---- GEOS ---------------------------------------------------------------------------------------
+
+#ifdef THICK_BENCHMARK_HAS_GEOS
+using Geos = std::unique_ptr<GEOSContextHandle_HS, void (*)(GEOSContextHandle_t)>;
+using Geos_object = std::shared_ptr<const GEOSGeometry>;
+
+// A line, or a polygon with its first vertex repeated.
+Geos_object geos_object(GEOSContextHandle_t geos, const double* x, const Kind& kind)
+{
+  const auto vertices = static_cast<unsigned int>(kind.vertices);
+  const unsigned int size = vertices == 2 ? 2 : 4;
+  GEOSCoordSequence* const sequence = GEOSCoordSeq_create_r(geos, size, 2);
+  for(unsigned int k = 0; k < size; ++k)
+    GEOSCoordSeq_setXY_r(geos, sequence, k, x[2 * (k % vertices)], x[2 * (k % vertices) + 1]);
+  GEOSGeometry* const object
+    = size == 2 ? GEOSGeom_createLineString_r(geos, sequence)
+                : GEOSGeom_createPolygon_r(geos, GEOSGeom_createLinearRing_r(geos, sequence),
+                                           nullptr, 0);
+  return {object, [geos](const GEOSGeometry* g) {
+            GEOSGeom_destroy_r(geos, const_cast<GEOSGeometry*>(g));
+          }};
+}
+
+Answers ask_geos(const Object_questions& questions, double milliseconds)
+{
+  const Geos geos(GEOS_init_r(), GEOS_finish_r);
+  std::vector<Geos_object> objects;
+  for(std::size_t i = 0; i < questions.objects.size(); ++i)
+    objects.push_back(
+      geos_object(geos.get(), questions.objects.object(i), questions.objects.kind));
+  return answers_to(questions, milliseconds, [&](std::size_t i, std::size_t j) {
+    const char answer = GEOSIntersects_r(geos.get(), objects[i].get(), objects[j].get());
+    return answer > 1 ? UNDECIDED : answer == 1 ? YES : NO; // 2 is an exception
+  });
+}
+#endif
+
+// ---- GTS ----------------------------------------------------------------------------------------
+
+#ifdef THICK_BENCHMARK_HAS_GTS
+// Our test of two objects, with the orientations of the library.
+template <class Object>
+bool do_intersect_by_gts(const Object& a, const Object& b)
+{
+  using namespace CGAL::Thick_intersection_d::internal;
+  constexpr std::size_t count = corner_count_v<Object>;
+  using Orientation = Gts_orientation<vertex_dimension_v<Object>, 2 * count>;
+  typename Orientation::Vertices vertices;
+  const auto read = [&](const Object& object, std::size_t first) {
+    read_vertices(object, [&](std::size_t k, int axis, double x) {
+      vertices[first + k].x[static_cast<std::size_t>(axis)] = x;
+    });
+  };
+  read(a, 0);
+  read(b, count);
+  CGAL::Arithmetic_tier tier = CGAL::Arithmetic_tier::FILTERED_EXACT;
+  return have_common_vertex(vertices) || do_vertices_intersect<Object, Orientation>(vertices, tier);
+}
+
+Predicate_column shewchuk()
+{
+  return predicate_column<CGAL::Simple_cartesian<double>>(
+    "Shewchuk (GTS)", "library", [](const auto&) {
+      return [](const auto& a, const auto& b) { return do_intersect_by_gts(a, b); };
+    });
+}
+#endif
+
+} // namespace
+
+Predicate_columns library_predicates()
+{
+  return {
+    {"Boost.Geometry", "library", is_in_plane,
+     [](const Object_questions& questions, double milliseconds) {
+       return ask_boost(questions, milliseconds);
+     }},
+#ifdef THICK_BENCHMARK_HAS_GEOS
+    {"GEOS", "library", is_in_plane, ask_geos},
+#endif
+#ifdef THICK_BENCHMARK_HAS_GTS
+    shewchuk(),
+#endif
+  };
+}
+
+} // namespace lab

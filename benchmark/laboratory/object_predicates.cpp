@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// All families of segments, triangles and tetrahedra by all predicates: wrong answers about the
+// pairs whose boxes meet, and the time of one answer.
+//
+//   object_predicates <folder for object_families.csv> <milliseconds per measurement>
+
+#include "predicate_columns.h"
+
+#include "measuring/Csv_file.h"
+
+#include <algorithm>
+#include <iostream>
+
+namespace {
+
+using namespace lab;
+
+Predicate_columns all_predicates()
+{
+  Predicate_columns all;
+  for(const auto& make :
+      {plain_predicates, library_predicates, cgal_predicates, package_predicates})
+    for(Predicate_column& column : make())
+      all.push_back(std::move(column));
+  return all;
+}
+
+using Results = std::vector<Child_result<Wrong_answers>>;
+
+// The least times of all methods. They take turns, so what slows the machine down for a while slows
+// all of them.
+Results ask_all(const Predicate_columns& columns, const Object_questions& questions,
+                double milliseconds)
+{
+  constexpr int rounds = 4;
+  Results results;
+  for(int round = 0; round < rounds; ++round)
+    for(std::size_t i = 0; i < columns.size(); ++i) {
+      const auto result = ask_in_child(columns[i], questions, milliseconds / rounds);
+      if(round == 0)
+        results.push_back(result);
+      else if(result.is_ok() && results[i].is_ok())
+        results[i].values[0].nanoseconds
+          = std::min(results[i].values[0].nanoseconds, result.values[0].nanoseconds);
+    }
+  return results;
+}
+
+void write_rows(const Object_questions& questions, double milliseconds,
+                thick_benchmark::Csv_file& csv)
+{
+  const Kind& kind = questions.objects.kind;
+  std::cout << kind.name << ", " << questions.objects.family << std::endl;
+  Predicate_columns columns;
+  for(const Predicate_column& column : all_predicates())
+    if(column.knows(kind))
+      columns.push_back(column);
+  const Results results = ask_all(columns, questions, milliseconds);
+  for(std::size_t i = 0; i < columns.size(); ++i) {
+    const Wrong_answers wrong = results[i].is_ok() ? results[i].values[0] : Wrong_answers();
+    csv.row(kind.dimension, kind.name, questions.objects.family, questions.pairs.size(),
+            questions.true_pairs(), columns[i].name, columns[i].group, results[i].status,
+            wrong.missing, wrong.extra, wrong.undecided, wrong.asymmetric, wrong.nanoseconds);
+  }
+}
+
+} // namespace
+
+int main(int, char** arguments)
+{
+  const double milliseconds = std::stod(arguments[2]);
+  thick_benchmark::Csv_file csv(
+    arguments[1], "object_families.csv",
+    "the origin in the hull of differences, in GMP integers (test/support/hull_oracle.h)",
+    "dimension,kind,family,questions,true_pairs,method,group,status,missing,extra,undecided,"
+    "asymmetric,ns");
+  for(const Kind& kind : kinds())
+    for(const Object_set& set : object_families(kind))
+      write_rows(questions_about(set), milliseconds, csv);
+}

@@ -1,0 +1,119 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Questions about a set of objects, those whose boxes meet, and the right answers to them.
+
+#ifndef THICK_INTERSECTION_BENCHMARK_LABORATORY_OBJECT_QUESTIONS_H
+#define THICK_INTERSECTION_BENCHMARK_LABORATORY_OBJECT_QUESTIONS_H
+
+#include "object_families.h"
+
+#include "support/exact_points.h"
+#include "support/hull_oracle.h"
+#include "support/pairs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace lab {
+
+using test_support::Integer;
+using test_support::Pairs;
+
+// The vertices of all objects, in integers: each axis has a unit of its own, 2^e.
+class Exact_objects
+{
+public:
+  explicit Exact_objects(const Object_set& objects)
+  {
+    const auto dimension = static_cast<std::size_t>(objects.kind.dimension);
+    const std::vector<int> units = unit_exponents(objects.numbers, dimension);
+    for(std::size_t i = 0; i < objects.size(); ++i) {
+      vertices_.emplace_back(objects.kind.vertices);
+      const double* x = objects.object(i);
+      for(auto& vertex : vertices_.back())
+        for(std::size_t axis = 0; axis < dimension; ++axis)
+          vertex[axis] = in_units(*x++, units[axis]);
+    }
+  }
+
+  bool do_intersect(std::size_t i, std::size_t j) const
+  {
+    return test_support::do_hulls_intersect(vertices_[i], vertices_[j]);
+  }
+
+private:
+  // All numbers along an axis have their last bits at its unit or above it.
+  static std::vector<int> unit_exponents(const std::vector<double>& numbers, std::size_t dimension)
+  {
+    std::vector<int> units(dimension, std::numeric_limits<int>::max());
+    for(std::size_t i = 0; i < numbers.size(); ++i)
+      if(numbers[i] != 0)
+        units[i % dimension] = std::min(units[i % dimension], std::ilogb(numbers[i]) - 52);
+    return units;
+  }
+
+  static Integer in_units(double x, int unit)
+  {
+    if(x == 0)
+      return 0;
+    int exponent;
+    const Integer significand(std::ldexp(std::frexp(x, &exponent), 53));
+    return significand << (exponent - 53 - unit);
+  }
+
+  std::vector<test_support::Hull_vectors<Integer>> vertices_;
+};
+
+struct Object_questions
+{
+  Object_set objects;
+  Pairs pairs; // i < j
+  std::vector<char> answers;
+
+  std::size_t true_pairs() const
+  {
+    return static_cast<std::size_t>(std::count(answers.begin(), answers.end(), 1));
+  }
+};
+
+inline bool do_boxes_meet(const Object_set& set, std::size_t i, std::size_t j)
+{
+  const double *a = set.object(i), *b = set.object(j);
+  for(int axis = 0; axis < set.kind.dimension; ++axis) {
+    const auto ends = [&](const double* object) {
+      std::pair<double, double> ends(object[axis], object[axis]);
+      for(int v = 1; v < set.kind.vertices; ++v) {
+        const double x = object[v * set.kind.dimension + axis];
+        ends = {std::min(ends.first, x), std::max(ends.second, x)};
+      }
+      return ends;
+    };
+    const auto [a_low, a_high] = ends(a);
+    const auto [b_low, b_high] = ends(b);
+    if(a_low > b_high || b_low > a_high)
+      return false;
+  }
+  return true;
+}
+
+// About all pairs whose boxes meet.
+inline Object_questions questions_about(const Object_set& set)
+{
+  const Exact_objects exact(set);
+  Object_questions questions = {set, {}, {}};
+  for(std::size_t i = 0; i < set.size(); ++i)
+    for(std::size_t j = i + 1; j < set.size(); ++j)
+      if(do_boxes_meet(set, i, j)) {
+        questions.pairs.emplace_back(i, j);
+        questions.answers.push_back(exact.do_intersect(i, j));
+      }
+  return questions;
+}
+
+} // namespace lab
+
+#endif // THICK_INTERSECTION_BENCHMARK_LABORATORY_OBJECT_QUESTIONS_H

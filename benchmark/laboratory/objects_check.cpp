@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// What the laboratory must find about segments, triangles and tetrahedra: no wrong answer in our
+// columns, and some in those of plain doubles.
+
+#define BOOST_TEST_MODULE objects_check
+#include <boost/test/unit_test.hpp>
+
+#include "predicate_columns.h"
+
+#include <vector>
+
+namespace {
+
+const std::vector<lab::Object_questions>& all_questions()
+{
+  static const std::vector<lab::Object_questions> all = [] {
+    std::vector<lab::Object_questions> result;
+    for(const lab::Kind& kind : lab::kinds())
+      for(const lab::Object_set& set : lab::object_families(kind))
+        result.push_back(lab::questions_about(set));
+    return result;
+  }();
+  return all;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(our_answers_are_right_in_all_families_of_objects)
+{
+  for(const lab::Object_questions& questions : all_questions()) {
+    BOOST_TEST(!questions.pairs.empty());
+    for(const lab::Predicate_column& column : lab::package_predicates()) {
+      const auto result = lab::ask_in_child(column, questions, 0);
+      BOOST_TEST(result.status == "ok");
+      BOOST_TEST((result.is_ok() && result.values[0].count() == 0u),
+                 column.name << " on " << questions.objects.kind.name << ", "
+                             << questions.objects.family);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(plain_doubles_are_wrong_where_objects_touch)
+{
+  std::size_t wrong = 0;
+  for(const lab::Object_questions& questions : all_questions()) {
+    const auto result = lab::ask_in_child(lab::plain_predicates()[0], questions, 0);
+    wrong += result.is_ok() ? result.values[0].count() : 0;
+  }
+  BOOST_TEST(wrong > 0u);
+}

@@ -1,0 +1,171 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The columns of the table of objects: predicates that tell whether two segments, triangles or
+// tetrahedra intersect, ours and others.
+
+#ifndef THICK_INTERSECTION_BENCHMARK_LABORATORY_PREDICATE_COLUMNS_H
+#define THICK_INTERSECTION_BENCHMARK_LABORATORY_PREDICATE_COLUMNS_H
+
+#include "object_questions.h"
+#include "run_in_child.h"
+
+#include "measuring/timing.h"
+
+#include "support/object_makers.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace lab {
+
+enum Answer : char { NO, YES, UNDECIDED };
+
+// What a predicate says about the pairs (i, j) of the questions, and about the pairs (j, i).
+struct Answers
+{
+  std::vector<char> in_order;
+  std::vector<char> reversed;
+  double nanoseconds = 0; // per question
+};
+
+struct Predicate_column
+{
+  std::string name;
+  std::string group; // "form", "kernel", "library", "ours"
+  std::function<bool(const Kind&)> knows;
+  std::function<Answers(const Object_questions&, double milliseconds)> ask;
+};
+
+using test_support::Pair;
+
+using Predicate_columns = std::vector<Predicate_column>;
+
+// In the order in which the table has them. Each kernel is compiled in one file.
+Predicate_columns plain_predicates();   // in doubles, and with intervals of them
+Predicate_columns library_predicates(); // Boost, GEOS
+Predicate_columns cgal_predicates();    // CGAL's exact ones
+Predicate_columns package_predicates(); // ours
+
+// ---- to make them -------------------------------------------------------------------------------
+
+// The time of f(), which returns some number, for each of so many questions. It is not measured in
+// zero milliseconds.
+template <class Function>
+double nanoseconds_of(const Function& f, std::size_t questions, double milliseconds)
+{
+  if(milliseconds == 0)
+    return 0;
+  volatile std::size_t sink = 0;
+  double seconds = 0, rounds = 0;
+  do {
+    seconds += thick_benchmark::processor_seconds_of([&] { sink = sink + f(); });
+    ++rounds;
+  } while(1000 * seconds < milliseconds);
+  return 1e9 * seconds / (rounds * static_cast<double>(questions));
+}
+
+// Of answer(i, j).
+template <class Function>
+Answers answers_to(const Object_questions& questions, double milliseconds, const Function& answer)
+{
+  Answers answers;
+  for(const auto& [i, j] : questions.pairs) {
+    answers.in_order.push_back(static_cast<char>(answer(i, j)));
+    answers.reversed.push_back(static_cast<char>(answer(j, i)));
+  }
+  const auto ask_all = [&] {
+    std::size_t count = 0;
+    for(const auto& [i, j] : questions.pairs)
+      count += static_cast<std::size_t>(answer(i, j));
+    return count;
+  };
+  answers.nanoseconds = nanoseconds_of(ask_all, questions.pairs.size(), milliseconds);
+  return answers;
+}
+
+// Calls f(maker) with the maker of a kind (support/object_makers.h).
+template <class Function>
+auto with_maker(const Kind& kind, const Function& f)
+{
+  if(kind.name == "Segment_2")
+    return f(test_support::Segments_2());
+  if(kind.name == "Triangle_2")
+    return f(test_support::Triangles_2());
+  if(kind.name == "Segment_3")
+    return f(test_support::Segments_3());
+  if(kind.name == "Triangle_3")
+    return f(test_support::Triangles_3());
+  return f(test_support::Tetrahedra_3());
+}
+
+inline bool knows_all(const Kind&) { return true; }
+
+template <class Kernel, class Maker>
+auto objects_of(Maker, const Object_set& set)
+{
+  std::vector<decltype(Maker::template make<Kernel>(set.object(0)))> objects;
+  for(std::size_t i = 0; i < set.size(); ++i)
+    objects.push_back(Maker::template make<Kernel>(set.object(i)));
+  return objects;
+}
+
+// Of make_predicate(objects), the predicate about the objects of a kernel.
+template <class Kernel, class Make_predicate>
+Predicate_column predicate_column(const std::string& name, const std::string& group,
+                                  const Make_predicate& make_predicate)
+{
+  const auto ask = [make_predicate](const Object_questions& questions, double milliseconds) {
+    return with_maker(questions.objects.kind, [&](auto maker) {
+      const auto objects = objects_of<Kernel>(maker, questions.objects);
+      const auto predicate = make_predicate(objects);
+      return answers_to(questions, milliseconds, [&](std::size_t i, std::size_t j) {
+        return predicate(objects[i], objects[j]);
+      });
+    });
+  };
+  return {name, group, knows_all, ask};
+}
+
+// ---- to ask them --------------------------------------------------------------------------------
+
+// How many answers are wrong.
+struct Wrong_answers
+{
+  std::size_t missing = 0, extra = 0, undecided = 0;
+  std::size_t asymmetric = 0; // (i, j) and (j, i) have different answers
+  double nanoseconds = 0;
+
+  std::size_t count() const { return missing + extra + undecided + asymmetric; }
+};
+
+inline Wrong_answers wrong_answers(const Object_questions& questions, const Answers& answers)
+{
+  Wrong_answers wrong;
+  wrong.nanoseconds = answers.nanoseconds;
+  for(std::size_t i = 0; i < questions.answers.size(); ++i) {
+    const char answer = answers.in_order[i];
+    wrong.undecided += answer == UNDECIDED;
+    wrong.missing += answer == NO && questions.answers[i] != 0;
+    wrong.extra += answer == YES && questions.answers[i] == 0;
+    wrong.asymmetric += answer != answers.reversed[i];
+  }
+  return wrong;
+}
+
+// In a process of its own, because some of them crash. One value, if there is one.
+inline Child_result<Wrong_answers> ask_in_child(const Predicate_column& column,
+                                                const Object_questions& questions,
+                                                double milliseconds)
+{
+  constexpr unsigned int limit = 60; // seconds
+  return run_in_child(limit, [&] {
+    return std::vector<Wrong_answers>{
+      wrong_answers(questions, column.ask(questions, milliseconds))};
+  });
+}
+
+} // namespace lab
+
+#endif // THICK_INTERSECTION_BENCHMARK_LABORATORY_PREDICATE_COLUMNS_H
