@@ -57,6 +57,21 @@ bool do_cones_intersect(Orientation& orientation, const Simplex<Orientation, 3>&
          || is_in_cone(shadow, second, vab[1]);
 }
 
+// Whether a plane across an axis, through v, has v a b on one side, strictly but for v, and v c d
+// on the other side, or the other way round. Then they have nothing but v in common. This is so
+// for most neighbors in a mesh, and comparisons tell.
+template <class Orientation>
+bool are_apart_along_an_axis(const Simplex<Orientation, 3>& vab, const Simplex<Orientation, 3>& vcd)
+{
+  for(int axis = 0; axis < 3; ++axis) {
+    const auto side = [&](const auto& p) { return Orientation::compare(p, vab[0], axis); };
+    const Sign a = side(vab[1]), b = side(vab[2]), c = side(vcd[1]), d = side(vcd[2]);
+    if((a == b && a != ZERO && c != a && d != a) || (c == d && c != ZERO && a != c && b != c))
+      return true;
+  }
+  return false;
+}
+
 // The triangles v a b and v c d share the vertex v. They are convex, and cones close to v. So they
 // have more than v in common iff their cones have a ray in common.
 //
@@ -74,6 +89,8 @@ template <class Orientation>
 bool do_triangles_at_vertex_intersect(Orientation& orientation, const Simplex<Orientation, 3>& vab,
                                       const Simplex<Orientation, 3>& vcd)
 {
+  if(are_apart_along_an_axis<Orientation>(vab, vcd))
+    return false;
   if(are_level<Orientation>(vab[0], vcd[1], vab[1], vab[2], vcd[2]))
     return do_cones_intersect(orientation, vab, vcd);
   const auto plane_ab = orientation.plane(vab[0], vab[1], vab[2]);
