@@ -12,6 +12,7 @@
 #include <CGAL/Arithmetic_tier.h>
 
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
@@ -28,6 +29,7 @@ namespace internal {
 //
 //   Run                                 sorted boxes in columns, with positions and block()
 //   collect_between(a, b, found, flush) finds the pairs that are not certainly no pairs, by lanes
+//   ask_for(a, b, pair)                 may ask for the memory that is_pair() will read
 //   is_pair(a, b, pair, counts)         decides about a found pair; called if lanes left any
 //                                       found pair undecided
 //
@@ -89,6 +91,8 @@ private:
   {
     Place pair_count = 0;
     for(Place c = 0; c < count; ++c) {
+      if(c + prefetch_distance < count)
+        test_.ask_for(a, b, found_.pairs[c + prefetch_distance]);
       found_.pairs[pair_count] = found_.pairs[c];
       pair_count += test_.is_pair(a, b, found_.pairs[c], counts_);
     }

@@ -51,6 +51,14 @@ struct Box_filter_of<Objects, std::void_t<typename Objects::Box_filter>>
   using type = typename Objects::Box_filter;
 };
 
+// Whether the memory of objects can be asked for ahead of do_intersect().
+template <class Objects, class = void>
+struct Has_memory_to_ask_for : std::false_type {};
+template <class Objects>
+struct Has_memory_to_ask_for<
+  Objects, std::void_t<decltype(std::declval<const Objects&>().ask_for(std::size_t()))>>
+  : std::true_type {};
+
 // `Objects` has
 //
 //   size(), dimension()
@@ -59,6 +67,7 @@ struct Box_filter_of<Objects, std::void_t<typename Objects::Box_filter>>
 //   are_exact()                whether two objects intersect iff their intervals meet along all
 //                              axes
 //   do_intersect(i, j)         asked about pairs whose boxes meet
+//   ask_for(i)                 if there is one, asks for the memory that do_intersect() will read
 //   Box_filter                 if there is one, decides about most of these pairs by their boxes,
 //                              as Ball_box_filter does
 //
@@ -104,6 +113,17 @@ public:
       return goes_on;
     };
     with_lanes([&](auto set) { set.collect_meeting(a, b, found, Flush(flush_and_reset)); });
+  }
+
+  // A filter of boxes decides most pairs without the objects.
+  void ask_for([[maybe_unused]] const Run& a, [[maybe_unused]] const Run& b,
+               [[maybe_unused]] Found_pair pair) const
+  {
+    if constexpr(Has_memory_to_ask_for<Objects>::value
+                 && std::is_same_v<typename Box_filter_of<Objects>::type, No_box_filter>) {
+      objects_.ask_for(a.positions[pair.i]);
+      objects_.ask_for(b.positions[pair.j]);
+    }
   }
 
   bool is_pair(const Run& a, const Run& b, Found_pair pair, Decision_counts&) const

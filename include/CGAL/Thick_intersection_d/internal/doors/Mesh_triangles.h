@@ -15,6 +15,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/Mesh_face.h>
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
+#include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Kernel_orientation.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Staged_orientation.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
@@ -83,6 +84,8 @@ public:
       box = box + vertex_box(vertex);
     return [box](int axis) { return Interval{(box.min)(axis), (box.max)(axis)}; };
   }
+
+  void ask_for(std::size_t position) const { prefetch_to_read(&faces_[position]); }
 
   bool do_intersect(std::size_t i, std::size_t j) const
   {

@@ -12,10 +12,12 @@
 #include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
 
 #include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -97,6 +99,14 @@ public:
       return Traits::do_boxes_decide && !traits_.is_counting();
     else
       return false;
+  }
+
+  // Asks for the memory of an object, if the range holds it.
+  void ask_for([[maybe_unused]] std::size_t position) const
+  {
+    if constexpr(std::is_lvalue_reference_v<decltype(objects_[position])>)
+      for(std::size_t line = 0; line * cache_line_size < sizeof(objects_[position]); ++line)
+        prefetch_to_read(std::addressof(objects_[position]), line);
   }
 
   bool do_intersect(std::size_t i, std::size_t j) const

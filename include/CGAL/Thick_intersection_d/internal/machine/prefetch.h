@@ -14,14 +14,29 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
+// How many undecided pairs ahead the memory of a pair is asked for.
+inline constexpr std::size_t prefetch_distance = 12;
+
 // The bytes that come to the cache at once.
 inline constexpr std::size_t cache_line_size = 64;
+
+// Does nothing. GCC leaves out the calls of a function that does nothing but to prefetch, because
+// it takes it for one without effects.
+inline void have_effect(const void* address)
+{
+#ifdef __GNUC__
+  __asm__ volatile("" : : "r"(address));
+#else
+  static_cast<void>(address);
+#endif
+}
 
 // The program will soon read the cache line `line_count` behind the one of `address`.
 inline void prefetch_to_read(const void* address, std::size_t line_count = 0)
 {
 #ifdef __GNUC__
   __builtin_prefetch(static_cast<const char*>(address) + line_count * cache_line_size, 0);
+  have_effect(address);
 #else
   static_cast<void>(address);
   static_cast<void>(line_count);
@@ -33,6 +48,7 @@ inline void prefetch_to_write(const void* address, std::size_t line_count = 0)
 {
 #ifdef __GNUC__
   __builtin_prefetch(static_cast<const char*>(address) + line_count * cache_line_size, 1);
+  have_effect(address);
 #else
   static_cast<void>(address);
   static_cast<void>(line_count);

@@ -11,6 +11,7 @@
 #include <CGAL/Arithmetic_tier.h>
 
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Run_sweep.h>
 
@@ -56,9 +57,6 @@ public:
   const Decision_counts& counts() const { return counts_; }
 
 private:
-  // How many undecided pairs ahead the memory of a pair is asked for.
-  static constexpr Place prefetch_distance = 12;
-
   // Reports the found pairs that are pairs.
   bool report_found(const Run& a, const Run& b) override
   {
