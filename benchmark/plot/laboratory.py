@@ -355,10 +355,27 @@ def label_places(axes, places, methods, rows):
             axes.axhline(y - 0.5, color=BLACK, linewidth=1)
 
 
+def draw_times_and_wrong(rows, methods, times, wrong, height, limits, titles):
+    """Two panels, with a column for each method and a row for each place. The limits are the least
+    ratio of times and the largest share of wrong pairs."""
+    places = list(dict.fromkeys(place_of(r) for r in rows))
+    least_time, most_wrong = limits
+    figure, ((left, right),) = panels(1, 2, (11.5, height), sharey=True)
+    image = draw_cells(left, places, methods, times, cmap="PuOr_r", norm=LogNorm(0.01, 100))
+    bar = figure.colorbar(image, ax=left, location="bottom", shrink=0.8, pad=0.01, extend="max")
+    bar.ax.set_xlim(least_time, 100)
+    image = draw_cells(right, places, methods, wrong, cmap=viridis_on_white(),
+                       norm=LogNorm(0.01, most_wrong))
+    figure.colorbar(image, ax=right, location="bottom", shrink=0.8, pad=0.01)
+    for axes, title in zip((left, right), titles):
+        label_places(axes, places, methods, rows)
+        axes.set_title(title, fontsize=9)
+    return figure
+
+
 @figure_of("sizes.csv")
 def draw_sizes(rows):
     methods = in_order(where(rows, shape=rows[-1]["shape"]), "method")
-    places = list(dict.fromkeys(place_of(r) for r in rows))
     times = {(place_of(r), r["method"]): (None, "> 120 s") for r in rows}
     for row, time in times_over_ours(rows):
         is_ours = row["method"] == "ours"
@@ -366,17 +383,9 @@ def draw_sizes(rows):
         times[place_of(row), row["method"]] = time, text
     wrong = {(place_of(r), r["method"]): cell_of({**r, "asymmetric": "0", "order_dependent": "0"})
              for r in rows}
-    figure, ((left, right),) = panels(1, 2, (11.5, 7.6), sharey=True)
-    image = draw_cells(left, places, methods, times, cmap="PuOr_r", norm=LogNorm(0.01, 100))
-    bar = figure.colorbar(image, ax=left, location="bottom", shrink=0.8, pad=0.01, extend="max")
-    bar.ax.set_xlim(0.5, 100)
-    image = draw_cells(right, places, methods, wrong, cmap=viridis_on_white(),
-                       norm=LogNorm(0.01, 100))
-    figure.colorbar(image, ax=right, location="bottom", shrink=0.8, pad=0.01)
-    for axes in (left, right):
-        label_places(axes, places, methods, rows)
-    left.set_title("time over ours; of ours, per object and pair", fontsize=9)
-    right.set_title("missing (−) and extra (+) pairs; color: per 100 true pairs", fontsize=9)
+    figure = draw_times_and_wrong(rows, methods, times, wrong, 7.6, (0.5, 100),
+                                  ("time over ours; of ours, per object and pair",
+                                   "missing (−) and extra (+) pairs; color: per 100 true pairs"))
     return figure, "lab_sizes.png"
 
 
@@ -437,20 +446,12 @@ def time_cells(rows, own_method):
 def draw_object_families(rows, dimension, height):
     rows = [{**r, "shape": r["kind"], "objects": r["questions"]}
             for r in where(rows, dimension=dimension)]
-    methods, places = in_order(rows, "method"), list(dict.fromkeys(place_of(r) for r in rows))
+    methods = in_order(rows, "method")
     wrong = {(place_of(r), r["method"]): wrong_cell(r) for r in rows}
-    figure, ((left, right),) = panels(1, 2, (11.5, height), sharey=True)
-    image = draw_cells(left, places, methods, time_cells(rows, "ours, EPICK"), cmap="PuOr_r",
-                       norm=LogNorm(0.01, 100))
-    bar = figure.colorbar(image, ax=left, location="bottom", shrink=0.8, pad=0.01, extend="max")
-    bar.ax.set_xlim(0.1, 100)
-    image = draw_cells(right, places, methods, wrong, cmap=viridis_on_white(),
-                       norm=LogNorm(0.01, 1000))
-    figure.colorbar(image, ax=right, location="bottom", shrink=0.8, pad=0.01)
-    for axes in (left, right):
-        label_places(axes, places, methods, rows)
-    left.set_title("time over \"ours, EPICK\"; of ours, ns per answer", fontsize=9)
-    right.set_title("missing (−), extra (+), undecided (?); color: per 100 true pairs", fontsize=9)
+    times = time_cells(rows, "ours, EPICK")
+    figure = draw_times_and_wrong(rows, methods, times, wrong, height, (0.1, 1000),
+                                  ("time over \"ours, EPICK\"; of ours, ns per answer",
+                                   "missing (−), extra (+), undecided (?); color: per 100 true pairs"))
     return figure, f"lab_object_families_{dimension}d.png"
 
 
