@@ -31,6 +31,7 @@ FILES = {  # file: the call, target
     "near_points_in_space": ("`fixed_radius_near_neighbors`, space", None),
     "closest_pair": ("`closest_pair`, plane", None),
     "thick_objects": ("`thick_self_intersection_d`, segments", None),
+    "boxes": ("`thick_box_self_intersection_d`, boxes in space", None),
     "box_intersection": ("`box_self_intersection_d`", None),
 }
 

@@ -47,8 +47,8 @@ with the same box first. Programs change the name of the function and nothing el
 sizes in fixed dimension \f$ d \f$ it takes \f$ O(n \log^{d-1} n + k) \f$ time and \f$ O(n) \f$
 space, where \f$ k \f$ is the number of intersecting pairs. Coordinates that are no doubles are
 rounded first; then \f$ k \f$ counts the pairs of rounded boxes that touch or overlap. Beyond
-four dimensions, it counts the pairs that do so along those axes that separate most boxes: eight if
-`dimension()` of the box traits is a constant expression, four otherwise.
+four dimensions, it counts the pairs that do so along those axes that separate most boxes: eight for
+boxes of \cgal and if `dimension()` of the box traits is a constant expression, four otherwise.
 
 It differs in the following.
 - The boxes are neither reordered nor copied. The callback gets the boxes of the user, so their

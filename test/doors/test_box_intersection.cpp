@@ -284,6 +284,42 @@ BOOST_AUTO_TEST_CASE(boxes_of_CGAL_are_taken_as_they_are)
   BOOST_CHECK(compare({{1, 0}, {1, 3}, {3, 0}, {3, 2}}, found).empty());
 }
 
+// Boxes of CGAL whose dimension() is their own.
+template <class Integer>
+struct Flat_box : CGAL::Box_intersection_d::Box_d<double, 3>
+{
+  using Base = CGAL::Box_intersection_d::Box_d<double, 3>;
+  using Base::Base;
+  static Integer dimension() { return 2; }
+};
+
+template <class Box>
+constexpr int known_dimension
+  = CGAL::Thick_intersection_d::internal::Inherited_dimension<Box>::value;
+
+BOOST_AUTO_TEST_CASE(the_dimension_of_boxes_of_CGAL_is_a_constant)
+{
+  using CGAL::Box_intersection_d::Box_d;
+  static_assert(known_dimension<Box_d<double, 2>> == 2);
+  static_assert(known_dimension<Box_d<float, 5>> == 5);
+  static_assert(known_dimension<CGAL::Box_intersection_d::Box_with_info_d<int, 4, char>> == 4);
+  static_assert(known_dimension<Box<double>> == 0);
+  static_assert(known_dimension<Flat_box<int>> == 0);
+  static_assert(known_dimension<Flat_box<std::size_t>> == 0);
+  using Members = CGAL::Thick_intersection_d::internal::Box_members<const Box_d<double, 2>*>;
+  static_assert(Members::dimension() == 2);
+}
+
+BOOST_AUTO_TEST_CASE(boxes_may_have_fewer_axes_than_their_base)
+{
+  const std::vector<Flat_box<int>> boxes = {CGAL::Bbox_3(0, 0, 0, 1, 1, 1),
+                                            CGAL::Bbox_3(1, 1, 5, 2, 2, 6)};
+  int count = 0;
+  CGAL::thick_box_self_intersection_d(
+    boxes.begin(), boxes.end(), [&](const Flat_box<int>&, const Flat_box<int>&) { ++count; });
+  BOOST_CHECK_EQUAL(count, 1);
+}
+
 BOOST_AUTO_TEST_CASE(every_form_of_the_call_finds_the_same)
 {
   std::vector<Box<double>> a = some_boxes(), b = a;

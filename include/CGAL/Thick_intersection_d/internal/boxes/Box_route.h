@@ -126,7 +126,7 @@ private:
       return true;
     if(candidates <= candidates_for_tree(piece.size()))
       return false;
-    search_tree(piece);
+    search_tree(piece, test_, report_);
     finish(piece, task);
     return true;
   }
@@ -235,31 +235,6 @@ private:
     if constexpr(Sets == 2)
       finish(Piece<Box, 1>{{{piece[1]}}}, task);
     return true;
-  }
-
-  // Searches the boxes by a tree. Boxes that are copies along a common axis are not searched for
-  // pairs, so no pair is found in two pieces.
-  template <std::size_t Sets>
-  void search_tree(const Piece<Box, Sets>& piece)
-  {
-    const auto report = [&](const Box& a, const Box& b) {
-      if(!test_.do_intersect(a.position, b.position))
-        return !report_.is_stopped();
-      return a.position < b.position ? report_(a.position, b.position)
-                                     : report_(b.position, a.position);
-    };
-    Box_tree<Box, decltype(report)> tree(report);
-    using Boxes_by_sides = std::array<std::vector<const Box*>, std::size_t(1) << axes>;
-    std::array<Boxes_by_sides, Sets> boxes;
-    for(std::size_t set = 0; set < Sets; ++set)
-      for(const Box* box = piece[set].first; box != piece[set].last; ++box)
-        boxes[set][box->sides].push_back(box);
-    bool goes_on = true;
-    for(std::size_t a = 0; a < boxes[0].size(); ++a)
-      for(std::size_t b = Sets == 1 ? a : 0; b < boxes[0].size(); ++b)
-        if((a & b) == 0 && goes_on)
-          goes_on = Sets == 1 && a == b ? tree.within(boxes[0][a])
-                                        : tree.between(boxes[0][a], boxes[Sets - 1][b]);
   }
 
   // Advances the progress by the boxes of a piece.

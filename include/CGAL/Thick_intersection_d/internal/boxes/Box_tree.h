@@ -13,6 +13,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -253,6 +254,43 @@ private:
   std::vector<Range> held_; // by the boxes of a sweep
   std::vector<Range> held_by_starting_;
 };
+
+// Reports two boxes that meet if their objects intersect. Its type does not depend on the number of
+// sets, and so there is one tree for all.
+template <class Test, class Report>
+struct Tested_report
+{
+  const Test& test;
+  Report& report;
+
+  bool operator()(const typename Test::Box& a, const typename Test::Box& b)
+  {
+    if(!test.do_intersect(a.position, b.position))
+      return !report.is_stopped();
+    return a.position < b.position ? report(a.position, b.position)
+                                   : report(b.position, a.position);
+  }
+};
+
+// Boxes that are copies along a common axis are not searched for pairs, so no pair is found in two
+// pieces.
+template <class Box, std::size_t Sets, class Test, class Report>
+void search_tree(const Piece<Box, Sets>& piece, const Test& test, Report& report)
+{
+  Tested_report<Test, Report> tested_report = {test, report};
+  Box_tree<Box, Tested_report<Test, Report>> tree(tested_report);
+  using Boxes_by_sides = std::array<std::vector<const Box*>, std::size_t(1) << Box::axes>;
+  std::array<Boxes_by_sides, Sets> boxes;
+  for(std::size_t set = 0; set < Sets; ++set)
+    for(const Box* box = piece[set].first; box != piece[set].last; ++box)
+      boxes[set][box->sides].push_back(box);
+  bool goes_on = true;
+  for(std::size_t a = 0; a < boxes[0].size(); ++a)
+    for(std::size_t b = Sets == 1 ? a : 0; b < boxes[0].size(); ++b)
+      if((a & b) == 0 && goes_on)
+        goes_on = Sets == 1 && a == b ? tree.within(boxes[0][a])
+                                      : tree.between(boxes[0][a], boxes[Sets - 1][b]);
+}
 
 } // namespace internal
 } // namespace Thick_intersection_d

@@ -11,6 +11,16 @@
 #include <utility>
 
 namespace CGAL {
+
+// The boxes of CGAL know their dimension as an argument of the template of their base class. Their
+// function dimension() is no constant expression. Their header is under the GPL, so it is not
+// included.
+namespace Box_intersection_d {
+struct ID_NONE;
+template <class NT, int Dimension, class IdPolicy>
+class Box_d;
+} // namespace Box_intersection_d
+
 namespace Thick_intersection_d {
 namespace internal {
 
@@ -30,6 +40,20 @@ decltype(auto) as_box(const Handle& handle)
     return (*handle);
 }
 
+template <class Box, class NT, int Dimension,
+          class Base = Box_intersection_d::Box_d<NT, Dimension, Box_intersection_d::ID_NONE>>
+std::integral_constant<int, (&Box::dimension == &Base::dimension) ? Dimension : 0>
+dimension_by_base(const Box_intersection_d::Box_d<NT, Dimension, Box_intersection_d::ID_NONE>*);
+
+// The dimension of boxes that are derived from those of CGAL. It is 0 for others, and for boxes
+// with a function dimension() of their own.
+template <class Box, class = void>
+struct Inherited_dimension : std::integral_constant<int, 0> {};
+template <class Box>
+struct Inherited_dimension<
+  Box, std::void_t<decltype(dimension_by_base<Box>(std::declval<const Box*>()))>>
+  : decltype(dimension_by_base<Box>(std::declval<const Box*>())) {};
+
 // `BoxHandle` knows the dimension. The boxes of a second range may have another type.
 template <class BoxHandle>
 class Box_members
@@ -37,7 +61,14 @@ class Box_members
   using Box = std::decay_t<decltype(as_box(std::declval<const BoxHandle&>()))>;
 
 public:
-  static constexpr int dimension() { return Box::dimension(); }
+  // A constant expression if that of the box is one, or if the box is one of CGAL.
+  static constexpr int dimension()
+  {
+    if constexpr(Inherited_dimension<Box>::value != 0)
+      return Inherited_dimension<Box>::value;
+    else
+      return Box::dimension();
+  }
 
   template <class Handle>
   static decltype(auto) min_coord(const Handle& handle, int axis)
