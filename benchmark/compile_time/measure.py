@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
-"""Measures how long one call takes to compile, in the time of the kernel alone.
+"""Measures how long one call takes to compile, in the time of the kernel alone, and its code.
 
-  measure.py [--quick] [--rounds <n>] [<word>]...
+  measure.py [--quick] [--rounds <n>] [--text] [<word>]...
 
   --quick        one round
   --rounds <n>   7 rounds unless said otherwise
+  --text         the code instead of the time: what one call adds to that of the kernel. Fails if it
+                 is beyond its limit. Sizes repeat exactly, for one compiler
   <word>         the files with this word in their name; kernel.cpp in any case
 
 In each round all files are compiled in turn, and each time is divided by that of kernel.cpp in the
@@ -20,32 +22,51 @@ import pathlib
 import shlex
 import statistics
 import subprocess
+import sys
+import tempfile
 
 FOLDER = pathlib.Path(__file__).resolve().parent
 INCLUDE = FOLDER.parent.parent / "include"
 KERNEL = "kernel"
 
-FILES = {  # file: the call, target
-    KERNEL: ("the kernel alone", None),
-    "near_points": ("`fixed_radius_near_neighbors`, plane", 1.6),
-    "near_points_in_space": ("`fixed_radius_near_neighbors`, space", None),
-    "closest_pair": ("`closest_pair`, plane", None),
-    "thick_objects": ("`thick_self_intersection_d`, segments", None),
-    "boxes": ("`thick_box_self_intersection_d`, boxes in space", None),
-    "box_intersection": ("`box_self_intersection_d`", None),
+FILES = {  # file: the call, target for the time, limit of the text in kB of g++ 12 on x86-64
+    KERNEL: ("the kernel alone", None, None),
+    "near_points": ("`fixed_radius_near_neighbors`, plane", 1.6, None),
+    "near_points_in_space": ("`fixed_radius_near_neighbors`, space", 1.5, 181),
+    "neighbor_lists": ("`fixed_radius_neighbor_lists`, space", 1.6, 241),
+    "closest_pair": ("`closest_pair`, plane", None, None),
+    "closest_pair_in_space": ("`closest_pair`, space", 1.5, 193),
+    "thick_objects": ("`thick_self_intersection_d`, segments", None, None),
+    "triangles": ("`thick_self_intersection_d`, triangles in space", 1.4, 111),
+    "boxes": ("`thick_box_self_intersection_d`, boxes in space", 1.5, 81),
+    "box_intersection": ("`box_self_intersection_d`", None, None),
 }
+
+
+def compile_file(name, output):
+    """Compiles a file to an object file."""
+    command = [os.environ.get("CXX", "g++"), "-O2", "-std=c++17", f"-I{INCLUDE}",
+               *shlex.split(os.environ.get("CXXFLAGS", "")), "-c", str(FOLDER / f"{name}.cpp"),
+               "-o", str(output)]
+    subprocess.run(command, check=True)
 
 
 def seconds_to_compile(name):
     """The processor time of the compiler and what it calls."""
-    command = [os.environ.get("CXX", "g++"), "-O2", "-std=c++17", f"-I{INCLUDE}",
-               *shlex.split(os.environ.get("CXXFLAGS", "")), "-c", str(FOLDER / f"{name}.cpp"),
-               "-o", os.devnull]
     before = os.times()
-    subprocess.run(command, check=True)
+    compile_file(name, os.devnull)
     after = os.times()
     return (after.children_user + after.children_system
             - before.children_user - before.children_system)
+
+
+def text_of(name):
+    """The bytes of code and constants."""
+    with tempfile.TemporaryDirectory() as folder:
+        output = pathlib.Path(folder) / "call.o"
+        compile_file(name, output)
+        table = subprocess.run(["size", str(output)], check=True, capture_output=True, text=True)
+    return int(table.stdout.splitlines()[1].split()[0])
 
 
 def verdict(measured, target):
@@ -55,26 +76,49 @@ def verdict(measured, target):
     return f"| <= {target:.2f} | {'met' if measured <= target else 'missed'} |"
 
 
-def main():
-    """Prints a table in Markdown."""
-    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
-    parser.add_argument("--quick", action="store_true")
-    parser.add_argument("--rounds", type=int, default=7)
-    parser.add_argument("words", nargs="*")
-    options = parser.parse_args()
-
-    names = [name for name in FILES
-             if name == KERNEL or not options.words or any(w in name for w in options.words)]
-    rounds = [{name: seconds_to_compile(name) for name in names}
-              for _ in range(1 if options.quick else options.rounds)]
+def print_times(names, round_count):
+    """Prints the table of times in Markdown."""
+    rounds = [{name: seconds_to_compile(name) for name in names} for _ in range(round_count)]
     print("| call | s | time / kernel | target | verdict |")
     print("|---|--:|--:|--:|---|")
     for name in names:
-        call, target = FILES[name]
+        call, target, _ = FILES[name]
         seconds = statistics.median(times[name] for times in rounds)
         measured = statistics.median(times[name] / times[KERNEL] for times in rounds)
         print(f"| {call} | {seconds:.1f} | {measured:.2f} {verdict(measured, target)}")
 
 
+def print_texts(names):
+    """Prints the table of texts in Markdown. Returns whether all limits are kept."""
+    are_kept = True
+    of_kernel = text_of(KERNEL)
+    print("| call | kB beyond the kernel | limit | verdict |")
+    print("|---|--:|--:|---|")
+    for name in names:
+        call, _, limit = FILES[name]
+        if limit is not None:
+            measured = (text_of(name) - of_kernel) / 1000
+            are_kept = are_kept and measured <= limit
+            print(f"| {call} | {measured:.1f} {verdict(measured, limit)}")
+    return are_kept
+
+
+def main():
+    """Prints a table in Markdown."""
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
+    parser.add_argument("--quick", action="store_true")
+    parser.add_argument("--rounds", type=int, default=7)
+    parser.add_argument("--text", action="store_true")
+    parser.add_argument("words", nargs="*")
+    options = parser.parse_args()
+
+    names = [name for name in FILES
+             if name == KERNEL or not options.words or any(w in name for w in options.words)]
+    if options.text:
+        return 0 if print_texts(names) else 1
+    print_times(names, 1 if options.quick else options.rounds)
+    return 0
+
+
 if __name__ == "__main__":
-    main()
+    sys.exit(main())
