@@ -57,7 +57,8 @@ CGAL_LANES_TARGET inline unsigned int bits_at_most(Double_part a, Double_part b)
 
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/vectors.inc>
 
-// For each set of lanes, their numbers in order.
+// For each set of lanes, their numbers in order, with four bits for each: 1 kB, where vectors would
+// take eight.
 struct Lanes_in_order
 {
   constexpr Lanes_in_order()
@@ -65,18 +66,25 @@ struct Lanes_in_order
     for(unsigned int bits = 0; bits < 256; ++bits)
       for(unsigned int lane = 0, count = 0; lane < 8; ++lane)
         if((bits >> lane & 1) != 0)
-          of[bits][count++] = static_cast<std::int32_t>(lane);
+          of[bits] |= lane << 4 * count++;
   }
 
-  std::int32_t of[256][8] = {};
+  std::uint32_t of[256] = {};
 };
 inline constexpr Lanes_in_order lanes_in_order;
+
+// Returns the order for a permutation, which looks at the lowest three bits of each lane alone.
+CGAL_LANES_TARGET inline Int_part order_of(unsigned int bits)
+{
+  const Int_part places = {0, 4, 8, 12, 16, 20, 24, 28};
+  return (Int_part{} + static_cast<std::int32_t>(lanes_in_order.of[bits])) >> places;
+}
 
 // Moves the pairs of these lanes to the front, and stores all eight.
 CGAL_LANES_TARGET inline Place append_pairs(unsigned int bits, const Ints& p, const Ints& q,
                                             Found_pair* pairs, Place count)
 {
-  const Int_part order = Ints::load(lanes_in_order.of[bits]).parts[0];
+  const Int_part order = order_of(bits);
   const Int_part a = __builtin_ia32_permvarsi256(p.parts[0], order);
   const Int_part b = __builtin_ia32_permvarsi256(q.parts[0], order);
   const Int_part first = CGAL_LANES_SHUFFLE(Int_part, a, b, 0, 8, 1, 9, 2, 10, 3, 11);
@@ -89,7 +97,7 @@ CGAL_LANES_TARGET inline Place append_pairs(unsigned int bits, const Ints& p, co
 // As in vectors.inc, by one permutation.
 CGAL_LANES_TARGET inline Place store_lanes(unsigned int bits, const Ints& v, std::int32_t* to)
 {
-  const Int_part order = Ints::load(lanes_in_order.of[bits]).parts[0];
+  const Int_part order = order_of(bits);
   const Int_part front = __builtin_ia32_permvarsi256(v.parts[0], order);
   std::memcpy(to, &front, sizeof(front));
   return static_cast<Place>(__builtin_popcount(bits));
