@@ -122,17 +122,9 @@ public:
   bool report_crowded_points(Callback& callback, Progress& progress)
   {
     const Is_within_distance<Point> is_within = make_predicate(nullptr);
-    const auto report = [&](auto dimension) {
-      constexpr int axes = decltype(dimension)::value;
-      doubles_.keep(searched_axes<axes>(scene_));
-      return report_by_slabs_of(
-        Near_points<axes, Elements>(points_, scene_, doubles_, is_within), One_set(), callback,
-        progress);
-    };
-    if constexpr(dimension_or<Point>(3) == 3)
-      if(scene_.extended_axis_count() == 3)
-        return report(std::integral_constant<int, 3>());
-    return report(std::integral_constant<int, 2>());
+    return with_dimension([&](auto dimension) {
+      return report_by_slabs_of(near_points<dimension>(is_within), One_set(), callback, progress);
+    });
   }
 
 private:
@@ -177,27 +169,38 @@ private:
   bool report_by_slabs(const Is_within_distance<Point>& is_within, const Sets& sets,
                        Callback& callback, Progress& progress)
   {
-    if constexpr(dimension_or<Point>(3) == 3)
-      if(scene_.extended_axis_count() == 3)
-        return report_along_axes<3>(is_within, sets, callback, progress);
-    return report_along_axes<2>(is_within, sets, callback, progress);
+    return with_dimension([&](auto dimension) {
+      const auto points = near_points<dimension>(is_within);
+      const Narrow_scale<dimension> scale = narrow_scale<dimension>(points, is_within);
+      profile_.set_coordinates(scale.is_usable() ? 32 : 64,
+                               scale.is_usable() && !scale.is_exact());
+      if(scale.is_usable())
+        return report_by_slabs_of(Narrow_points<dimension, decltype(points)>(points, scale), sets,
+                                  callback, progress);
+      return report_by_slabs_of(points, sets, callback, progress);
+    });
   }
 
-  // Searches along at least two axes, among them all axes along which the points differ.
-  template <int Dimension, class Sets, class Callback, class Progress>
-  bool report_along_axes(const Is_within_distance<Point>& is_within, const Sets& sets,
-                         Callback& callback, Progress& progress)
+  // Returns task(dimension) with the constant that is the dimension of the points, 2 or 3.
+  template <class Task>
+  bool with_dimension(const Task& task) const
   {
-    doubles_.keep(searched_axes<Dimension>(scene_));
-    using Points = Near_points<Dimension, Elements>;
-    const Points points(points_, scene_, doubles_, is_within);
-    const Narrow_scale<Dimension> scale = narrow_scale<Dimension>(points, is_within);
-    profile_.set_coordinates(scale.is_usable() ? 32 : 64,
-                             scale.is_usable() && !scale.is_exact());
-    if(scale.is_usable())
-      return report_by_slabs_of(Narrow_points<Dimension, Points>(points, scale), sets, callback,
-                                progress);
-    return report_by_slabs_of(points, sets, callback, progress);
+    if constexpr(dimension_or<Point>(3) == 3)
+      if(scene_.dimension() == 3)
+        return task(std::integral_constant<int, 3>());
+    if constexpr(dimension_or<Point>(2) == 2)
+      return task(std::integral_constant<int, 2>());
+    else
+      return false; // no other dimension takes slabs
+  }
+
+  template <int Dimension>
+  Near_points<Dimension, Elements> near_points(const Is_within_distance<Point>& is_within)
+  {
+    for(int axis = 0; axis < Dimension; ++axis)
+      if(!scene_.is_extended_along(axis))
+        doubles_.share(axis, scene_.box[static_cast<std::size_t>(axis)].low);
+    return {points_, scene_, doubles_, is_within};
   }
 
   // Returns a scale without ties, or one that leaves few of them; none if there are many.

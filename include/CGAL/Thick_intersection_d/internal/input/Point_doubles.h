@@ -12,7 +12,6 @@
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -31,6 +30,7 @@ public:
   explicit Held_doubles(const Elements& points) : points_(points) {}
 
   void set(std::size_t, int, double) {}
+  void share(int, double) {}
 
   // Asks for the memory of a point.
   void ask_for([[maybe_unused]] std::size_t position) const
@@ -38,10 +38,6 @@ public:
     if constexpr(std::is_lvalue_reference_v<decltype(points_[position])>)
       prefetch_to_read(std::addressof(points_[position]));
   }
-
-
-  template <std::size_t Dimension>
-  void keep(const std::array<int, Dimension>&) {}
 
   double at(std::size_t position, int axis) const
   {
@@ -85,21 +81,21 @@ public:
   void ask_for(std::size_t position) const
   {
     for(const auto& column : columns_)
-      prefetch_to_read(column.get() + position);
+      if(column)
+        prefetch_to_read(column.get() + position);
   }
 
-  // Forgets the coordinates along other axes.
-  template <std::size_t Dimension>
-  void keep(const std::array<int, Dimension>& axes)
+  // Forgets the column of an axis along which all points have the coordinate x.
+  void share(int axis, double x)
   {
-    for(std::size_t axis = 0; axis < columns_.size(); ++axis)
-      if(std::find(axes.begin(), axes.end(), static_cast<int>(axis)) == axes.end())
-        columns_[axis].reset();
+    columns_[static_cast<std::size_t>(axis)].reset();
+    shared_[static_cast<std::size_t>(axis)] = x;
   }
 
   double at(std::size_t position, int axis) const
   {
-    return columns_[static_cast<std::size_t>(axis)][position];
+    const auto& column = columns_[static_cast<std::size_t>(axis)];
+    return column ? column[position] : shared_[static_cast<std::size_t>(axis)];
   }
 
   template <int Dimension>
@@ -113,37 +109,12 @@ public:
 
 private:
   std::vector<std::unique_ptr<double[]>> columns_;
+  std::array<double, 3> shared_ = {};
 };
 
 template <class Elements>
 using Doubles = std::conditional_t<is_held_by_double_v<Coordinate_t<typename Elements::value_type>>,
                                    Held_doubles<Elements>, Copied_doubles<Elements>>;
-
-// The doubles of points along some of their axes.
-template <int Dimension, class All_doubles>
-class Doubles_along_axes
-{
-public:
-  Doubles_along_axes(const All_doubles& doubles, const std::array<int, Dimension>& axes)
-    : doubles_(doubles), axes_(axes)
-  {}
-
-  void ask_for(std::size_t position) const { doubles_.ask_for(position); }
-  double at(std::size_t position, int axis) const { return doubles_.at(position, axes_[axis]); }
-
-  template <int>
-  std::array<double, Dimension> at(std::size_t position) const
-  {
-    std::array<double, Dimension> x;
-    for(int axis = 0; axis < Dimension; ++axis)
-      x[axis] = at(position, axis);
-    return x;
-  }
-
-private:
-  const All_doubles& doubles_;
-  std::array<int, Dimension> axes_;
-};
 
 } // namespace internal
 } // namespace Thick_intersection_d

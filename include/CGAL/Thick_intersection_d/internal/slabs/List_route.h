@@ -66,11 +66,9 @@ private:
   static bool are_small(const Slabs<Point>& slabs)
   {
     const std::size_t blocks = block_count<ConcurrencyTag>();
-    for(Place slab = 0; slab < slabs.count(); ++slab) {
-      const auto size = static_cast<std::size_t>(slabs.end(slab) - slabs.begin(slab));
-      if(size * blocks > 2 * static_cast<std::size_t>(slabs.size()))
+    for(Place slab = 0; slab < slabs.count(); ++slab)
+      if(slabs.size(slab) * blocks > 2 * static_cast<std::size_t>(slabs.size()))
         return false;
-    }
     return true;
   }
 

@@ -13,7 +13,6 @@
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/Point_doubles.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
-#include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
@@ -33,20 +32,6 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Returns `Dimension` axes to search along, in ascending order: all axes along which the points
-// differ, and others to fill up.
-template <int Dimension>
-std::array<int, Dimension> searched_axes(const Scene& scene)
-{
-  std::array<int, Dimension> axes = {};
-  int missing = Dimension - scene.extended_axis_count();
-  std::size_t count = 0;
-  for(int axis = 0; axis < scene.dimension(); ++axis)
-    if(scene.is_extended_along(axis) || missing-- > 0)
-      axes[count++] = axis;
-  return axes;
-}
-
 // Whether elements have numbers that they are reported by, instead of their positions. Then
 // place(number) finds the position; that of a position is itself.
 template <class Elements, class = void>
@@ -55,7 +40,7 @@ inline constexpr bool have_numbers = false;
 template <class Elements>
 inline constexpr bool have_numbers<Elements, std::void_t<decltype(&Elements::number)>> = true;
 
-// The search takes `Dimension` axes. Points that differ do so along one of these axes.
+// `Dimension` is that of the points, 2 or 3.
 template <int Dimension, class Elements>
 class Near_points
 {
@@ -66,20 +51,13 @@ class Near_points
     Distance_filter filter;
   };
 
-  // Whether the search takes all axes of the points, by their type.
-  static constexpr bool takes_all_axes = dimension_or<Element>(0) == Dimension;
-  using All_doubles = Doubles<Elements>;
-  using Some_doubles = std::conditional_t<takes_all_axes, const All_doubles&,
-                                          const Doubles_along_axes<Dimension, All_doubles>>;
-
 public:
   using Point = Slab_point<Dimension, double>;
   using Run = typename Point::Run;
 
-  Near_points(const Elements& points, const Scene& scene, const All_doubles& doubles,
+  Near_points(const Elements& points, const Scene& scene, const Doubles<Elements>& doubles,
               const Is_within_distance<Element>& is_within)
-    : points_(points), scene_(scene), axes_(searched_axes<Dimension>(scene)),
-      doubles_(some_doubles(doubles, axes_)), is_within_(is_within),
+    : points_(points), scene_(scene), doubles_(doubles), is_within_(is_within),
       scale_(is_within.scale_of_doubles()), unscale_(1 / scale_),
       near_{is_within.reach_of_doubles(), is_within.filter_of_doubles()}
   {}
@@ -87,10 +65,9 @@ public:
   std::size_t size() const { return points_.size(); }
   double reach() const { return near_.reach; }
 
-  // An axis here is an index among the axes that are searched.
   Interval interval(int axis) const
   {
-    const Interval& interval = scene_.box[axes_[axis]];
+    const Interval& interval = scene_.box[static_cast<std::size_t>(axis)];
     return {interval.low * scale_, interval.high * scale_};
   }
   double coordinate(std::size_t position, int axis) const
@@ -164,15 +141,6 @@ private:
       return number;
   }
 
-  static Some_doubles some_doubles(const All_doubles& doubles,
-                                   const std::array<int, Dimension>& axes)
-  {
-    if constexpr(takes_all_axes)
-      return doubles;
-    else
-      return Some_doubles(doubles, axes);
-  }
-
   // Decides about the points at the positions p and q, which have the doubles x(axis) and y(axis).
   template <class X, class Y>
   bool decide(const X& x, const Y& y, Place p, Place q, Decision_counts& counts) const
@@ -209,10 +177,9 @@ private:
 
   const Elements& points_;
   const Scene& scene_;
-  const std::array<int, Dimension> axes_;
-  Some_doubles doubles_;
+  const Doubles<Elements>& doubles_;
   const Is_within_distance<Element>& is_within_;
-  const double scale_;   // a power of two
+  const double scale_; // a power of two
   const double unscale_;
   const Near near_;
 };

@@ -27,8 +27,8 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// A slab that is not ready: points of Slabs, or of a buffer. It has places instead of pointers, so
-// it is compiled once for all kinds of points.
+// A slab that is not ready: points of the last one of Slabs, or of a buffer. It has places instead
+// of pointers, so it is compiled once for all kinds of points.
 struct Pending_slab
 {
   Place begin;
@@ -84,7 +84,7 @@ private:
 
   const Point* begin(const Pending_slab& slab) const
   {
-    return (slab.buffer < 0 ? slabs_.begin(0) : scratch_[slab.buffer].data()) + slab.begin;
+    return (slab.buffer < 0 ? points_ : scratch_[slab.buffer].data()) + slab.begin;
   }
   const Point* end(const Pending_slab& slab) const { return begin(slab) + slab.size(); }
 
@@ -92,9 +92,8 @@ private:
   {
     if(next_slab_ == slabs_.count())
       return false;
-    const Point* const first = slabs_.begin(0);
-    pending_.push_back({static_cast<Place>(slabs_.begin(next_slab_) - first),
-                        static_cast<Place>(slabs_.end(next_slab_) - first), 0, -1});
+    points_ = slabs_.points(next_slab_, unpacked_);
+    pending_.push_back({0, slabs_.size(next_slab_), 0, -1});
     ++next_slab_;
     return true;
   }
@@ -146,6 +145,8 @@ private:
   const double reach_;
   const Slab_tuning tuning_;
   Place next_slab_;
+  const Point* points_ = nullptr;     // of the last one of the slabs
+  Buffer<Point> unpacked_;            // the same, if they are stored otherwise
   std::vector<Pending_slab> pending_; // a stack: the last slab comes first
   std::array<Buffer<Point>, max_cut_depth + 1> scratch_; // the points of slabs that were cut
   Strips_maker<Point> maker_;

@@ -122,10 +122,16 @@ private:
   void sweep_strips(const Strips<Point>& a, const Strip_of_points& p, const Strips<Point>& b,
                     const Strip_of_points& q)
   {
-    if constexpr(dimension == 2)
+    if(dimension == 2 || are_flat(p, q))
       sweep_.between(a.run(p), b.run(q));
     else
       sweep_borders(a, p, b, q);
+  }
+
+  // Whether all points of both strips have one coordinate along axis 1, as those of a plane have.
+  static bool are_flat(const Strip_of_points& p, const Strip_of_points& q)
+  {
+    return p.box[1].low == q.box[1].high && p.box[1].high == q.box[1].low;
   }
 
   // Sweeps the borders of strips p and q: the points that are within reach of the other strip.

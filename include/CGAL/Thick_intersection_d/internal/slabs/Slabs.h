@@ -24,6 +24,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -40,21 +41,42 @@ public:
   template <class ConcurrencyTag, class Source>
   Slabs(ConcurrencyTag, const Source& source, std::size_t size, double reach,
         const Point_sets& sets = Point_sets(), const Slab_tuning& tuning = Slab_tuning())
-    : sets_(sets), points_(make_uninitialized<Point>(size))
+    : sets_(sets)
   {
+    find_axes(source);
     const Place places = static_cast<Place>(size);
     const Interval trimmed = trim(source, places);
     const double count = piece_count(trimmed, places, reach, tuning.points_per_slab);
     const Equal_cut cut(trimmed, (std::min)(count, max_slab_count));
-    distribute<ConcurrencyTag>(source, cut, places);
+    if(are_flat())
+      distribute<ConcurrencyTag>(source, cut, places, flat_points_);
+    else
+      distribute<ConcurrencyTag>(source, cut, places, points_);
   }
 
   const Point_sets& sets() const { return sets_; }
 
   Place count() const { return static_cast<Place>(begins_.size()) - 1; }
-  const Point* begin(Place slab) const { return points_.get() + begins_[slab]; }
-  const Point* end(Place slab) const { return begin(slab + 1); }
   Place size() const { return begins_.back(); }
+  Place size(Place slab) const { return begins_[slab + 1] - begins_[slab]; }
+
+  // Returns the first point of a slab. The points are in `buffer` unless they are stored whole.
+  const Point* points(Place slab, Buffer<Point>& buffer) const
+  {
+    if(!are_flat())
+      return points_.get() + begins_[slab];
+    const Flat_point* const first = flat_points_.get() + begins_[slab];
+    Point* const points = buffer.require(size(slab));
+    std::transform(first, first + size(slab), points, [&](const Flat_point& p) {
+      Point whole;
+      whole.x[0] = p.x[0];
+      whole.x[1] = flat_coordinate_;
+      whole.x[axis] = p.x[1];
+      whole.position = p.position;
+      return whole;
+    });
+    return points;
+  }
 
   // Returns the slabs [first, last) of one of `count` blocks with about equal numbers of points.
   std::pair<Place, Place> block(std::size_t index, std::size_t count) const
@@ -67,24 +89,50 @@ public:
   }
 
 private:
+  using Number = typename Point::Number;
+
+  // Points in a plane of space are stored without the axis along which they do not differ. It
+  // becomes axis 1 when they leave, so that strips are whole slabs, as those of the plane are.
+  struct Flat_point
+  {
+    std::array<Number, 2> x;
+    Place position;
+  };
+
   static constexpr int axis = Point::slab_axis;
 
   // How many points ahead the memory that a point goes to is asked for.
   static constexpr int distance = 16;
 
+  template <class Source>
+  void find_axes(const Source& source)
+  {
+    if constexpr(Point::dimension == 3)
+      for(int flat_axis = 0; flat_axis < 3 && !are_flat(); ++flat_axis)
+        if(const Interval interval = source.interval(flat_axis); interval.low == interval.high) {
+          flat_coordinate_ = static_cast<Number>(interval.low);
+          flat_axes_ = {flat_axis == 0 ? 1 : 0, flat_axis == 2 ? 1 : 2};
+        }
+  }
+
+  bool are_flat() const { return Point::dimension == 3 && flat_axes_[1] != 0; }
+
   // Sorts the points by slabs, by counting. Each block of points has its own counts, which become
   // the places that the block writes to. There are too many slabs for the processor to have the
   // ends of all of them at hand.
-  template <class ConcurrencyTag, class Source>
-  BOOST_NOINLINE void distribute(const Source& source, const Equal_cut& cut, Place size)
+  template <class ConcurrencyTag, class Source, class Stored>
+  BOOST_NOINLINE void distribute(const Source& source, const Equal_cut& cut, Place size,
+                                 std::unique_ptr<Stored[]>& points)
   {
+    points = make_uninitialized<Stored>(size);
+    const int slab_axis = std::is_same_v<Stored, Flat_point> ? flat_axes_[1] : axis;
     const Place count = cut.count();
     const std::size_t blocks = block_count<ConcurrencyTag>();
     std::vector<Place> next(blocks * count, 0);
     for_each_numbered_block<ConcurrencyTag>(
       blocks, size, [&](std::size_t block, std::size_t i, std::size_t end) {
         for(; i != end; ++i)
-          ++next[block * count + cut(source.coordinate(i, axis))];
+          ++next[block * count + cut(source.coordinate(i, slab_axis))];
       });
     begins_ = std::vector<Place>(count + std::size_t(1), 0);
     Place sum = 0;
@@ -100,26 +148,41 @@ private:
         while(i != end) {
           const std::size_t some = (std::min)(end - i, std::size_t(distance));
           for(std::size_t p = 0; p < some; ++p) {
-            slabs[p] = cut(source.coordinate(i + p, axis));
-            prefetch_to_write(&points_[next[block * count + slabs[p]]]);
+            slabs[p] = cut(source.coordinate(i + p, slab_axis));
+            prefetch_to_write(&points[next[block * count + slabs[p]]]);
           }
           for(std::size_t p = 0; p < some; ++p, ++i)
-            source.put(i, points_[next[block * count + slabs[p]]++]);
+            put(source, i, points[next[block * count + slabs[p]]++]);
         }
       });
+  }
+
+  template <class Source>
+  void put(const Source& source, std::size_t position, Point& place) const
+  {
+    source.put(position, place);
+  }
+  template <class Source>
+  void put(const Source& source, std::size_t position, Flat_point& place) const
+  {
+    Point point;
+    source.put(position, point);
+    place = {{point.x[flat_axes_[0]], point.x[flat_axes_[1]]}, point.position};
   }
 
   // Returns the interval of the coordinates. Leaves out ends that hold hardly any points, if the
   // interval is much shorter without them.
   template <class Source>
-  CGAL_RARELY_CALLED static Interval trim(const Source& source, Place size)
+  CGAL_RARELY_CALLED Interval trim(const Source& source, Place size) const
   {
-    const Interval all = source.interval(axis);
+    const int slab_axis = are_flat() ? flat_axes_[1] : axis;
+    const Interval all = source.interval(slab_axis);
     if(size < 4 * sample_size)
       return all;
     std::array<double, sample_size> x;
     for(Place s = 0; s < sample_size; ++s)
-      x[s] = source.coordinate(static_cast<std::size_t>(s) * size / sample_size, axis);
+      x[s] = source.coordinate(static_cast<std::size_t>(s) * size / sample_size,
+                               slab_axis);
     std::sort(x.begin(), x.end());
     const Interval sample = {x[sample_tail], x[sample_size - 1 - sample_tail]};
     if(!(all.length() > max_stretch * sample.length()) || sample.length() == 0)
@@ -129,6 +192,9 @@ private:
   }
 
   const Point_sets sets_;
+  std::array<int, 2> flat_axes_ = {}; // the axes along which flat points differ
+  Number flat_coordinate_ = 0;
+  std::unique_ptr<Flat_point[]> flat_points_; // or else
   std::unique_ptr<Point[]> points_;
   std::vector<Place> begins_;
 };

@@ -102,12 +102,14 @@ private:
     return longest;
   }
 
-  Place bucket(const Point& p) const
+  // Calls task(bucket) with the function that finds the bucket of a point.
+  template <class Task>
+  void with_buckets(const Task& task) const
   {
-    if constexpr(is_in_plane)
-      return along_(p.x[0]);
+    if(is_in_plane || across_.count() == 1)
+      task([&](const Point& p) { return along_(p.x[0]); });
     else
-      return across_(p.x[1]) * along_.count() + along_(p.x[0]);
+      task([&](const Point& p) { return across_(p.x[1]) * along_.count() + along_(p.x[0]); });
   }
 
   Place bucket_count() const { return across_.count() * along_.count(); }
@@ -122,8 +124,10 @@ private:
     along_ = Equal_cut(box_[0], size() / across_.count());
     Place* const counts = counts_.require(bucket_count());
     std::fill(counts, counts + bucket_count(), 0);
-    for(const Point* p = first_; p != last_; ++p)
-      ++counts[bucket(*p)];
+    with_buckets([&](const auto& bucket) {
+      for(const Point* p = first_; p != last_; ++p)
+        ++counts[bucket(*p)];
+    });
   }
 
   // The candidates of a point are the points in its own bucket, and in as many buckets of its strip
@@ -151,8 +155,10 @@ private:
     Place* const ends = counts_.data(); // the ends of the buckets, once these are full
     Point* const sorted = sorted_.require(size());
     replace_by_prefix_sums(ends, ends + bucket_count());
-    for(const Point* p = first_; p != last_; ++p)
-      sorted[ends[bucket(*p)]++] = *p;
+    with_buckets([&](const auto& bucket) {
+      for(const Point* p = first_; p != last_; ++p)
+        sorted[ends[bucket(*p)]++] = *p;
+    });
     if(!sorter_.are_few(longest_))
       for(Place b = 0, begin = 0; b < bucket_count(); begin = ends[b++])
         if(!sorter_.are_few(ends[b] - begin))
