@@ -51,7 +51,7 @@ inline int square_terms(int axis_count) { return (std::max)(axis_count, 2); }
 //
 // If so, a sum of `axis_count` squares of U steps has at most 53 bits, and does not underflow or
 // overflow. A longer difference has at least U + 1 steps, and its square is beyond the bound.
-// Rounding is monotone, so the computed sum is beyond the bound as well (doc/design.md).
+// Rounding is monotone, so the computed sum is beyond the bound as well (doc/arithmetic.md).
 inline bool are_squares_exact_in_double(double reach, int grid_exponent, int axis_count)
 {
   const double steps = steps_within(reach, grid_exponent);

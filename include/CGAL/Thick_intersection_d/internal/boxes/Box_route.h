@@ -6,7 +6,7 @@
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_BOXES_BOX_ROUTE_H
 
 // The divide and conquer of [V03] for boxes of any sizes: boxes are cut into pieces, with copies of
-// those that meet several pieces, and each piece is swept. doc/design.md describes it.
+// those that meet several pieces, and each piece is swept. doc/searches.md describes it.
 
 #include <CGAL/Thick_intersection_d/internal/boxes/Box_classes.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Box_order.h>

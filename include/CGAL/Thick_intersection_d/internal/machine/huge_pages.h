@@ -6,7 +6,7 @@
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_MACHINE_HUGE_PAGES_H
 
 // Huge pages for large arrays. The system clears each page when the search touches it first. With
-// pages of 4 kB and 10^7 points in the plane, this took a quarter of the search (doc/design.md).
+// pages of 4 kB and 10^7 points in the plane, this took a quarter of the search (doc/dropped.md).
 // Only this file calls an operating system.
 
 #include <cstddef>

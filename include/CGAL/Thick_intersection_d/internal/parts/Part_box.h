@@ -47,7 +47,7 @@ public:
   // Returns false only if each point of the part is farther than `reach` from this point along an
   // axis. If a point y of the part is within reach along an axis, then low - sup x <= y - x, which
   // is at most the reach in real numbers, so the rounded difference is as well (Lemma M,
-  // doc/design.md). The other side is its mirror image. Sums of squares would be rounded more than
+  // doc/proofs.md). The other side is its mirror image. Sums of squares would be rounded more than
   // once, and lose ties.
   template <class Bounds>
   bool is_near(const Bounds& bounds_along, double reach) const

@@ -10,7 +10,7 @@
 // The numbers of the two balls have a grid 2^e Z of their own. Let S = (r + s) / 2^e < 2^62.
 //
 // 1. Let fl(|x - y|) be the result of one rounded subtraction. If it is above a double that is at
-//    least r + s, then |x - y| is above r + s (Lemma M, doc/design.md), so the balls are apart.
+//    least r + s, then |x - y| is above r + s (Lemma M, doc/proofs.md), so the balls are apart.
 // 2. Otherwise T = |x - y| / 2^e is below 2^63, so T is the difference of x / 2^e and y / 2^e
 //    modulo 2^64, however large these quotients are. Integers compare T with S.
 // 3. Integers of 128 bits hold the sum of up to eight squares of T <= S, and S^2.

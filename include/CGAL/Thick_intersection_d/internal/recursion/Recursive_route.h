@@ -16,8 +16,8 @@
 //        The last axis is cut first.
 //
 // The paper cuts at numbers, med(E) or min(E) + 2D. Here all cuts are at objects, so the cuts need
-// only Less_coordinate_d and Is_close_along_axis_d, and nothing is rounded. doc/design.md lists the
-// differences from the paper, with reasons.
+// only Less_coordinate_d and Is_close_along_axis_d, and nothing is rounded. doc/differences.md
+// lists the differences from the paper, with reasons.
 
 #include <CGAL/tags.h>
 

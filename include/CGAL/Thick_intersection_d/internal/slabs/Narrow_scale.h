@@ -7,7 +7,7 @@
 
 // Coordinates as 32-bit integers: all that the slabs need to tell near points from far ones, in
 // half the memory of doubles. They leave a few pairs undecided, which the coordinates themselves
-// decide; or none, on a grid whose steps fit. doc/design.md has the proof of the bounds.
+// decide; or none, on a grid whose steps fit. doc/arithmetic.md has the proof of the bounds.
 
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
