@@ -21,6 +21,8 @@
 #include <CGAL/Thick_intersection_d/internal/slabs/Strips.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/tuning.h>
 
+#include <CGAL/assertions.h> // CGAL_unreachable
+
 #include <boost/config.hpp> // BOOST_NOINLINE
 
 #include <cstddef>
@@ -48,35 +50,36 @@ public:
   bool search(const Sets& sets, Collector& collector, Report& report, Progress& progress) const
   {
     static_assert(!Sets::are_two, "The neighbors of a point are in its own set.");
-    if(!test_.are_all_pairs()) {
-      const Slabs<Point> slabs(ConcurrencyTag(), test_, test_.size(), reach_, Point_sets(),
-                               tuning_);
-      if(are_small(slabs)) {
-        sweep_all_slabs(slabs, collector, report, progress);
-        return !report.is_stopped();
-      }
-    }
-    return route_.search(sets, report, progress);
+    if(test_.are_all_pairs())
+      return route_.report_all(Point_sets(), report, progress);
+    if(sweep_all_slabs(collector, report, progress))
+      return !report.is_stopped();
+    if constexpr(is_parallel_v<ConcurrencyTag>)
+      return route_.search(sets, report, progress);
+    else
+      CGAL_unreachable(); // no slab is too large for one thread
   }
 
 private:
   static constexpr int axis = Point::slab_axis;
 
   // Whether no slab has more points than two of the blocks that threads take have on average.
-  static bool are_small(const Slabs<Point>& slabs)
+  static bool are_small(const Slabs<Point>& slabs, std::size_t blocks)
   {
-    const std::size_t blocks = block_count<ConcurrencyTag>();
     for(Place slab = 0; slab < slabs.count(); ++slab)
       if(slabs.size(slab) * blocks > 2 * static_cast<std::size_t>(slabs.size()))
         return false;
     return true;
   }
 
+  // Returns false, and sweeps nothing, if threads have to share a slab.
   template <class Collector, class Report, class Progress>
-  void sweep_all_slabs(const Slabs<Point>& slabs, Collector& collector, Report& report,
-                       Progress& progress) const
+  bool sweep_all_slabs(Collector& collector, Report& report, Progress& progress) const
   {
+    const Slabs<Point> slabs(ConcurrencyTag(), test_, test_.size(), reach_, Point_sets(), tuning_);
     const std::size_t count = block_count<ConcurrencyTag>();
+    if(!are_small(slabs, count))
+      return false;
     for_each_block<ConcurrencyTag>(count, [&](std::size_t block, std::size_t end) {
       try {
         for(; block != end; ++block) {
@@ -90,6 +93,7 @@ private:
         throw;
       }
     });
+    return true;
   }
 
   // Makes the lists of the points in the slabs [first, last). The slab before them belongs to

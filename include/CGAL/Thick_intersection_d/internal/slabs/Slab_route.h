@@ -62,6 +62,29 @@ public:
     return !report.is_stopped();
   }
 
+  // Reports each element with all elements behind it; each element of the first of two sets with
+  // all elements of the second.
+  template <class Report, class Progress>
+  BOOST_NOINLINE bool report_all(const Point_sets& sets, Report& report, Progress& progress) const
+  {
+    const std::size_t first = sets.are_two() ? sets.first_size : 0;
+    const std::size_t end = sets.are_two() ? sets.first_size : test_.size();
+    for_each_block<ConcurrencyTag>(end, [&](std::size_t i, std::size_t last) {
+      Decision_counts counts;
+      for(; i != last && !report.is_stopped(); ++i) {
+        const std::size_t start = (std::max)(i + 1, first);
+        std::size_t j = start;
+        while(j < test_.size() && report(test_.number(i), test_.number(j)))
+          ++j;
+        counts.add(Arithmetic_tier::DOUBLE, j - start);
+        advance(progress, 1, report);
+      }
+      test_.publish(counts);
+    });
+    advance(progress, test_.size() - end, report);
+    return !report.is_stopped();
+  }
+
   // Returns in how many blocks to sweep a slab with the slabs nearby. Each block looks at all
   // points of the slabs, for their borders. So it has more candidates than points.
   Place sweep_block_count(const Strips<Point>& slab, const Slabs_nearby& nearby) const
@@ -109,8 +132,7 @@ private:
     test_.publish(near_sweep.counts());
   }
 
-  // Sweeps a slab with the slabs nearby. If there are very many candidates, it sweeps in blocks.
-  // Threads may sweep the blocks at the same time. The search can stop after each block.
+  // Sweeps a slab with the slabs nearby, in blocks if there are very many candidates.
   template <class Report, class Progress>
   void sweep_slab(const Strips<Point>& slab, const Slabs_nearby& nearby, Slab_sweep<Point>& sweep,
                   Report& report, Progress& progress) const
@@ -119,8 +141,16 @@ private:
     if(count == 1) {
       sweep.between(slab, nearby);
       advance(progress, slab.size(), report);
-      return;
     }
+    else
+      sweep_in_blocks(slab, nearby, count, report, progress);
+  }
+
+  // Threads may sweep the blocks at the same time. The search can stop after each block.
+  template <class Report, class Progress>
+  BOOST_NOINLINE void sweep_in_blocks(const Strips<Point>& slab, const Slabs_nearby& nearby,
+                                      Place count, Report& report, Progress& progress) const
+  {
     for_each_block<ConcurrencyTag>(count, [&](std::size_t block, std::size_t last) {
       Near_sweep<Test, Report> near_sweep(test_, report);
       Slab_sweep<Point> sweep_of_block(reach_, near_sweep);
@@ -131,29 +161,6 @@ private:
       }
       test_.publish(near_sweep.counts());
     });
-  }
-
-  // Reports each element with all elements behind it; each element of the first of two sets with
-  // all elements of the second.
-  template <class Report, class Progress>
-  BOOST_NOINLINE bool report_all(const Point_sets& sets, Report& report, Progress& progress) const
-  {
-    const std::size_t first = sets.are_two() ? sets.first_size : 0;
-    const std::size_t end = sets.are_two() ? sets.first_size : test_.size();
-    for_each_block<ConcurrencyTag>(end, [&](std::size_t i, std::size_t last) {
-      Decision_counts counts;
-      for(; i != last && !report.is_stopped(); ++i) {
-        const std::size_t start = (std::max)(i + 1, first);
-        std::size_t j = start;
-        while(j < test_.size() && report(test_.number(i), test_.number(j)))
-          ++j;
-        counts.add(Arithmetic_tier::DOUBLE, j - start);
-        advance(progress, 1, report);
-      }
-      test_.publish(counts);
-    });
-    advance(progress, test_.size() - end, report);
-    return !report.is_stopped();
   }
 
   template <class Progress, class Report>
