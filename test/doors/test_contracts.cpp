@@ -43,12 +43,6 @@ Point_scene some_scene()
   return scene("uniform", 2, uniform_points(2, 300, 0, 1, 5), Radius::of_length(0.1));
 }
 
-struct Pair_collector
-{
-  Pairs& pairs;
-  void operator()(std::size_t i, std::size_t j) const { pairs.emplace_back(i, j); }
-};
-
 // The text of the exception that f throws; "" if it throws none.
 template <class Function>
 std::string refusal(const Function& f)

@@ -99,8 +99,8 @@ template <class ConcurrencyTag = CGAL::Sequential_tag, class Point, class NT>
 Pairs near_pairs(const std::vector<Point>& points, const CGAL::Distance_bound<NT>& bound)
 {
   Pairs pairs;
-  const bool is_complete = CGAL::fixed_radius_near_neighbors<ConcurrencyTag>(
-    points, bound, [&](std::size_t i, std::size_t j) { pairs.emplace_back(i, j); });
+  const bool is_complete
+    = CGAL::fixed_radius_near_neighbors<ConcurrencyTag>(points, bound, Pair_collector{pairs});
   if(!is_complete)
     pairs.emplace_back(points.size(), points.size()); // nobody stopped it: shows as an extra pair
   return pairs;
@@ -113,7 +113,7 @@ Pairs near_pairs_by_recursion(const std::vector<Point>& points,
 {
   Pairs pairs;
   CGAL::thick_self_intersection_d(
-    points, [&](std::size_t i, std::size_t j) { pairs.emplace_back(i, j); },
+    points, Pair_collector{pairs},
     CGAL::parameters::geom_traits(CGAL::Thick_point_traits_d<Point>(bound, dimension)));
   return pairs;
 }
@@ -123,8 +123,7 @@ Pairs near_pairs(const std::vector<Point>& a, const std::vector<Point>& b,
                  const CGAL::Distance_bound<NT>& bound)
 {
   Pairs pairs;
-  CGAL::fixed_radius_near_neighbors(
-    a, b, bound, [&](std::size_t i, std::size_t j) { pairs.emplace_back(i, j); });
+  CGAL::fixed_radius_near_neighbors(a, b, bound, Pair_collector{pairs});
   return pairs;
 }
 

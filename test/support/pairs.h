@@ -19,6 +19,15 @@ namespace test_support {
 using Pair = std::pair<std::size_t, std::size_t>;
 using Pairs = std::vector<Pair>;
 
+// Collects what a search reports. One type of callback for many calls, because compilers make a
+// search for each type.
+struct Pair_collector
+{
+  Pairs& pairs;
+
+  void operator()(std::size_t i, std::size_t j) const { pairs.emplace_back(i, j); }
+};
+
 inline Pairs sorted(Pairs pairs)
 {
   std::sort(pairs.begin(), pairs.end());
