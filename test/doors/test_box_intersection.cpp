@@ -5,7 +5,6 @@
 // with the same box first. Lattices of few coordinates have boxes that touch, equal boxes, flat
 // boxes and copies of boxes.
 
-#define BOOST_TEST_MODULE box_intersection
 #include "support/pairs.h"
 
 #include <CGAL/Exact_rational.h>
@@ -124,12 +123,23 @@ std::vector<const Box<NT>*> pointers_to(const std::vector<Box<NT>>& boxes)
   return pointers;
 }
 
-// The pairs that search(callback) reports, as ids, in the order of the arguments.
+// Collects the ids of pairs, in the order of the arguments.
+template <class Handle>
+struct Id_collector
+{
+  Pairs& pairs;
+
+  void operator()(const Handle& a, const Handle& b) const
+  {
+    pairs.emplace_back(id_of(a), id_of(b));
+  }
+};
+
 template <class Handle, class Search>
 Pairs ids_of(const Search& search)
 {
   Pairs pairs;
-  search([&](const Handle& a, const Handle& b) { pairs.emplace_back(id_of(a), id_of(b)); });
+  search(Id_collector<Handle>{pairs});
   return pairs;
 }
 
@@ -188,7 +198,8 @@ void compare_at(const std::vector<NT>& coordinates)
           const Scene scene = lattice_scene(size, count, are_flat, seed);
           const auto a = boxes_at(scene.a, coordinates), b = boxes_at(scene.b, coordinates);
           compare_all_choices(a, b);
-          compare_all_choices(pointers_to(a), pointers_to(b));
+          if constexpr(std::is_same_v<NT, double>)
+            compare_all_choices(pointers_to(a), pointers_to(b));
         }
 }
 
