@@ -10,7 +10,10 @@
 #include "pairs.h"
 #include "parallel_pairs.h"
 #include "point_scene.h"
-#include "recursion_variants.h"
+
+#include <CGAL/Thick_intersection_d/internal/doors/recursive_search.h>
+#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
+#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/Exact_rational.h>
@@ -169,13 +172,18 @@ void check_ball_pairs(const std::vector<Ball>& balls, const Pairs& expected)
   BOOST_CHECK_MESSAGE(two_sets.empty(), "two sets: " << two_sets);
 }
 
-// The recursive route finds the same pairs of one set.
+// The recursive route finds the same pairs of one set. It is the one that the public functions
+// compile.
 template <class Ball>
 void check_recursive_route(const std::vector<Ball>& balls, const Pairs& expected)
 {
+  namespace internal = CGAL::Thick_intersection_d::internal;
   const CGAL::Thick_ball_traits_d<typename Ball::first_type> traits(balls);
-  const Pairs_difference recursive
-    = compare(expected, pairs_by_variant(balls, traits, Recursion_variant()));
+  const auto& np = CGAL::parameters::default_values();
+  const Pairs_difference recursive = compare(expected, collected([&](const Report& report) {
+    internal::report_recursively<CGAL::Sequential_tag>(internal::make_elements(balls, np),
+                                                       internal::One_set(), traits, report, np);
+  }));
   BOOST_CHECK_MESSAGE(recursive.empty(), "recursive route: " << recursive);
 }
 
