@@ -11,7 +11,7 @@
 #   MPI               an implementation of MPI, without its C++ bindings
 #   Program_options   Boost.Program_options
 #   Iostreams         Boost.Iostreams, with its filters for gzip
-#   Unit_test         Boost.Test, linked dynamically
+#   Unit_test         Boost.Test, linked dynamically, with a main function
 #
 # When one of them is missing the target is not made, and the reason is printed; with
 # THICK_INTERSECTION_REQUIRE_ALL=ON that is an error.
@@ -59,8 +59,11 @@ if(TARGET Boost::iostreams)
   thick_provide_support(Iostreams Boost::iostreams)
 endif()
 if(TARGET Boost::unit_test_framework)
-  thick_provide_support(Unit_test Boost::unit_test_framework)
-  target_compile_definitions(thick_support_Unit_test INTERFACE "BOOST_TEST_DYN_LINK=")
+  add_library(thick_test_main STATIC EXCLUDE_FROM_ALL
+    ${CMAKE_CURRENT_LIST_DIR}/../test/support/test_main.cpp)
+  target_link_libraries(thick_test_main PUBLIC Boost::unit_test_framework)
+  target_compile_definitions(thick_test_main PUBLIC "BOOST_TEST_DYN_LINK=")
+  thick_provide_support(Unit_test thick_test_main)
 endif()
 
 # Warnings for our own sources and headers. Those of CGAL and Boost are system headers to the

@@ -7,26 +7,32 @@
 # the headers of CGAL take notice of. If a target has further options that change what the headers
 # are compiled to, it is to set the property DISABLE_PRECOMPILE_HEADERS.
 #
-# A file that forgets to include such a header is found by the builds without this option.
-# Boost.Test is not among the headers, because it depends on the macro BOOST_TEST_MODULE.
+# A file that forgets to include such a header is found by the builds without this option. Boost.Test
+# is among the headers, and so it is among the libraries of all these targets.
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 
 option(THICK_INTERSECTION_PRECOMPILE
-  "Compile the headers of the kernel once for all programs; this takes 0.8 GB of disk" OFF)
+  "Compile the headers of the kernel once for all programs; this takes 0.9 GB of disk" OFF)
+
+set(thick_boost_test $<TARGET_NAME_IF_EXISTS:thick_support_Unit_test>)
 
 # The tags of CGAL differ with oneTBB, so the headers are compiled with it and without.
 function(thick_precompile name)
   file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/${name}.cpp CONTENT "")
   add_library(${name} OBJECT EXCLUDE_FROM_ALL ${PROJECT_BINARY_DIR}/${name}.cpp)
-  target_link_libraries(${name} PRIVATE Thick_intersection_d::Thick_intersection_d ${ARGN})
+  target_link_libraries(${name} PRIVATE
+    Thick_intersection_d::Thick_intersection_d ${thick_boost_test} ${ARGN})
   thick_enable_warnings(${name})
   target_precompile_headers(${name} PRIVATE
+    <CGAL/Exact_predicates_exact_constructions_kernel.h>
     <CGAL/Exact_predicates_inexact_constructions_kernel.h>
     <CGAL/Exact_rational.h>
     <CGAL/Simple_cartesian.h>
     <algorithm>
     <array>
+    <boost/multiprecision/cpp_int.hpp>
+    $<$<BOOL:${thick_boost_test}>:<boost/test/unit_test.hpp$<ANGLE-R>>
     <cmath>
     <iostream>
     <optional>
@@ -49,7 +55,9 @@ function(thick_take_precompiled target)
   get_target_property(libraries ${target} LINK_LIBRARIES)
   if(libraries MATCHES "Eigen3")
     return()
-  elseif(libraries MATCHES "TBB")
+  endif()
+  target_link_libraries(${target} PRIVATE ${thick_boost_test})
+  if(libraries MATCHES "TBB")
     target_precompile_headers(${target} REUSE_FROM thick_precompiled_with_TBB)
   else()
     target_precompile_headers(${target} REUSE_FROM thick_precompiled)

@@ -4,7 +4,6 @@
 // What the laboratory must find each time: no wrong pair in our columns, known numbers of wrong
 // pairs in those of others, and the steps of the precision staircase where the degrees put them.
 
-#define BOOST_TEST_MODULE accuracy_check
 #include <boost/test/unit_test.hpp>
 
 #include "staircase.h"

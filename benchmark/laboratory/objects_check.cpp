@@ -4,7 +4,6 @@
 // What the laboratory must find about segments, triangles and tetrahedra: no wrong answer in our
 // columns, and some in those of plain doubles.
 
-#define BOOST_TEST_MODULE objects_check
 #include <boost/test/unit_test.hpp>
 
 #include "predicate_columns.h"

@@ -4,7 +4,6 @@
 // What the laboratory must find about objects of all sizes: no wrong pair in our columns, and some
 // in those of others.
 
-#define BOOST_TEST_MODULE sizes_check
 #include <boost/test/unit_test.hpp>
 
 #include "families_of_sizes.h"

@@ -4,7 +4,6 @@
 // Scenes of balls of all sizes and magnitudes, in sequence and in parallel, and on the kernels that
 // other tests of balls leave out.
 
-#define BOOST_TEST_MODULE ball_kernels
 #include "support/check_balls.h"
 #include "support/kernels.h"
 

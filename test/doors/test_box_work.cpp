@@ -4,7 +4,6 @@
 // The work of the box route: the boxes that it looks at are counted against n log2^(d-1) n + k, on
 // scenes of all sizes of boxes, and on scenes where no cut helps.
 
-#define BOOST_TEST_MODULE box_work
 #include "support/counted_boxes.h"
 #include "support/number_boxes.h"
 

@@ -5,7 +5,6 @@
 // exchange of axes, exact scaling and translation, embedding, splitting in two sets; and with the
 // closed-form counts of lattices.
 
-#define BOOST_TEST_MODULE consistency
 #include "support/kernels.h"
 #include "support/lattice_counts.h"
 #include "support/point_generators.h"

@@ -4,7 +4,6 @@
 // What the public functions promise beyond the right pairs: which ranges and traits they take, what
 // a callback may do, what happens to bad input, and that the input is left alone.
 
-#define BOOST_TEST_MODULE contracts
 #include "support/brute_force.h"
 #include "support/kernels.h"
 #include "support/lattice_traits.h"

@@ -4,7 +4,6 @@
 // Real scenes exactly as they are printed, at the radii whose pairs have been counted elsewhere.
 // Files that are not shipped are read if a folder has them.
 
-#define BOOST_TEST_MODULE data
 #include "support/data_facts.h"
 #include "support/kernels.h"
 

@@ -4,7 +4,6 @@
 // The algebraic degree of what the package decides, measured: coordinates are compared at degree 1,
 // distances at degree 2, and nothing is decided at a higher degree. [V03, section 2]
 
-#define BOOST_TEST_MODULE degree
 #include <boost/test/unit_test.hpp>
 
 #include "support/degree_traits.h"

@@ -4,7 +4,6 @@
 // Pairs of the user's elements instead of positions, and pairs for output iterators: the same pairs
 // as of positions, and nothing is looked up but what is reported.
 
-#define BOOST_TEST_MODULE elements
 #include "support/kernels.h"
 #include "support/point_generators.h"
 

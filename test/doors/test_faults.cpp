@@ -5,7 +5,6 @@
 // is stopped or cancelled, and callbacks search themselves. After a fault nothing is lost, and the
 // next search finds all pairs.
 
-#define BOOST_TEST_MODULE faults
 #include "support/counting_allocator.h"
 #include "support/pairs.h"
 

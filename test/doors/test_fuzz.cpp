@@ -3,7 +3,6 @@
 
 // Most of a million small random scenes: on doubles, in sequence, by the best lanes.
 
-#define BOOST_TEST_MODULE fuzz
 #include "support/check_fuzz.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -3,7 +3,6 @@
 
 // Small random scenes in kernels whose points alone know their dimension.
 
-#define BOOST_TEST_MODULE fuzz_d
 #include "support/check_fuzz.h"
 
 #include <CGAL/Epeck_d.h>

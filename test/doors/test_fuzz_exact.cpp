@@ -3,7 +3,6 @@
 
 // Small random scenes whose coordinates are thirds, in exact numbers.
 
-#define BOOST_TEST_MODULE fuzz_exact
 #include "support/check_fuzz.h"
 
 #include <CGAL/Exact_integer.h>

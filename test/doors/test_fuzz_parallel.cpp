@@ -3,7 +3,6 @@
 
 // Small random scenes by four threads.
 
-#define BOOST_TEST_MODULE fuzz_parallel
 #include "support/check_fuzz.h"
 
 #include <CGAL/Simple_cartesian.h>

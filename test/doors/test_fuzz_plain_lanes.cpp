@@ -4,7 +4,6 @@
 // Small random scenes by the plain lanes: the folder support/plain_lanes comes first in the search
 // for headers, and has no others. Floats take them too.
 
-#define BOOST_TEST_MODULE fuzz_plain_lanes
 #include "support/check_fuzz.h"
 
 #include <CGAL/Simple_cartesian.h>

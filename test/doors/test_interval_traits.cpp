@@ -4,7 +4,6 @@
 // What the public functions promise for objects that are searched by their boxes: those of traits
 // with intervals, kernel objects, and balls.
 
-#define BOOST_TEST_MODULE interval_traits
 #include "support/interval_traits.h"
 
 #include <CGAL/Exact_rational.h>

@@ -3,7 +3,6 @@
 
 // Every scene on the kernels for points of any dimension, fixed when compiled or not.
 
-#define BOOST_TEST_MODULE kernels_d
 #include "support/check_kernel.h"
 
 #include <CGAL/Epick_d.h>

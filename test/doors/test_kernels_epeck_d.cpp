@@ -3,7 +3,6 @@
 
 // Scenes on the lazy exact kernel for points of any dimension, fixed when compiled or not.
 
-#define BOOST_TEST_MODULE kernels_epeck_d
 #include "support/brute_force.h"
 #include "support/check_kernel.h"
 

@@ -3,7 +3,6 @@
 
 // Every scene on the Cartesian kernels whose coordinates are exact numbers.
 
-#define BOOST_TEST_MODULE kernels_exact
 #include "support/check_kernel.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>

@@ -3,7 +3,6 @@
 
 // Every scene on the kernels whose coordinates are floating numbers: float, double, any precision.
 
-#define BOOST_TEST_MODULE kernels_floating
 #include "support/check_kernel.h"
 #include "support/mpfr_kernel_number.h"
 

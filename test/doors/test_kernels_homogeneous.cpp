@@ -3,7 +3,6 @@
 
 // Every scene on the homogeneous kernel over the integers.
 
-#define BOOST_TEST_MODULE kernels_homogeneous
 #include "support/check_kernel.h"
 
 #include <CGAL/Homogeneous.h>

@@ -4,7 +4,6 @@
 // Self-intersections of meshes, against those of CGAL: a mesh of the real world that was rounded,
 // folded, cut and copied, and small meshes on a lattice where nearly everything is degenerate.
 
-#define BOOST_TEST_MODULE mesh_self_intersections
 #include "support/data_files.h"
 #include "support/pairs.h"
 #include "support/point_generators.h"

@@ -3,7 +3,6 @@
 
 // Lists of neighbours against brute force: each neighbour once, on both sides, in order.
 
-#define BOOST_TEST_MODULE neighbor_lists
 #include "support/brute_force.h"
 #include "support/kernels.h"
 #include "support/point_generators.h"

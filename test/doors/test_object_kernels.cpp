@@ -3,7 +3,6 @@
 
 // Objects on kernels that other tests leave out: homogeneous, filtered, and of other numbers.
 
-#define BOOST_TEST_MODULE object_kernels
 #include "support/check_objects.h"
 
 #include <CGAL/Exact_integer.h>

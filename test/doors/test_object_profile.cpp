@@ -4,7 +4,6 @@
 // What a scene of objects needs: its grid and bits, every tier that is exact for it, and the counts
 // of decisions.
 
-#define BOOST_TEST_MODULE object_profile
 #include "support/pairs.h"
 #include "support/parallel_pairs.h"
 #include "support/point_generators.h"

@@ -3,7 +3,6 @@
 
 // Objects of no kernel: a class of the user with a box and a test, and bounding boxes themselves.
 
-#define BOOST_TEST_MODULE own_objects
 #include "support/pairs.h"
 
 #include <CGAL/Bbox_2.h>

@@ -3,7 +3,6 @@
 
 // In parallel: the same pairs, a stop that is obeyed, exceptions that come out, progress in order.
 
-#define BOOST_TEST_MODULE parallel
 #include "support/kernels.h"
 #include "support/parallel_pairs.h"
 #include "support/point_generators.h"

@@ -4,7 +4,6 @@
 // Objects with boxes in parallel: the same pairs, a stop that is obeyed, exceptions that come out.
 // ThreadSanitizer watches these tests too.
 
-#define BOOST_TEST_MODULE parallel_objects
 #include "support/interval_traits.h"
 #include "support/parallel_pairs.h"
 #include "support/point_generators.h"

@@ -6,7 +6,6 @@
 //
 // Compiled twice: the second time with fused multiplication wherever the compiler finds a use.
 
-#define BOOST_TEST_MODULE scene_profile
 #include "support/brute_force.h"
 #include "support/counting_allocator.h"
 #include "support/kernels.h"

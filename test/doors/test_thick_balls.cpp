@@ -3,7 +3,6 @@
 
 // Balls with individual radii, on the kernels: against all pairs tested in exact rational numbers.
 
-#define BOOST_TEST_MODULE thick_balls
 #include "support/check_balls.h"
 #include "support/kernels.h"
 

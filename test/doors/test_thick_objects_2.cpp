@@ -3,7 +3,6 @@
 
 // Segments, triangles and rectangles in the plane, on the usual kernels.
 
-#define BOOST_TEST_MODULE thick_objects_2
 #include "support/check_objects.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -3,7 +3,6 @@
 
 // Segments, triangles, cuboids and tetrahedra in space, on the usual kernels.
 
-#define BOOST_TEST_MODULE thick_objects_3
 #include "support/check_objects.h"
 
 using namespace test_support;

@@ -4,7 +4,6 @@
 // Objects that touch, are degenerate or have extreme coordinates, where predicates of kernels gave
 // wrong pairs: against the oracle of hulls.
 
-#define BOOST_TEST_MODULE touching_objects
 #include "support/hull_oracle.h"
 #include "support/pairs.h"
 #include "support/point_generators.h"

@@ -3,7 +3,6 @@
 
 // Views of C++20: ranges that are not const, that end in a sentinel, or that make their elements.
 
-#define BOOST_TEST_MODULE views
 #include "support/pairs.h"
 
 #include <CGAL/Bbox_2.h>

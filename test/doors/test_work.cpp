@@ -4,7 +4,6 @@
 // A right answer with too much work is wrong too: predicate calls and coordinate comparisons are
 // counted against O(C(n + k)) and O(n log n) [V03, Theorem 1], bytes against O(n).
 
-#define BOOST_TEST_MODULE work
 #include "support/recursion_variants.h"
 #include "support/counting_allocator.h"
 #include "support/lattice_traits.h"

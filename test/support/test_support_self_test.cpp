@@ -4,8 +4,6 @@
 // Tests of the tests: the oracles agree with each other, the scenes have the number of pairs they
 // claim, and the data files are read as those who counted their pairs read them.
 
-#define BOOST_TEST_MODULE test_support_self_test
-
 #include "box_oracle.h"
 #include "brute_force.h"
 #include "counting_allocator.h"
