@@ -14,11 +14,12 @@ using Integer_kernel = CGAL::Homogeneous<CGAL::Exact_integer>;
 namespace {
 
 // Coordinates are quotients of big integers, so that all of the time is spent in allocations; where
-// addresses are watched these take ten times as long.
+// addresses are watched these take ten times as long. Whole scenes of exact numbers that are no
+// doubles are in test_kernels_exact.
 #ifdef __SANITIZE_ADDRESS__
 constexpr std::size_t max_size = 150;
 #else
-constexpr std::size_t max_size = 100000;
+constexpr std::size_t max_size = 400;
 #endif
 
 template <int Dimension>
