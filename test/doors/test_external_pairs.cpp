@@ -13,14 +13,13 @@
 
 #include <CGAL/Thick_intersection_d/internal/arrays/Random_numbers.h>
 #include <CGAL/Thick_intersection_d/internal/doors/external_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/external/Chunk_store.h>
 #include <CGAL/Thick_intersection_d/internal/external/External_parts.h>
-#include <CGAL/Thick_intersection_d/internal/external/Loaded_points.h>
 #include <CGAL/Thick_intersection_d/internal/external/Part_limits.h>
-#include <CGAL/Thick_intersection_d/internal/external/Point_columns.h>
 #include <CGAL/Thick_intersection_d/internal/external/Scratch_file.h>
 #include <CGAL/Thick_intersection_d/internal/external/Searched_points.h>
+#include <CGAL/Thick_intersection_d/internal/external/Stored_point.h>
 #include <CGAL/Thick_intersection_d/internal/external/Stored_points.h>
-#include <CGAL/Thick_intersection_d/internal/external/Streamed_sample.h>
 #include <CGAL/Thick_intersection_d/internal/external/Stripes.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
@@ -332,22 +331,24 @@ BOOST_AUTO_TEST_CASE(a_list_on_disk_gives_its_chunks_to_the_next_list)
   Chunk_store<3> store(fs::temp_directory_path(), 5);
   Stored_points<3> list, next;
   for(std::uint64_t i = 0; i < 203; ++i)
-    list.add(store, {{1. * i, 0, 0}}, i);
+    list.add(store, {{1. * i, 0, 0}, i});
   list.flush(store);
-  BOOST_CHECK_EQUAL(list.box()[0].high, 202);
-  list.take(store, [&](const Stored_point<3>& point, std::uint64_t id) {
-    BOOST_CHECK_EQUAL(id, next.size());
-    next.add(store, point, id);
+  BOOST_CHECK_EQUAL(list.size(), 203);
+  BOOST_CHECK_EQUAL(list.box().intervals()[0].high, 202);
+  for(std::uint64_t i = 0; i < 203; ++i)
+    BOOST_CHECK_EQUAL(list.read(store, i).id, i);
+  list.take(store, [&](const Stored_point<3>& point) {
+    BOOST_CHECK_EQUAL(point.id, next.size());
+    next.add(store, point);
   });
   BOOST_CHECK_EQUAL(list.size(), 0);
   BOOST_CHECK_LE(store.size(), 4); // rows of 16 chunks
-  Loaded_points<3> loaded;
-  loaded.clear(203);
-  loaded.add_owned(next, store);
+  std::vector<Stored_point<3>> loaded;
+  next.load(store, loaded);
   BOOST_REQUIRE_EQUAL(loaded.size(), 203);
   for(std::uint64_t i = 0; i < 203; ++i) {
-    BOOST_CHECK_EQUAL(loaded.columns().points[i].x[0], 1. * i);
-    BOOST_CHECK_EQUAL(loaded.columns().ids[i], i);
+    BOOST_CHECK_EQUAL(loaded[i].x[0], 1. * i);
+    BOOST_CHECK_EQUAL(loaded[i].id, i);
   }
 }
 
@@ -355,23 +356,19 @@ BOOST_AUTO_TEST_CASE(a_list_on_disk_gives_its_chunks_to_the_next_list)
 BOOST_AUTO_TEST_CASE(points_of_a_part_are_found_by_their_numbers)
 {
   Loaded_points<3> part;
-  Chunk_store<3> store(fs::temp_directory_path(), 100);
-  part.clear(1500);
   const std::uint64_t far = (std::uint64_t(1) << 31) - 500;
   for(std::uint64_t first : {0, 1, 2}) {
-    Stored_points<3> list;
+    if(first < 2)
+      part.begins.push_back(part.points.size());
     for(std::uint64_t id = first; id < 1000; id += 2)
-      list.add(store, {{1. * id, 0, 0}}, far + id);
-    list.flush(store);
-    if(first == 2)
-      part.add_given(list, store);
-    else
-      part.add_owned(list, store);
+      part.points.push_back({{1. * id, 0, 0}, far + id});
+    if(first < 2)
+      part.owned = part.points.size();
   }
   const Searched_points<3> points(part);
   int short_ids = 0;
-  for(std::size_t place = 0; place < part.size(); ++place) {
-    const std::uint64_t id = part.columns().ids[place];
+  for(std::size_t place = 0; place < part.points.size(); ++place) {
+    const std::uint64_t id = part.points[place].id;
     const std::size_t number = points.number(place);
     BOOST_CHECK_EQUAL(points.id(number), id);
     BOOST_CHECK_EQUAL(points.place(number), place);
@@ -382,24 +379,12 @@ BOOST_AUTO_TEST_CASE(points_of_a_part_are_found_by_their_numbers)
   BOOST_CHECK_EQUAL(short_ids, 499);
 }
 
-BOOST_AUTO_TEST_CASE(a_sample_has_a_point_of_each_block)
-{
-  Streamed_sample<int> sample(100);
-  for(int i = 0; i < 6400; ++i)
-    sample.add(i);
-  const std::vector<int>& chosen = sample.points();
-  BOOST_CHECK_GE(chosen.size(), 50);
-  BOOST_CHECK_LE(chosen.size(), 100);
-  for(std::size_t i = 0; i < chosen.size(); ++i)
-    BOOST_CHECK_EQUAL(chosen[i] * chosen.size() / 6400, i);
-}
-
 BOOST_AUTO_TEST_CASE(stripes_have_about_as_many_numbers_each)
 {
   Scene_maker maker;
   std::vector<double> values;
   for(int i = 0; i < 6400; ++i)
-    values.push_back(std::ldexp(maker.number(), i % 600)); // hardly any are in other cells
+    values.push_back(std::ldexp(maker.number(), i % 600));
   std::sort(values.begin(), values.end());
   const Stripes stripes(values, 32);
   std::array<int, 32> counts = {};
@@ -429,7 +414,7 @@ BOOST_AUTO_TEST_CASE(stripes_separate_a_number_from_many_equal_ones)
 BOOST_AUTO_TEST_CASE(a_huge_budget_has_parts_that_a_search_takes)
 {
   const std::size_t terabyte = std::size_t(1) << 40;
-  BOOST_CHECK_LT(Part_limits(terabyte, stored_size<3>).points_per_search(), max_place / 2);
+  BOOST_CHECK_LT(Part_limits(terabyte, sizeof(Stored_point<3>)).points_per_search(), max_place / 2);
 }
 
 BOOST_AUTO_TEST_CASE(parts_fill_the_budget_with_the_points_near_them)
@@ -437,20 +422,20 @@ BOOST_AUTO_TEST_CASE(parts_fill_the_budget_with_the_points_near_them)
   const Points points = Scene_maker().uniform(60000);
   for(const auto& [bytes, reach, most_parts] : {std::tuple(small, .03, 250), {1 << 20, .003, 6}}) {
     External_parts<3> parts(CGAL::Memory_budget(bytes), reach);
-    External_parts<3>::Sample sample(parts.limits().points_per_sample());
-    const auto visit_points = [&](const auto& visit) {
-      for(std::size_t i = 0; i < points.size(); ++i)
-        visit(Stored_point<3>{{points[i].x(), points[i].y(), points[i].z()}}, i);
+    const auto point_at = [&](std::uint64_t i) {
+      return Stored_point<3>({points[i].x(), points[i].y(), points[i].z()}, i);
     };
-    visit_points([&](const Stored_point<3>& point, std::size_t) { sample.add(point); });
-    parts.make(sample, visit_points);
+    parts.make(points.size(), point_at, [&](const auto& visit) {
+      for(std::size_t i = 0; i < points.size(); ++i)
+        visit(point_at(i));
+    });
     std::size_t owned = 0;
     int count = 0;
     Loaded_points<3> loaded;
     for(; parts.find_next(); ++count) {
       parts.take_next(loaded);
-      owned += loaded.owned();
-      BOOST_CHECK_LE(loaded.size(), parts.limits().points_per_search());
+      owned += loaded.owned;
+      BOOST_CHECK_LE(loaded.points.size(), parts.limits().points_per_search());
     }
     BOOST_CHECK_EQUAL(owned, points.size());
     BOOST_CHECK_LE(count, most_parts);

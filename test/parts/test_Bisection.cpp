@@ -93,6 +93,12 @@ BOOST_AUTO_TEST_CASE(parts_have_the_same_number_of_points_and_of_pairs)
 
 using Box_of_points = internal::Part_box;
 
+struct In_plane
+{
+  const double* x;
+  std::pair<double, double> bounds_along(int axis) const { return {x[axis], x[axis]}; }
+};
+
 // The boxes of a part, by their numbers. Those without points are empty.
 std::vector<std::vector<Box_of_points>> boxes_of_parts(const internal::Bisection& parts,
                                                        int part_count,
@@ -103,9 +109,7 @@ std::vector<std::vector<Box_of_points>> boxes_of_parts(const internal::Bisection
   for(std::size_t i = 0; i < points.size(); ++i) {
     const double* const x = points.point(i);
     const internal::Bisection::Part_place place = parts.find(x, points.ids[i]);
-    boxes.at(static_cast<std::size_t>(place.part)).at(place.box).add([&](int axis) {
-      return std::make_pair(x[axis], x[axis]);
-    });
+    boxes.at(static_cast<std::size_t>(place.part)).at(place.box).add(In_plane{x});
   }
   return boxes;
 }
@@ -120,9 +124,8 @@ BOOST_AUTO_TEST_CASE(boxes_of_different_parts_are_apart)
     for(std::size_t i = 0; i < points.size(); ++i)
       for(const Box_of_points& box : boxes[part]) {
         const double* const x = points.point(i);
-        const auto bounds = [&](int axis) { return std::make_pair(x[axis], x[axis]); };
         const bool is_own = parts.owner(x, i) == static_cast<int>(part);
-        BOOST_REQUIRE(is_own || !box.is_near(bounds, 0));
+        BOOST_REQUIRE(is_own || !box.is_near(In_plane{x}, 0));
       }
 }
 

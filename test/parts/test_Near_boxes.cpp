@@ -18,16 +18,17 @@ namespace internal = CGAL::Thick_intersection_d::internal;
 
 using Boxes = std::vector<internal::Part_box>;
 
-auto on_line(double x)
+struct On_line
 {
-  return [x](int) { return std::make_pair(x, x); };
-}
+  double x;
+  std::pair<double, double> bounds_along(int) const { return {x, x}; }
+};
 
 internal::Part_box interval(double low, double high)
 {
   internal::Part_box box(1);
-  box.add(on_line(low));
-  box.add(on_line(high));
+  box.add(On_line{low});
+  box.add(On_line{high});
   return box;
 }
 
@@ -52,7 +53,7 @@ BOOST_AUTO_TEST_CASE(a_part_receives_a_point_near_two_of_its_boxes_once)
     = {{interval(1, 3), interval(7, 9)}, {interval(3, 3.5), interval(6.5, 7)}, {interval(4, 6)}};
   const auto receivers = [&](std::size_t box, double x, double reach) {
     std::vector<std::size_t> parts;
-    internal::Near_boxes(mine, 2, all, reach).for_receivers(box, on_line(x), [&](std::size_t part) {
+    internal::Near_boxes(mine, 2, all, reach).for_receivers(box, On_line{x}, [&](std::size_t part) {
       parts.push_back(part);
     });
     return parts;

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 
@@ -18,32 +19,29 @@ namespace internal = CGAL::Thick_intersection_d::internal;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-using Bounds = std::array<std::pair<double, double>, 2>;
+struct Bounds
+{
+  std::array<std::pair<double, double>, 2> x;
+  std::pair<double, double> bounds_along(int axis) const
+  {
+    return x[static_cast<std::size_t>(axis)];
+  }
+};
 
 // A point of the plane whose coordinates are doubles.
 Bounds point(double x, double y)
 {
-  return {{{x, x}, {y, y}}};
-}
-
-void add(internal::Part_box& box, const Bounds& x)
-{
-  box.add([&](int axis) { return x[static_cast<std::size_t>(axis)]; });
-}
-
-bool is_near(const internal::Part_box& box, const Bounds& x, double reach)
-{
-  return box.is_near([&](int axis) { return x[static_cast<std::size_t>(axis)]; }, reach);
+  return {{{{x, x}, {y, y}}}};
 }
 
 BOOST_AUTO_TEST_CASE(points_at_exactly_the_reach_are_near_on_all_sides)
 {
   internal::Part_box box(2);
-  add(box, point(0, 0));
-  add(box, point(4, 2));
+  box.add(point(0, 0));
+  box.add(point(4, 2));
   for(const Bounds& x : {point(5, 1), point(-1, 1), point(2, 3), point(2, -1)}) {
-    BOOST_CHECK(is_near(box, x, 1));
-    BOOST_CHECK(!is_near(box, x, std::nextafter(1., 0.)));
+    BOOST_CHECK(box.is_near(x, 1));
+    BOOST_CHECK(!box.is_near(x, std::nextafter(1., 0.)));
   }
 }
 
@@ -51,11 +49,11 @@ BOOST_AUTO_TEST_CASE(points_at_exactly_the_reach_are_near_on_all_sides)
 BOOST_AUTO_TEST_CASE(points_within_reach_along_each_axis_are_near)
 {
   internal::Part_box box(2);
-  add(box, point(0, 0));
-  BOOST_CHECK(is_near(box, point(1, 1), 1));
+  box.add(point(0, 0));
+  BOOST_CHECK(box.is_near(point(1, 1), 1));
   const double tiny = 0x1p-600; // its square is zero
-  BOOST_CHECK(is_near(box, point(tiny, 0), tiny));
-  BOOST_CHECK(!is_near(box, point(2 * tiny, 0), tiny));
+  BOOST_CHECK(box.is_near(point(tiny, 0), tiny));
+  BOOST_CHECK(!box.is_near(point(2 * tiny, 0), tiny));
 }
 
 // The two points are within reach in real numbers, and their rounded difference does not tell.
@@ -70,11 +68,11 @@ BOOST_AUTO_TEST_CASE(rounding_never_loses_a_point_within_reach)
       x = std::nextafter(x, 0.);
     rounded_count += static_cast<long double>(x - y) != static_cast<long double>(x) - y;
     internal::Part_box box(2);
-    add(box, point(y, 0));
-    BOOST_CHECK(is_near(box, point(x, 0), reach));
+    box.add(point(y, 0));
+    BOOST_CHECK(box.is_near(point(x, 0), reach));
     internal::Part_box other(2);
-    add(other, point(x, 0));
-    BOOST_CHECK(is_near(other, point(y, 0), reach));
+    other.add(point(x, 0));
+    BOOST_CHECK(other.is_near(point(y, 0), reach));
   }
   BOOST_CHECK_GT(rounded_count, 100);
 }
@@ -83,29 +81,29 @@ BOOST_AUTO_TEST_CASE(rounding_never_loses_a_point_within_reach)
 BOOST_AUTO_TEST_CASE(a_box_holds_both_bounds_of_each_coordinate)
 {
   internal::Part_box box(2);
-  add(box, {{{1, 2}, {1, 2}}});
+  box.add(Bounds{{{{1, 2}, {1, 2}}}});
   BOOST_CHECK_EQUAL(box.intervals()[0].low, 1);
   BOOST_CHECK_EQUAL(box.intervals()[0].high, 2);
-  BOOST_CHECK(is_near(box, point(3, 1), 1));
-  BOOST_CHECK(is_near(box, {{{3, 9}, {1, 1}}}, 1));
-  BOOST_CHECK(is_near(box, {{{-9, 0}, {1, 1}}}, 1));
+  BOOST_CHECK(box.is_near(point(3, 1), 1));
+  BOOST_CHECK(box.is_near(Bounds{{{{3, 9}, {1, 1}}}}, 1));
+  BOOST_CHECK(box.is_near(Bounds{{{{-9, 0}, {1, 1}}}}, 1));
 }
 
 BOOST_AUTO_TEST_CASE(no_point_is_near_an_empty_box)
 {
   const internal::Part_box box(2);
   BOOST_CHECK(box.is_empty());
-  BOOST_CHECK(!is_near(box, point(0, 0), infinity));
+  BOOST_CHECK(!box.is_near(point(0, 0), infinity));
 }
 
 BOOST_AUTO_TEST_CASE(numbers_beyond_doubles_are_near_what_they_may_be_near)
 {
   constexpr double most = (std::numeric_limits<double>::max)();
   internal::Part_box box(2);
-  add(box, {{{most, infinity}, {0, 0}}});
-  BOOST_CHECK(is_near(box, {{{most, infinity}, {0, 0}}}, 1));
-  BOOST_CHECK(!is_near(box, point(0, 0), 1));
-  BOOST_CHECK(is_near(box, point(0, 0), infinity));
+  box.add(Bounds{{{{most, infinity}, {0, 0}}}});
+  BOOST_CHECK(box.is_near(Bounds{{{{most, infinity}, {0, 0}}}}, 1));
+  BOOST_CHECK(!box.is_near(point(0, 0), 1));
+  BOOST_CHECK(box.is_near(point(0, 0), infinity));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -263,7 +263,7 @@ private:
     std::vector<Part_box> boxes(bisection_ ? Bisection::max_boxes : 1, Part_box(dimension_));
     for(const Distributed_set<Carried>& set : sets_)
       for(std::size_t i = 0; i < set.own_size; ++i)
-        boxes[own_box_of(set.part, i)].add(set.part.bounds_of(i));
+        boxes[own_box_of(set.part, i)].add(set.part.points[i]);
     return boxes;
   }
 
@@ -273,7 +273,7 @@ private:
     outgoing.resize(static_cast<std::size_t>(comm_.size()));
     for(std::size_t i = 0; i < set.own_size; ++i) {
       const auto pack = [&](std::size_t rank) { set.part.pack(i, outgoing[rank]); };
-      near.for_receivers(own_box_of(set.part, i), set.part.bounds_of(i), pack);
+      near.for_receivers(own_box_of(set.part, i), set.part.points[i], pack);
     }
   }
 

@@ -21,24 +21,24 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// What a search of a part calls back: put(i, j) with ids i < j.
-template <int Dimension, class Put>
+// What a search of a part calls back: callback(i, j) with ids i < j.
+template <int Dimension, class Callback>
 struct Part_report
 {
   const Searched_points<Dimension>& points;
-  const Put& put;
+  Callback& callback;
 };
 
 // Gets the numbers of points. Drops the pairs of two points that were given: they are found
 // elsewhere.
-template <int Dimension, class Put>
-class Pair_reporter<const Part_report<Dimension, Put>>
+template <int Dimension, class Callback>
+class Pair_reporter<const Part_report<Dimension, Callback>>
 {
   using Points = Searched_points<Dimension>;
 
 public:
-  explicit Pair_reporter(const Part_report<Dimension, Put>& report)
-    : points_(report.points), report_(report.put)
+  explicit Pair_reporter(const Part_report<Dimension, Callback>& report)
+    : points_(report.points), report_(report.callback)
   {}
 
   bool operator()(std::size_t i, std::size_t j)
@@ -73,7 +73,7 @@ private:
   }
 
   const Points& points_;
-  Pair_reporter<const Put> report_;
+  Pair_reporter<Callback> report_;
 };
 
 } // namespace internal

@@ -18,14 +18,14 @@
 #include <CGAL/Thick_intersection_d/internal/doors/Part_reporter.h>
 #include <CGAL/Thick_intersection_d/internal/doors/near_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/external/External_parts.h>
-#include <CGAL/Thick_intersection_d/internal/external/Loaded_points.h>
-#include <CGAL/Thick_intersection_d/internal/external/Point_columns.h>
 #include <CGAL/Thick_intersection_d/internal/external/Searched_points.h>
+#include <CGAL/Thick_intersection_d/internal/external/Stored_point.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/input/iterators.h>
+#include <CGAL/Thick_intersection_d/internal/parts/Part_points.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
 #include <algorithm>
@@ -37,6 +37,7 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -67,13 +68,18 @@ public:
   {
     check_denormals();
     const std::size_t most = parts_.limits().points_per_search();
+    std::vector<Point>& points = loaded_.points;
     Iterator it = std::begin(range_);
     const auto last = std::end(range_);
-    for(; loaded_.size() < most && it != last; ++it) {
+    for(; points.size() < most && it != last; ++it) {
       if(!may_read_next())
         return false;
-      loaded_.add(stored_point(*it), size_ - 1, most);
+      if(points.size() == points.capacity())
+        reserve_huge_pages(points, (std::min)(most, 2 * points.size() + (1 << 20)));
+      points.push_back(stored_point(*it));
     }
+    loaded_.owned = points.size();
+    loaded_.begins = {0};
     return it == last ? search_loaded(0, 1) : search_parts(it);
   }
 
@@ -105,6 +111,7 @@ private:
   Point read_point(const Given_point& point) const
   {
     Point stored;
+    stored.id = size_ - 1;
     bool is_finite = true;
     for(int axis = 0; axis < Dimension; ++axis) {
       const double x = static_cast<double>(coordinate(point, axis));
@@ -112,43 +119,29 @@ private:
       is_finite = is_finite && std::isfinite(x);
     }
     if(!is_finite)
-      check_point(point, Dimension, "point", static_cast<std::size_t>(size_ - 1));
+      check_point(point, Dimension, "point", static_cast<std::size_t>(stored.id));
     return stored;
   }
 
   // The points that were loaded come before the others.
   bool search_parts(Iterator it)
   {
-    const Point_columns<Dimension> columns = loaded_.columns();
-    typename External_parts<Dimension>::Sample sample(parts_.limits().points_per_sample());
-    std::for_each(columns.points, columns.points + loaded_.size(),
-                  [&](const Point& point) { sample.add(point); });
-    bool is_complete = true;
-    parts_.make(sample, [&](const auto& visit) {
-      for(std::size_t i = 0; i < loaded_.size(); ++i)
-        visit(columns.points[i], columns.ids[i]);
-      is_complete = visit_rest(it, visit);
+    const std::vector<Point>& points = loaded_.points;
+    const auto last = std::end(range_);
+    const auto point_at = [&](std::uint64_t i) { return points[static_cast<std::size_t>(i)]; };
+    parts_.make(points.size(), point_at, [&](const auto& visit) {
+      std::for_each(points.begin(), points.end(), visit);
+      for(; it != last && may_read_next(); ++it)
+        visit(stored_point(*it));
     });
-    return is_complete && search_each_part();
-  }
-
-  // Returns false iff the search was stopped.
-  template <class Visit>
-  bool visit_rest(Iterator it, const Visit& visit)
-  {
-    for(const auto last = std::end(range_); it != last; ++it) {
-      if(!may_read_next())
-        return false;
-      visit(stored_point(*it), size_ - 1);
-    }
-    return true;
+    return it == last && search_each_part();
   }
 
   bool search_each_part()
   {
-    for(std::uint64_t done = 0; parts_.find_next(); done += loaded_.owned()) {
+    for(std::uint64_t done = 0; parts_.find_next(); done += loaded_.owned) {
       parts_.take_next(loaded_);
-      const double share = (1 - share_of_writing) * part_of_all(loaded_.owned());
+      const double share = (1 - share_of_writing) * part_of_all(loaded_.owned);
       const double start = share_of_writing + (1 - share_of_writing) * part_of_all(done);
       if(!search_loaded(start, share))
         return false;
@@ -166,21 +159,9 @@ private:
   {
     const Searched_points<Dimension> points(loaded_);
     const auto go_on = [&](double done) { return go_on_(start + share * done); };
-    const auto put_pair = [this](std::uint64_t i, std::uint64_t j) { return put(i, j); };
-    const Part_report<Dimension, decltype(put_pair)> report{points, put_pair};
+    const Part_report<Dimension, Callback> report{points, callback_};
     return report_near_pairs<ConcurrencyTag>(points, One_set(), bound_, report,
                                              parameters::callback(go_on));
-  }
-
-  // Returns false iff the callback stops the search.
-  bool put(std::uint64_t i, std::uint64_t j)
-  {
-    if constexpr(std::is_void_v<std::invoke_result_t<Callback&, std::uint64_t, std::uint64_t>>) {
-      callback_(i, j);
-      return true;
-    }
-    else
-      return static_cast<bool>(callback_(i, j));
   }
 
   Readable& range_;
@@ -239,17 +220,14 @@ bool search_externally(Range& range, const Distance_bound<NT>& bound, const Memo
 {
   if constexpr(check_external_search<ConcurrencyTag, Range, Callback, NamedParameters>()) {
     check_budget(budget.bytes());
-    const auto go_on = [&]([[maybe_unused]] double done) {
-      if constexpr(parameters::is_default_parameter<NamedParameters,
-                                                    internal_np::callback_t>::value)
-        return true;
-      else
-        return parameters::get_parameter(np, internal_np::callback)(done);
-    };
+    const auto go_on_always = [](double) { return true; };
+    const auto& go_on = parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::callback), go_on_always);
     using Map = std::decay_t<decltype(element_map(range, np))>;
     using Point = typename decltype(make_elements(range, np))::value_type;
     using Search = External_search<ConcurrencyTag, dimension_or<Point>(0),
-                                   std::remove_const_t<Range>, Map, NT, Callback, decltype(go_on)>;
+                                   std::remove_const_t<Range>, Map, NT, Callback,
+                                   std::decay_t<decltype(go_on)>>;
     return Search(range, element_map(range, np), bound, budget, callback, go_on).run();
   }
   else

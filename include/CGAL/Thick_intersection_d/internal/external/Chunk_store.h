@@ -5,10 +5,10 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_EXTERNAL_CHUNK_STORE_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_EXTERNAL_CHUNK_STORE_H
 
-// Chunks of points on disk.
+// Chunks of points in a file.
 
-#include <CGAL/Thick_intersection_d/internal/external/Point_columns.h>
 #include <CGAL/Thick_intersection_d/internal/external/Scratch_file.h>
+#include <CGAL/Thick_intersection_d/internal/external/Stored_point.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -20,22 +20,21 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Places for chunks of points in a scratch file. Each has room for the same number of points. Lists
-// get a row of places at a time, so that the numbers of their places take little memory. Rows that
-// were released are used again.
+// Rows of chunks of points in a scratch file. All chunks are of the same size. Lists get a row at a
+// time, so that the numbers of their rows take little memory. Rows that were released are used
+// again.
 template <int Dimension>
 class Chunk_store
 {
-  using Columns = Point_columns<Dimension>;
+  using Point = Stored_point<Dimension>;
 
 public:
-  static constexpr std::size_t places_per_row = 16;
-
   Chunk_store(const std::filesystem::path& directory, std::size_t points_per_chunk)
     : directory_(directory), points_per_chunk_(points_per_chunk)
   {}
 
-  std::size_t points_per_chunk() const { return points_per_chunk_; }
+  std::uint64_t points_per_chunk() const { return points_per_chunk_; }
+  std::uint64_t points_per_row() const { return chunks_per_row * points_per_chunk_; }
 
   // The rows that were ever in use at the same time.
   std::uint32_t size() const { return size_; }
@@ -51,38 +50,25 @@ public:
 
   void release(std::uint32_t row) { free_.push_back(row); }
 
-  // Writes at most a chunk of points to a place of a row.
-  void write(std::uint32_t row, std::size_t place, const Columns& columns, std::size_t count)
+  // `place` is that of the first point in its row.
+  void write(std::uint32_t row, std::uint64_t place, const Point* points, std::size_t count)
   {
     if(!file_)
       file_.emplace(directory_);
-    const std::uint64_t byte = byte_of(row, place);
-    file_->write(byte, columns.points, count * sizeof *columns.points);
-    file_->write(byte + bytes_of_points(), columns.ids, count * sizeof *columns.ids);
+    file_->write(byte_of(row, place), points, count * sizeof *points);
   }
 
-  void read_points(std::uint32_t row, std::size_t place, Stored_point<Dimension>* points,
-                   std::size_t count)
+  void read(std::uint32_t row, std::uint64_t place, Point* points, std::size_t count)
   {
     file_->read(byte_of(row, place), points, count * sizeof *points);
   }
 
-  void read(std::uint32_t row, std::size_t place, const Columns& columns, std::size_t count)
-  {
-    read_points(row, place, columns.points, count);
-    file_->read(byte_of(row, place) + bytes_of_points(), columns.ids, count * sizeof *columns.ids);
-  }
-
 private:
-  std::uint64_t byte_of(std::uint32_t row, std::size_t place) const
-  {
-    return (std::uint64_t(row) * places_per_row + place) * points_per_chunk_
-           * stored_size<Dimension>;
-  }
+  static constexpr std::uint64_t chunks_per_row = 16;
 
-  std::uint64_t bytes_of_points() const
+  std::uint64_t byte_of(std::uint32_t row, std::uint64_t place) const
   {
-    return points_per_chunk_ * sizeof(Stored_point<Dimension>);
+    return (row * points_per_row() + place) * sizeof(Point);
   }
 
   std::filesystem::path directory_;

@@ -10,21 +10,18 @@
 #include <CGAL/Memory_budget.h>
 
 #include <CGAL/Thick_intersection_d/internal/external/Chunk_store.h>
-#include <CGAL/Thick_intersection_d/internal/external/Loaded_points.h>
 #include <CGAL/Thick_intersection_d/internal/external/Part_limits.h>
-#include <CGAL/Thick_intersection_d/internal/external/Point_columns.h>
+#include <CGAL/Thick_intersection_d/internal/external/Searched_points.h>
+#include <CGAL/Thick_intersection_d/internal/external/Stored_point.h>
 #include <CGAL/Thick_intersection_d/internal/external/Stored_points.h>
-#include <CGAL/Thick_intersection_d/internal/external/Streamed_sample.h>
-#include <CGAL/Thick_intersection_d/internal/external/Tile_grid.h>
 #include <CGAL/Thick_intersection_d/internal/external/Tile_writer.h>
-#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_box.h>
+#include <CGAL/Thick_intersection_d/internal/parts/Part_points.h>
+#include <CGAL/Thick_intersection_d/internal/parts/choose_sample.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -64,24 +61,24 @@ class External_parts
   };
 
 public:
-  using Sample = Streamed_sample<Point>;
-
   External_parts(const Memory_budget& budget, double reach)
-    : limits_(budget.bytes(), stored_size<Dimension>), reach_(reach),
+    : limits_(budget.bytes(), sizeof(Point)), reach_(reach),
       store_(budget.directory(), limits_.points_per_chunk())
   {}
 
   const Part_limits& limits() const { return limits_; }
 
-  // Takes the points that visit_points(visit) calls visit(point, id) for. A sample of some of them
-  // tells where to cut.
-  template <class Visit_points>
-  void make(const Sample& sample, const Visit_points& visit_points)
+  // Takes the points that visit_points(visit) calls visit(point) for. Some of the first `size` ones
+  // tell where to cut; point_at(i) returns them.
+  template <class Point_at, class Visit_points>
+  void make(std::uint64_t size, const Point_at& point_at, const Visit_points& visit_points)
   {
-    const Tile_grid<Dimension> grid(sample.points(), limits_.tile_count());
-    Tile_writer<Dimension> writer(grid, store_);
-    visit_points([&](const Point& point, std::uint64_t id) { writer.add(point, id); });
-    add_part(writer.finish(), grid.columns(), grid.axes());
+    std::vector<Point> sample;
+    for_random_positions(size, limits_.points_per_sample(),
+                         [&](std::uint64_t i) { sample.push_back(point_at(i)); });
+    Tile_writer<Dimension> writer(sample, limits_.tile_count(), store_);
+    visit_points([&](const Point& point) { writer.add(point); });
+    add_part(writer.finish(), writer.columns, writer.axes());
   }
 
   // Gets the next part ready to be taken. Returns false if there is none.
@@ -97,68 +94,49 @@ public:
   {
     Part part = std::move(parts_.back());
     parts_.pop_back();
-    loaded.clear(static_cast<std::size_t>(part.size()));
+    std::vector<Point>& points = loaded.points;
+    points.clear();
+    reserve_huge_pages(points, static_cast<std::size_t>(part.size()));
+    loaded.begins.clear();
     for(Points& tile : part.tiles) {
-      const std::vector<Part*> near_parts = parts_near(closed_box(tile));
-      const std::size_t first = loaded.size();
-      loaded.add_owned(tile, store_);
-      const Point_columns<Dimension> columns = loaded.columns();
+      const std::vector<Part*> near_parts = parts_near(tile.box());
+      loaded.begins.push_back(points.size());
+      tile.load(store_, points);
       for(Part* other : near_parts)
-        for(std::size_t i = first; i < loaded.size(); ++i)
-          give(*other, columns.points[i], columns.ids[i]);
+        for(std::size_t i = loaded.begins.back(); i < points.size(); ++i)
+          give(*other, points[i]);
     }
-    loaded.add_given(part.given, store_);
+    loaded.owned = points.size();
+    part.given.load(store_, points);
   }
 
 private:
-  // Return functions of an axis, as `Part_box` takes them.
-  static auto ends_of(const Point& point)
-  {
-    return [&point](int axis) {
-      return std::pair<double, double>(point.cartesian(axis), point.cartesian(axis));
-    };
-  }
-  static auto ends_of(const Part_box& box)
-  {
-    return [&box](int axis) {
-      const Interval& interval = box.intervals()[static_cast<std::size_t>(axis)];
-      return std::pair<double, double>(interval.low, interval.high);
-    };
-  }
-
-  static Part_box closed_box(const Points& points)
-  {
-    return Part_box({points.box().begin(), points.box().end()});
-  }
-
   std::vector<Part*> parts_near(const Part_box& box)
   {
     std::vector<Part*> near_parts;
     for(Part& part : parts_)
-      if(part.box.is_near(ends_of(box), reach_))
+      if(part.box.is_near(box, reach_))
         near_parts.push_back(&part);
     return near_parts;
   }
 
-  void give(Part& part, const Point& point, std::uint64_t id)
+  void give(Part& part, const Point& point)
   {
-    if(part.box.is_near(ends_of(point), reach_))
-      part.given.add(store_, point, id);
+    if(part.box.is_near(point, reach_))
+      part.given.add(store_, point);
   }
 
   // Adds a part in front of all others, unless it has no points.
   void add_part(std::vector<Points> tiles, std::size_t columns, std::array<std::size_t, 2> axes)
   {
-    std::array<Interval, Dimension> box;
+    Part_box box(Dimension);
     std::uint64_t size = 0;
     for(const Points& tile : tiles) {
-      for(std::size_t axis = 0; axis < Dimension; ++axis)
-        box[axis].add(tile.box()[axis]);
+      box.add(tile.box());
       size += tile.size();
     }
     if(size != 0)
-      parts_.push_back({std::move(tiles), columns, axes, Points(),
-                        Part_box({box.begin(), box.end()}), size});
+      parts_.push_back({std::move(tiles), columns, axes, Points(), std::move(box), size});
   }
 
   // Parts become smaller by each cut. One that has few points of its own would not by another.
@@ -174,10 +152,10 @@ private:
     else if(part.rows() == 1 || (part.columns > 1 && are_rows_flat(part)))
       cut_columns(part);
     else
-      cut_rows(part, rows_that_fit(part));
-    part.given.take(store_, [&](const Point& point, std::uint64_t id) {
+      cut_rows(part);
+    part.given.take(store_, [&](const Point& point) {
       for(std::size_t other = first; other < parts_.size(); ++other)
-        give(parts_[other], point, id);
+        give(parts_[other], point);
     });
   }
 
@@ -190,8 +168,8 @@ private:
     return 8 * share * part.length(0) < part.length(1);
   }
 
-  // Returns how many rows can be searched at once, at least one and not all.
-  std::size_t rows_that_fit(const Part& part) const
+  // Cuts off as many rows as can be searched at once, at least one and not all.
+  void cut_rows(Part& part)
   {
     std::uint64_t size = part.given.size();
     std::size_t row = 0;
@@ -201,37 +179,35 @@ private:
       if(row > 0 && size > limits_.points_per_search())
         break;
     }
-    return row;
-  }
-
-  void cut_rows(Part& part, std::size_t rows)
-  {
-    const auto cut = part.tiles.begin() + static_cast<std::ptrdiff_t>(rows * part.columns);
-    add_part({std::make_move_iterator(cut), std::make_move_iterator(part.tiles.end())},
-             part.columns, part.axes);
-    part.tiles.erase(cut, part.tiles.end());
-    add_part(std::move(part.tiles), part.columns, part.axes);
+    cut_between_tiles(part, part.columns, part.columns,
+                      [&](std::size_t tile) { return tile < row * part.columns; });
   }
 
   void cut_columns(Part& part)
   {
     const std::size_t below = part.columns / 2;
+    cut_between_tiles(part, below, part.columns - below,
+                      [&](std::size_t tile) { return tile % part.columns < below; });
+  }
+
+  // Makes a part of the tiles that are low, and one behind it of the others.
+  template <class Is_low>
+  void cut_between_tiles(Part& part, std::size_t low_columns, std::size_t high_columns,
+                         const Is_low& is_low)
+  {
     std::vector<Points> low, high;
-    for(std::size_t tile = 0; tile < part.tiles.size(); ++tile) {
-      const bool is_low = tile % part.columns < below;
-      (is_low ? low : high).push_back(std::move(part.tiles[tile]));
-    }
-    add_part(std::move(high), part.columns - below, part.axes);
-    add_part(std::move(low), below, part.axes);
+    for(std::size_t tile = 0; tile < part.tiles.size(); ++tile)
+      (is_low(tile) ? low : high).push_back(std::move(part.tiles[tile]));
+    add_part(std::move(high), high_columns, part.axes);
+    add_part(std::move(low), low_columns, part.axes);
   }
 
   // Refuses points that cannot be cut because they are equal.
   void cut_tile(Part& part)
   {
-    Sample sample(limits_.points_per_sample());
-    part.tiles[0].visit_some(store_, limits_.points_per_sample(),
-                             [&](const Point& point) { sample.add(point); });
-    make(sample, [&](const auto& visit) { part.tiles[0].take(store_, visit); });
+    Points& points = part.tiles[0];
+    make(points.size(), [&](std::uint64_t i) { return points.read(store_, i); },
+         [&](const auto& visit) { points.take(store_, visit); });
     for(const Points& tile : parts_.back().tiles)
       if(tile.size() == part.owned)
         refuse_crowd(limits_.points_per_search());

@@ -5,14 +5,16 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_EXTERNAL_TILE_WRITER_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_EXTERNAL_TILE_WRITER_H
 
-// Writes points to the tiles that they are in.
+// Cuts points into tiles by a sample, and writes them.
 
 #include <CGAL/Thick_intersection_d/internal/external/Chunk_store.h>
-#include <CGAL/Thick_intersection_d/internal/external/Point_columns.h>
+#include <CGAL/Thick_intersection_d/internal/external/Stored_point.h>
 #include <CGAL/Thick_intersection_d/internal/external/Stored_points.h>
-#include <CGAL/Thick_intersection_d/internal/external/Tile_grid.h>
+#include <CGAL/Thick_intersection_d/internal/external/Stripes.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -22,31 +24,49 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
+// Rows of tiles, cut across two axes. The sample decides where to cut and nothing else: every point
+// has one tile, whatever the sample was. A search cuts slabs across the last axis, and strips
+// across the one before it. So tiles that follow each other are searched after each other.
+//
 // Points wait until there are some hundreds of them. Then two short loops find their tiles and copy
 // them there, while the memory that they go to is on its way to the cache.
 template <int Dimension>
 class Tile_writer
 {
+  using Point = Stored_point<Dimension>;
   using Points = Stored_points<Dimension>;
   using Store = Chunk_store<Dimension>;
 
 public:
-  Tile_writer(const Tile_grid<Dimension>& grid, Store& store) : grid_(grid), store_(store)
+  // Few, because a part that is cut into rows alone has few points near others.
+  static constexpr std::size_t columns = 4;
+
+  // Needs a point of the sample. The number of tiles is a power of two.
+  Tile_writer(const std::vector<Point>& sample, std::size_t tile_count, Store& store)
+    : store_(store), tiles_(tile_count)
   {
-    waiting_.require(most_waiting);
-    room_.require(grid.size() * store.points_per_chunk());
-    for(std::size_t tile = 0; tile < grid.size(); ++tile)
-      tiles_.emplace_back(room_.columns().from(tile * store.points_per_chunk()), store);
+    std::array<std::vector<double>, Dimension> values;
+    for(std::size_t axis = 0; axis < Dimension; ++axis) {
+      for(const Point& point : sample)
+        values[axis].push_back(point.x[axis]);
+      std::sort(values[axis].begin(), values[axis].end());
+    }
+    choose_axes(values);
+    stripes_.emplace_back(values[axes_[0]], tile_count / columns);
+    stripes_.emplace_back(values[axes_[1]], columns);
   }
 
-  void add(const Stored_point<Dimension>& point, std::uint64_t id)
+  // The axis across which rows are cut, and that across which columns are.
+  const std::array<std::size_t, 2>& axes() const { return axes_; }
+
+  void add(const Point& point)
   {
-    waiting_.columns().set(count_, point, id);
-    if(++count_ == most_waiting)
+    waiting_.push_back(point);
+    if(waiting_.size() == most_waiting)
       write_waiting();
   }
 
-  // Returns the tiles, all of them on disk.
+  // Returns the tiles, row by row, all of them on disk.
   std::vector<Points> finish()
   {
     write_waiting();
@@ -58,23 +78,43 @@ public:
 private:
   static constexpr std::size_t most_waiting = 512;
 
-  void write_waiting()
+  // Takes the two axes along which most points extend most, and all points if most are equal. Of
+  // lengths that are alike, those of later axes are better.
+  void choose_axes(const std::array<std::vector<double>, Dimension>& values)
   {
-    const Point_columns<Dimension> columns = waiting_.columns();
-    for(std::size_t i = 0; i < count_; ++i)
-      tile_of_[i] = static_cast<std::uint32_t>(grid_(columns.points[i]));
-    for(std::size_t i = 0; i < count_; ++i)
-      tiles_[tile_of_[i]].add(store_, columns.points[i], columns.ids[i]);
-    count_ = 0;
+    std::array<std::pair<int, int>, Dimension> lengths;
+    std::array<std::size_t, Dimension> order;
+    for(std::size_t axis = 0; axis < Dimension; ++axis) {
+      const std::vector<double>& x = values[axis];
+      const std::size_t outliers = x.size() / 64;
+      const double most = x[x.size() - 1 - outliers] / 2 - x[outliers] / 2;
+      const double all = x.back() / 2 - x.front() / 2;
+      lengths[axis] = {std::ilogb(most), std::ilogb(all)};
+      order[axis] = Dimension - 1 - axis;
+    }
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t i, std::size_t j) { return lengths[i] > lengths[j]; });
+    axes_ = {order[0], order[1]};
   }
 
-  const Tile_grid<Dimension>& grid_;
+  void write_waiting()
+  {
+    std::array<std::uint32_t, most_waiting> tile_of;
+    for(std::size_t i = 0; i < waiting_.size(); ++i) {
+      const Point& point = waiting_[i];
+      tile_of[i] = static_cast<std::uint32_t>(stripes_[0](point.x[axes_[0]]) * columns
+                                              + stripes_[1](point.x[axes_[1]]));
+    }
+    for(std::size_t i = 0; i < waiting_.size(); ++i)
+      tiles_[tile_of[i]].add(store_, waiting_[i]);
+    waiting_.clear();
+  }
+
   Store& store_;
-  Column_buffers<Dimension> room_; // of the last chunk of each tile
   std::vector<Points> tiles_;
-  Column_buffers<Dimension> waiting_;
-  std::array<std::uint32_t, most_waiting> tile_of_;
-  std::size_t count_ = 0;
+  std::array<std::size_t, 2> axes_;
+  std::vector<Stripes> stripes_; // rows, columns
+  std::vector<Point> waiting_;
 };
 
 } // namespace internal

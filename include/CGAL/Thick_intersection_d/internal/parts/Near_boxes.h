@@ -64,20 +64,20 @@ public:
       for(std::size_t other = 0; other < all.size(); ++other)
         if(!mine[m].is_empty() && receives(static_cast<int>(other), part))
           for(const Part_box& box : all[other])
-            if(box.is_near([&](int axis) { return mine[m].bounds_along(axis); }, reach))
+            if(box.is_near(mine[m], reach))
               near_[m].push_back({other, &box});
   }
 
   // Calls visit(part) for each part that receives a point. The point is in box `m` of its own part.
-  template <class Bounds, class Visit>
-  void for_receivers(std::size_t m, const Bounds& bounds_along, const Visit& visit) const
+  template <class Point, class Visit>
+  void for_receivers(std::size_t m, const Point& point, const Visit& visit) const
   {
     const std::vector<Other_box>& others = near_[m];
     for(std::size_t i = 0; i < others.size();) {
       const std::size_t part = others[i].part;
       bool is_near = false;
       for(; i < others.size() && others[i].part == part; ++i)
-        is_near = is_near || others[i].box->is_near(bounds_along, reach_);
+        is_near = is_near || others[i].box->is_near(point, reach_);
       if(is_near)
         visit(part);
     }

@@ -34,28 +34,29 @@ public:
     return {interval.low, interval.high};
   }
 
-  // Extends the box until it holds a point. `bounds_along(axis)` encloses its coordinate.
-  template <class Bounds>
-  void add(const Bounds& bounds_along)
+  // Extends the box until it holds a point or another box. `bounds_along(axis)` of an object
+  // encloses its coordinate.
+  template <class Object>
+  void add(const Object& object)
   {
     for(std::size_t axis = 0; axis < intervals_.size(); ++axis) {
-      const std::pair<double, double> x = bounds_along(static_cast<int>(axis));
+      const std::pair<double, double> x = object.bounds_along(static_cast<int>(axis));
       intervals_[axis].add(Interval{x.first, x.second});
     }
   }
 
-  // Returns false only if each point of the part is farther than `reach` from this point along an
+  // Returns false only if each point of the part is farther than `reach` from this object along an
   // axis. If a point y of the part is within reach along an axis, then low - sup x <= y - x, which
   // is at most the reach in real numbers, so the rounded difference is as well (Lemma M,
   // doc/proofs.md). The other side is its mirror image. Sums of squares would be rounded more than
   // once, and lose ties.
-  template <class Bounds>
-  bool is_near(const Bounds& bounds_along, double reach) const
+  template <class Object>
+  bool is_near(const Object& object, double reach) const
   {
     if(is_empty())
       return false;
     for(std::size_t axis = 0; axis < intervals_.size(); ++axis) {
-      const std::pair<double, double> x = bounds_along(static_cast<int>(axis));
+      const std::pair<double, double> x = object.bounds_along(static_cast<int>(axis));
       const bool is_near_low = intervals_[axis].low - x.second <= reach;
       const bool is_near_high = x.first - intervals_[axis].high <= reach;
       if(!is_near_low || !is_near_high)

@@ -106,12 +106,6 @@ struct Part_points
     }
   }
 
-  // Returns the bounds of the coordinates of a point, as a function of the axis.
-  auto bounds_of(std::size_t i) const
-  {
-    return [&point = points[i]](int axis) { return point.bounds_along(axis); };
-  }
-
   // Returns the lower bounds of the coordinates of a point, by their axes.
   struct Lower_bounds
   {

@@ -50,20 +50,26 @@ inline std::size_t sampled_before(std::uint64_t id, std::uint64_t point_count, i
   return static_cast<std::size_t>(id * sample_size_of_parts(part_count) / point_count);
 }
 
-// Appends `count` random points, one of each of `count` ranges of positions, to `bytes`.
+// Calls visit(position) for a random position of each of `count` ranges of [0, size).
+template <class Visit>
+void for_random_positions(std::uint64_t size, std::size_t count, const Visit& visit)
+{
+  Random_numbers random;
+  for(std::size_t i = 0; i < count; ++i) {
+    const std::uint64_t begin = i * size / count, end = (i + 1) * size / count;
+    if(begin != end)
+      visit(begin + random() % (end - begin));
+  }
+}
+
+// Appends `count` random points to `bytes`.
 template <class Carried>
 void choose_sample(const Part_points<Carried>& part, std::size_t count, int dimension,
                    std::vector<char>& bytes)
 {
-  Random_numbers random;
-  for(std::size_t i = 0; i < count; ++i) {
-    const std::size_t begin = i * part.size() / count;
-    const std::size_t end = (i + 1) * part.size() / count;
-    if(begin == end)
-      continue;
-    const std::size_t position = begin + random() % (end - begin);
-    write_sampled(part, position, dimension, bytes);
-  }
+  for_random_positions(part.size(), count, [&](std::uint64_t position) {
+    write_sampled(part, static_cast<std::size_t>(position), dimension, bytes);
+  });
 }
 
 // Appends the points in `bytes` to a sample, each with the same load.

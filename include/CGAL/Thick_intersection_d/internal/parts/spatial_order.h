@@ -91,7 +91,7 @@ void sort_by_cells(Part_points<Carried>& part, int dimension)
     return;
   Part_box box(dimension);
   for(const Carried& point : part.points)
-    box.add([&](int axis) { return point.bounds_along(axis); });
+    box.add(point);
   const Cell_order cells(box, part.size());
   std::vector<std::uint32_t> begins(cells.size() + 1);
   auto places = zeros_on_huge_pages<std::uint32_t>(part.size());
