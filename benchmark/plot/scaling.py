@@ -52,7 +52,7 @@ def read_run(path):
 
 
 def sample_size(processes):
-    """As sample_size_of_parts() of parts/choose_sample.h."""
+    """As sample_size_of_parts() of parts/Point_sample.h."""
     return 1024 * processes / max(1, math.sqrt(processes / 64))
 
 

@@ -111,8 +111,8 @@ bool distributed_fixed_radius_near_neighbors(
 {
   namespace internal = Thick_intersection_d::internal;
   const internal::Communicator together(comm);
-  return internal::search_distributed_range<ConcurrencyTag>(together, points, bound, callback,
-                                                            profile, np);
+  return internal::search_distributed_ranges<ConcurrencyTag>(together, bound, callback, profile, np,
+                                                             points);
 }
 
 /*!
@@ -157,8 +157,8 @@ bool distributed_fixed_radius_near_neighbors(
 {
   namespace internal = Thick_intersection_d::internal;
   const internal::Communicator together(comm);
-  return internal::search_distributed_ranges<ConcurrencyTag>(together, points_a, points_b, bound,
-                                                             callback, profile, np);
+  return internal::search_distributed_ranges<ConcurrencyTag>(together, bound, callback, profile, np,
+                                                             points_a, points_b);
 }
 
 /*!
@@ -212,8 +212,8 @@ Distributed_neighbor_lists distributed_fixed_radius_neighbor_lists(
 {
   namespace internal = Thick_intersection_d::internal;
   const internal::Communicator together(comm);
-  return internal::collect_distributed_neighbors<ConcurrencyTag>(together, points, bound, profile,
-                                                                 np);
+  return internal::collect_distributed_neighbors<ConcurrencyTag>(together, bound, profile, np,
+                                                                 points);
 }
 
 /*!
@@ -254,8 +254,8 @@ Distributed_neighbor_lists distributed_fixed_radius_neighbor_lists(
 {
   namespace internal = Thick_intersection_d::internal;
   const internal::Communicator together(comm);
-  return internal::collect_distributed_neighbors<ConcurrencyTag>(together, points_a, points_b,
-                                                                 bound, profile, np);
+  return internal::collect_distributed_neighbors<ConcurrencyTag>(together, bound, profile, np,
+                                                                 points_a, points_b);
 }
 
 #ifndef DOXYGEN_RUNNING

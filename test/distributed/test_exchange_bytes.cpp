@@ -1,14 +1,14 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Bytes that processes send to each other, or to all.
+// What processes send to each other, or to all.
 
 #include "support/mpi_fixture.h"
 
 #include <CGAL/Remote_error.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/Communicator.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/exchange_bytes.h>
-#include <CGAL/Thick_intersection_d/internal/distributed/gather_bytes.h>
+#include <CGAL/Thick_intersection_d/internal/distributed/gather_all.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -105,14 +105,15 @@ BOOST_AUTO_TEST_CASE(messages_beyond_2_31_bytes_arrive, *boost::unit_test::disab
   BOOST_CHECK_EQUAL(wrong, 0);
 }
 
-BOOST_AUTO_TEST_CASE(all_processes_get_the_bytes_of_all_in_the_order_of_ranks)
+BOOST_AUTO_TEST_CASE(all_processes_get_the_values_of_all_in_the_order_of_ranks)
 {
   const internal::Communicator comm(MPI_COMM_WORLD);
-  std::vector<char> expected;
+  const auto values_of = [](int rank) { return std::vector<double>(3 * rank % 5, rank + .5); };
+  std::vector<double> expected;
   for(int r = 0; r < comm.size(); ++r)
-    for(const char byte : message(r, 0))
-      expected.push_back(byte);
-  BOOST_CHECK(internal::gather_bytes(comm, message(comm.rank(), 0)) == expected);
+    for(const double value : values_of(r))
+      expected.push_back(value);
+  BOOST_CHECK(internal::gather_all(comm, values_of(comm.rank())) == expected);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -181,11 +181,13 @@ BOOST_AUTO_TEST_CASE(points_on_a_cut_are_above_it_from_its_id_on)
 std::vector<internal::Bisection> shared_trees(const internal::Point_sample& points, int part_count)
 {
   std::vector<internal::Bisection> trees;
-  std::vector<char> bytes;
   for(int part = 0; part < part_count; ++part)
-    trees.emplace_back(points, part_count, 0.01, part, bytes);
+    trees.emplace_back(points, part_count, 0.01, part);
+  std::vector<internal::Bisection::Cut> cuts;
+  for(const internal::Bisection& tree : trees)
+    cuts.insert(cuts.end(), tree.own_cuts().begin(), tree.own_cuts().end());
   for(internal::Bisection& tree : trees)
-    tree.add(bytes);
+    tree.add(cuts);
   return trees;
 }
 

@@ -4,7 +4,8 @@
 // Samples of points, and samples by their pairs.
 
 #include <CGAL/Thick_intersection_d/internal/parts/Cell_counts.h>
-#include <CGAL/Thick_intersection_d/internal/parts/choose_sample.h>
+#include <CGAL/Thick_intersection_d/internal/parts/Part_points.h>
+#include <CGAL/Thick_intersection_d/internal/parts/Point_sample.h>
 #include <CGAL/Thick_intersection_d/internal/parts/spatial_order.h>
 
 #include <boost/test/unit_test.hpp>
@@ -24,6 +25,7 @@ namespace internal = CGAL::Thick_intersection_d::internal;
 struct Point
 {
   double x = 0, y = 0;
+  double operator[](std::size_t axis) const { return axis == 0 ? x : y; }
   std::pair<double, double> bounds_along(int axis) const
   {
     return axis == 0 ? std::make_pair(x, x) : std::make_pair(y, y);
@@ -44,19 +46,14 @@ Part points_of_cells(const std::vector<int>& counts, double reach)
   return part;
 }
 
-internal::Point_sample sample_in(const std::vector<char>& bytes)
+internal::Point_sample sample_of(const Part& part, std::size_t count)
 {
   internal::Point_sample sample;
   sample.dimension = 2;
-  internal::read_sample(bytes, {1, 0}, sample);
+  internal::for_random_positions(part.size(), count, [&](std::uint64_t i) {
+    sample.add(part.points[i], part.ids[i]);
+  });
   return sample;
-}
-
-internal::Point_sample sample_of(const Part& part, std::size_t count)
-{
-  std::vector<char> bytes;
-  internal::choose_sample(part, count, 2, bytes);
-  return sample_in(bytes);
 }
 
 // Returns points of a part, chosen by their pairs, if `part_count` such parts choose them.
@@ -68,9 +65,10 @@ internal::Point_sample chosen_by_pairs(const Part& part, double reach, std::size
   const auto counted = cells.add_some(part);
   for(std::uint64_t& number : cells.counts())
     number *= part_count;
-  std::vector<char> bytes;
-  cells.choose_by_pairs(part, counted, count, bytes);
-  return sample_in(bytes);
+  internal::Point_sample chosen;
+  chosen.dimension = 2;
+  cells.choose_by_pairs(part, counted, count, chosen);
+  return chosen;
 }
 
 // How many of the points are beyond x.

@@ -3,6 +3,7 @@
 
 // The boxes of parts, and which parts receive a point.
 
+#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Near_boxes.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_box.h>
 
@@ -15,8 +16,6 @@
 BOOST_AUTO_TEST_SUITE(Near_boxes)
 
 namespace internal = CGAL::Thick_intersection_d::internal;
-
-using Boxes = std::vector<internal::Part_box>;
 
 struct On_line
 {
@@ -32,35 +31,41 @@ internal::Part_box interval(double low, double high)
   return box;
 }
 
-BOOST_AUTO_TEST_CASE(boxes_with_points_are_read_as_they_were_written)
+BOOST_AUTO_TEST_CASE(exactly_one_of_two_parts_receives)
 {
-  std::vector<char> bytes;
-  internal::write_boxes({interval(1, 2), internal::Part_box(1), interval(5, 7)}, bytes);
-  internal::write_boxes({}, bytes);
-  const std::vector<Boxes> boxes = internal::read_boxes_of_parts(bytes, 1);
-  BOOST_REQUIRE_EQUAL(boxes.size(), 2);
-  BOOST_REQUIRE_EQUAL(boxes[0].size(), 2);
-  BOOST_CHECK_EQUAL(boxes[0][0].intervals()[0].high, 2);
-  BOOST_CHECK_EQUAL(boxes[0][1].intervals()[0].low, 5);
-  BOOST_CHECK(boxes[1].empty());
+  for(int a = 0; a < 40; ++a)
+    for(int b = 0; b < 40; ++b)
+      BOOST_CHECK_EQUAL(internal::receives(a, b) + internal::receives(b, a), a != b);
 }
 
-// Part 1 receives from part 2, and part 2 from part 0. Part 0 has two boxes around those of others.
+BOOST_AUTO_TEST_CASE(a_part_receives_from_half_of_the_others)
+{
+  for(const int count : {2, 7, 40})
+    for(int a = 0; a < count; ++a) {
+      int others = 0;
+      for(int b = 0; b < count; ++b)
+        others += internal::receives(a, b);
+      BOOST_CHECK_GE(others, (count - 1) / 2 - (count % 2 == 0));
+      BOOST_CHECK_LE(others, count / 2);
+    }
+}
+
+// Part 1 receives from part 2, and part 2 from part 0. Part 0 has two boxes around those of others,
+// and part 1 has two boxes.
 BOOST_AUTO_TEST_CASE(a_part_receives_a_point_near_two_of_its_boxes_once)
 {
-  const Boxes mine = {internal::Part_box(1), interval(4, 6)};
-  const std::vector<Boxes> all
-    = {{interval(1, 3), interval(7, 9)}, {interval(3, 3.5), interval(6.5, 7)}, {interval(4, 6)}};
+  const std::vector<internal::Part_box> mine = {internal::Part_box(1), interval(4, 6)};
+  const std::vector<int> parts = {0, 0, 1, 1, 2};
+  const std::vector<internal::Interval> all = {{1, 3}, {7, 9}, {3, 3.5}, {6.5, 7}, {4, 6}};
   const auto receivers = [&](std::size_t box, double x, double reach) {
-    std::vector<std::size_t> parts;
-    internal::Near_boxes(mine, 2, all, reach).for_receivers(box, On_line{x}, [&](std::size_t part) {
-      parts.push_back(part);
-    });
-    return parts;
+    std::vector<int> found;
+    const internal::Near_boxes near(mine, 2, parts, all, reach);
+    near.for_receivers(box, On_line{x}, [&](int part) { found.push_back(part); });
+    return found;
   };
-  BOOST_CHECK(receivers(1, 4, 0.5) == std::vector<std::size_t>{1});
-  BOOST_CHECK(receivers(1, 6, 0.5) == std::vector<std::size_t>{1});
-  BOOST_CHECK(receivers(1, 5, 3) == std::vector<std::size_t>{1});
+  BOOST_CHECK(receivers(1, 4, 0.5) == std::vector<int>{1});
+  BOOST_CHECK(receivers(1, 6, 0.5) == std::vector<int>{1});
+  BOOST_CHECK(receivers(1, 5, 3) == std::vector<int>{1});
   BOOST_CHECK(receivers(1, 5, 0.5).empty());
   BOOST_CHECK(receivers(0, 5, 3).empty());
 }

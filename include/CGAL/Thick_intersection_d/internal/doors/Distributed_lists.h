@@ -11,13 +11,12 @@
 #include <CGAL/Neighbor_lists.h>
 
 #include <CGAL/Thick_intersection_d/internal/arrays/prefix_sums.h>
-#include <CGAL/Thick_intersection_d/internal/machine/huge_pages.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/Communicator.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/exchange_bytes.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/run_together.h>
-#include <CGAL/Thick_intersection_d/internal/doors/Distributed_points.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Byte_reader.h>
+#include <CGAL/Thick_intersection_d/internal/parts/Part_points.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -50,8 +49,8 @@ public:
   // Takes the lists of the points of `set` that this process has searched, with places of points
   // of `others`, for the holders of the points.
   template <class Carried>
-  void pack(const Neighbor_lists& lists, const Distributed_set<Carried>& set,
-            const Distributed_set<Carried>& others)
+  void pack(const Neighbor_lists& lists, const Part_points<Carried>& set,
+            const Part_points<Carried>& others)
   {
     reserve(lists, set, others);
     std::vector<std::uint64_t> ids;
@@ -111,8 +110,8 @@ private:
   // both received, for being near, are a pair of another process.
   template <class Carried>
   static Neighbor_lists::Neighbors
-  known_neighbors(const Neighbor_lists& lists, std::size_t i, const Distributed_set<Carried>& set,
-                  const Distributed_set<Carried>& others)
+  known_neighbors(const Neighbor_lists& lists, std::size_t i, const Part_points<Carried>& set,
+                  const Part_points<Carried>& others)
   {
     const Neighbor_lists::Neighbors all = lists[i];
     if(i < set.own_size)
@@ -121,8 +120,8 @@ private:
   }
 
   template <class Carried>
-  void reserve(const Neighbor_lists& lists, const Distributed_set<Carried>& set,
-               const Distributed_set<Carried>& others)
+  void reserve(const Neighbor_lists& lists, const Part_points<Carried>& set,
+               const Part_points<Carried>& others)
   {
     std::vector<std::size_t> list_counts(first_ids_.size()), neighbor_counts(first_ids_.size());
     for(std::size_t i = 0; i < lists.size(); ++i)
@@ -133,8 +132,7 @@ private:
       }
     for(std::size_t rank = 0; rank < first_ids_.size(); ++rank) {
       heads_[rank].reserve(list_counts[rank] * sizeof(Head));
-      neighbors_[rank].reserve(neighbor_counts[rank] * sizeof(std::uint64_t));
-      ask_for_huge_pages(neighbors_[rank].data(), neighbors_[rank].capacity());
+      reserve_huge_pages(neighbors_[rank], neighbor_counts[rank] * sizeof(std::uint64_t));
     }
   }
 
@@ -157,8 +155,7 @@ private:
       for_each_head(bytes, [&](std::size_t i, std::size_t size) { begins[i + 1] += size; });
     const std::size_t id_count
       = replace_by_prefix_sums(begins.data() + 1, begins.data() + begins.size());
-    ids.reserve(id_count);
-    ask_for_huge_pages(ids.data(), id_count * sizeof(std::uint64_t));
+    reserve_huge_pages(ids, id_count);
     ids.resize(id_count);
   }
 

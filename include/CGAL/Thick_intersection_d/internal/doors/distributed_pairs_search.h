@@ -13,16 +13,15 @@
 #include <CGAL/Distributed_profile.h>
 
 #include <CGAL/Thick_intersection_d/internal/distributed/Communicator.h>
-#include <CGAL/Thick_intersection_d/internal/doors/Distributed_points.h>
 #include <CGAL/Thick_intersection_d/internal/doors/distributed_search.h>
-#include <CGAL/Thick_intersection_d/internal/doors/pair_search.h>
+#include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_points.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
-#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -36,46 +35,34 @@ constexpr bool check_callback_of_remote_ids()
   constexpr bool takes_ids = !Pair_target<Callback, Elements, Elements>::takes_elements;
   static_assert(takes_ids, "The elements of other processes are not here: the callback is to "
                            "take two ids (std::uint64_t i, std::uint64_t j).");
-  return takes_ids;
-}
-
-// Hands pairs of ids to the user's callback, the lesser id first. A pair whose points were both
-// received belongs to another process.
-template <class Callback>
-bool call_with_ids(Callback& callback, std::uint64_t i, std::uint64_t j)
-{
-  if constexpr(std::is_void_v<std::invoke_result_t<Callback&, std::size_t, std::size_t>>) {
-    callback(i, j);
-    return true;
-  }
+  if constexpr(takes_ids)
+    return check_callback<Callback, Elements, Elements>();
   else
-    return static_cast<bool>(callback(i, j));
+    return false;
 }
 
-template <class ConcurrencyTag, class Carried, class NT, class Callback, class NamedParameters>
-bool report_own_pairs(const std::vector<Distributed_set<Carried>>& points, One_set,
+// Hands the pairs of this process to the user's callback, as ids, of one set the lesser one first.
+// A pair whose points were both received belongs to another process.
+template <class ConcurrencyTag, class Carried, class Sets, class NT, class Callback,
+          class NamedParameters>
+bool report_own_pairs(const std::vector<Part_points<Carried>>& points, const Sets& sets,
                       const Distance_bound<NT>& bound, Callback& callback,
                       const NamedParameters& np)
 {
-  const Distributed_set<Carried>& set = points[0];
+  const Part_points<Carried>& first = points.front();
+  const Part_points<Carried>& second = points.back();
   const auto report = [&](std::size_t i, std::size_t j) {
-    if(i >= set.own_size) // and so is j
+    if(i >= first.own_size && j >= second.own_size)
       return true;
-    const auto ids = ids_in_order(set.id(i), set.id(j));
-    return call_with_ids(callback, ids.first, ids.second);
-  };
-  return report_pairs_here<ConcurrencyTag>(points, One_set(), bound, report, np);
-}
-
-template <class ConcurrencyTag, class Carried, class NT, class Callback, class NamedParameters>
-bool report_own_pairs(const std::vector<Distributed_set<Carried>>& points, Two_sets sets,
-                      const Distance_bound<NT>& bound, Callback& callback,
-                      const NamedParameters& np)
-{
-  const auto report = [&](std::size_t i, std::size_t j) {
-    if(i >= points[0].own_size && j >= points[1].own_size)
+    std::pair<std::uint64_t, std::uint64_t> ids(first.id(i), second.id(j));
+    if constexpr(!Sets::are_two)
+      ids = ids_in_order(ids.first, ids.second);
+    if constexpr(std::is_void_v<std::invoke_result_t<Callback&, std::size_t, std::size_t>>) {
+      callback(ids.first, ids.second);
       return true;
-    return call_with_ids(callback, points[0].id(i), points[1].id(j));
+    }
+    else
+      return static_cast<bool>(callback(ids.first, ids.second));
   };
   return report_pairs_here<ConcurrencyTag>(points, sets, bound, report, np);
 }
@@ -103,34 +90,18 @@ bool report_distributed_pairs(const Communicator& comm, const Elements& elements
   }
 }
 
-// Searches one range on each process.
-template <class ConcurrencyTag, class Range, class NT, class Callback, class NamedParameters>
-bool search_distributed_range(const Communicator& comm, Range& range,
-                              const Distance_bound<NT>& bound, Callback& callback,
-                              Distributed_profile& profile, const NamedParameters& np)
+// Searches one range on each process, or two.
+template <class ConcurrencyTag, class NT, class Callback, class NamedParameters, class... Ranges>
+bool search_distributed_ranges(const Communicator& comm, const Distance_bound<NT>& bound,
+                               Callback& callback, Distributed_profile& profile,
+                               const NamedParameters& np, Ranges&... ranges)
 {
-  if constexpr(check_pair_search<ConcurrencyTag, Range, Range, Callback, NamedParameters>())
-    return with_distributed_range(comm, range, np, [&](const auto& elements, const auto& sets) {
-      return report_distributed_pairs<ConcurrencyTag>(comm, elements, sets, bound, callback,
-                                                      profile, np);
-    });
-  else
-    return false;
-}
-
-// Searches two ranges on each process.
-template <class ConcurrencyTag, class RangeA, class RangeB, class NT, class Callback,
-          class NamedParameters>
-bool search_distributed_ranges(const Communicator& comm, RangeA& range_a, RangeB& range_b,
-                               const Distance_bound<NT>& bound, Callback& callback,
-                               Distributed_profile& profile, const NamedParameters& np)
-{
-  if constexpr(check_pair_search<ConcurrencyTag, RangeA, RangeB, Callback, NamedParameters>()) {
+  if constexpr((check_range<ConcurrencyTag, Ranges, NamedParameters>() && ...)) {
     const auto search = [&](const auto& elements, const auto& sets) {
       return report_distributed_pairs<ConcurrencyTag>(comm, elements, sets, bound, callback,
                                                       profile, np);
     };
-    return with_distributed_ranges(comm, range_a, range_b, np, search);
+    return with_distributed_ranges(comm, np, search, ranges...);
   }
   else
     return false;

@@ -25,16 +25,18 @@
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
-#include <CGAL/Thick_intersection_d/internal/parts/Carried_doubles.h>
-#include <CGAL/Thick_intersection_d/internal/parts/Carried_numbers.h>
+#include <CGAL/Thick_intersection_d/internal/parts/Carried_points.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_points.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
+#include <array>
 #include <chrono>
+#include <cstddef>
 #include <exception>
 #include <optional>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <vector>
 
@@ -92,13 +94,26 @@ std::string text_of_bound(const Distance_bound<NT>& bound)
   return text.str();
 }
 
-// Checks the points and the bound on all processes, and returns the points in a form that can be
-// sent.
-template <class ConcurrencyTag, class Point, class Elements, class Sets, class NT>
-Distributed_points<Carried_point<Point>, Sets>
-read_distributed_points(const Communicator& comm, const Elements& elements, const Sets& sets,
-                        const Distance_bound<NT>& bound, Distributed_profile& profile)
+// Returns how many elements each set has.
+template <class Elements>
+std::array<std::size_t, 1> sizes_of_sets(const Elements& elements, One_set)
 {
+  return {elements.size()};
+}
+template <class Elements>
+std::array<std::size_t, 2> sizes_of_sets(const Elements& elements, Two_sets sets)
+{
+  return {sets.first_size, elements.size() - sets.first_size};
+}
+
+// Checks the points and the bound on all processes, and distributes the points, so that each
+// process has its own and those near them. Finishes all phases before the search.
+template <class ConcurrencyTag, class Elements, class Sets, class NT>
+auto distribute_points(const Communicator& comm, const Elements& elements, const Sets& sets,
+                       const Distance_bound<NT>& bound, Distributed_profile& profile,
+                       Phase_clock& clock)
+{
+  using Point = typename Elements::value_type;
   std::string text;
   double reach = 0;
   int dimension = 0;
@@ -108,21 +123,8 @@ read_distributed_points(const Communicator& comm, const Elements& elements, cons
     dimension = scan_points<ConcurrencyTag>(elements, "point", false).dimension();
   });
   agree_on(comm, "The distance bound", text);
-  Distributed_points<Carried_point<Point>, Sets> points(comm, reach, profile);
-  points.read(elements, sets, dimension);
-  return points;
-}
-
-// Distributes the points, so that each process has its own and those near them. Finishes all phases
-// before the search.
-template <class ConcurrencyTag, class Elements, class Sets, class NT>
-auto distribute_points(const Communicator& comm, const Elements& elements, const Sets& sets,
-                       const Distance_bound<NT>& bound, Distributed_profile& profile,
-                       Phase_clock& clock)
-{
-  using Point = typename Elements::value_type;
-  auto points
-    = read_distributed_points<ConcurrencyTag, Point>(comm, elements, sets, bound, profile);
+  Distributed_points<Carried_point<Point>> points(comm, reach, profile);
+  points.read(elements, sizes_of_sets(elements, sets), dimension);
   clock.finish(Distributed_phase::CHECK);
   if(profile.distribution() == Point_distribution::BALANCED && comm.size() > 1) {
     points.partition();
@@ -135,39 +137,21 @@ auto distribute_points(const Communicator& comm, const Elements& elements, const
   return points;
 }
 
-// The progress of a search, which also looks for messages of processes that have stopped.
-template <class NamedParameters>
-class Watched_signal
-{
-public:
-  Watched_signal(Stop_signal& signal, const NamedParameters& np) : signal_(&signal), np_(&np) {}
-
-  bool operator()(double progress) const
-  {
-    if(signal_->has_arrived())
-      return false;
-    if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::callback_t>::value)
-      return true;
-    else
-      return parameters::get_parameter(*np_, internal_np::callback)(progress);
-  }
-
-private:
-  Stop_signal* signal_;
-  const NamedParameters* np_;
-};
-
 // Runs search(np) on all processes, which returns false iff it was stopped. Returns false on all of
-// them iff the search was stopped on one.
+// them iff the search was stopped on one. The progress also looks for messages of processes that
+// have stopped.
 template <class NamedParameters, class Search>
 bool search_together(const Communicator& comm, const NamedParameters& np, const Search& search)
 {
   std::optional<Stop_signal> signal;
   run_together(comm, [&] { signal.emplace(comm); });
+  const auto go_on_always = [](double) { return true; };
+  const auto& given = parameters::get_parameter(np, internal_np::callback);
+  const auto& go_on = parameters::choose_parameter(given, go_on_always);
+  const auto watch = [&](double done) { return !signal->has_arrived() && go_on(done); };
   std::exception_ptr error;
   bool is_complete = false;
   try {
-    const Watched_signal<NamedParameters> watch(*signal, np);
     is_complete = search(parameters::callback(watch));
   }
   catch(...) {
@@ -182,47 +166,36 @@ bool search_together(const Communicator& comm, const NamedParameters& np, const 
 
 // Reports the pairs of the points that this process has, as their places. Returns false iff the
 // search was stopped.
-template <class ConcurrencyTag, class Carried, class NT, class Report, class NamedParameters>
-bool report_pairs_here(const std::vector<Distributed_set<Carried>>& points, One_set,
+template <class ConcurrencyTag, class Carried, class Sets, class NT, class Report,
+          class NamedParameters>
+bool report_pairs_here(const std::vector<Part_points<Carried>>& points, const Sets&,
                        const Distance_bound<NT>& bound, Report& report, const NamedParameters& np)
 {
-  const auto elements = make_elements(points[0].part.points, parameters::default_values());
-  return report_near_pairs<ConcurrencyTag>(elements, One_set(), bound, report, np);
+  const auto first = make_elements(points.front().points, parameters::default_values());
+  if constexpr(Sets::are_two) {
+    const auto second = make_elements(points.back().points, parameters::default_values());
+    const Joined_elements elements(first, second);
+    return report_near_pairs<ConcurrencyTag>(elements, Two_sets{first.size()}, bound, report, np);
+  }
+  else
+    return report_near_pairs<ConcurrencyTag>(first, One_set(), bound, report, np);
 }
 
-template <class ConcurrencyTag, class Carried, class NT, class Report, class NamedParameters>
-bool report_pairs_here(const std::vector<Distributed_set<Carried>>& points, Two_sets,
-                       const Distance_bound<NT>& bound, Report& report, const NamedParameters& np)
+// Returns search(elements, sets) for the range of each process, or for its two ranges.
+template <class NamedParameters, class Search, class... Ranges>
+auto with_distributed_ranges(const Communicator& comm, const NamedParameters& np,
+                             const Search& search, Ranges&... ranges)
 {
-  const auto first = make_elements(points[0].part.points, parameters::default_values());
-  const auto second = make_elements(points[1].part.points, parameters::default_values());
-  const Joined_elements elements(first, second);
-  return report_near_pairs<ConcurrencyTag>(elements, Two_sets{first.size()}, bound, report, np);
-}
-
-// Returns search(elements, sets) for the range of each process.
-template <class Range, class NamedParameters, class Search>
-auto with_distributed_range(const Communicator& comm, Range& range, const NamedParameters& np,
-                            const Search& search)
-{
-  std::optional<decltype(make_elements(range, np))> elements;
-  run_together(comm, [&] { elements.emplace(make_elements(range, np)); });
-  return search(*elements, One_set());
-}
-
-// Returns search(elements, sets) for the two ranges of each process.
-template <class RangeA, class RangeB, class NamedParameters, class Search>
-auto with_distributed_ranges(const Communicator& comm, RangeA& range_a, RangeB& range_b,
-                             const NamedParameters& np, const Search& search)
-{
-  std::optional<decltype(make_elements(range_a, np))> a;
-  std::optional<decltype(make_elements(range_b, np))> b;
+  std::tuple<std::optional<decltype(make_elements(ranges, np))>...> all;
   run_together(comm, [&] {
-    a.emplace(make_elements(range_a, np));
-    b.emplace(make_elements(range_b, np));
+    std::apply([&](auto&... elements) { (elements.emplace(make_elements(ranges, np)), ...); }, all);
   });
-  const Joined_elements elements(*a, *b);
-  return search(elements, Two_sets{a->size()});
+  if constexpr(sizeof...(Ranges) == 1)
+    return search(*std::get<0>(all), One_set());
+  else {
+    const Joined_elements elements(*std::get<0>(all), *std::get<1>(all));
+    return search(elements, Two_sets{elements.first().size()});
+  }
 }
 
 } // namespace internal

@@ -221,8 +221,8 @@ bool search_externally(Range& range, const Distance_bound<NT>& bound, const Memo
   if constexpr(check_external_search<ConcurrencyTag, Range, Callback, NamedParameters>()) {
     check_budget(budget.bytes());
     const auto go_on_always = [](double) { return true; };
-    const auto& go_on = parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::callback), go_on_always);
+    const auto& given = parameters::get_parameter(np, internal_np::callback);
+    const auto& go_on = parameters::choose_parameter(given, go_on_always);
     using Map = std::decay_t<decltype(element_map(range, np))>;
     using Point = typename decltype(make_elements(range, np))::value_type;
     using Search = External_search<ConcurrencyTag, dimension_or<Point>(0),

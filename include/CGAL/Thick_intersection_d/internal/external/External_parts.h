@@ -17,7 +17,7 @@
 #include <CGAL/Thick_intersection_d/internal/external/Tile_writer.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_box.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_points.h>
-#include <CGAL/Thick_intersection_d/internal/parts/choose_sample.h>
+#include <CGAL/Thick_intersection_d/internal/parts/Point_sample.h>
 
 #include <array>
 #include <cstddef>

@@ -15,8 +15,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -29,40 +27,27 @@ namespace internal {
 class Bisection : public Cut_tree
 {
 public:
-  Bisection(const Point_sample& sample, int part_count, double reach)
-    : Bisection(sample, part_count, reach, all_parts)
-  {}
-
-  // Makes the cuts on the way to one part, and appends those that other parts are to know to
-  // `bytes`. If each part has the same sample, all cuts together are those of the tree.
-  Bisection(const Point_sample& sample, int part_count, double reach, int part,
-            std::vector<char>& bytes)
-    : Bisection(sample, part_count, reach, part)
-  {
-    for(const int place : own_places_)
-      write_cuts(place, bytes);
-  }
-
-  // Adds the cuts of all parts.
-  void add(const std::vector<char>& bytes) { read_cuts(bytes); }
-
-private:
   static constexpr int all_parts = -1;
 
-  Bisection(const Point_sample& sample, int part_count, double reach, int part)
-    : sample_(&sample), reach_(reach), wanted_part_(part), is_in_first_(sample.size())
+  // Makes the cuts of all parts, or only those on the way to one part. If each part has the same
+  // sample, the cuts that it is to tell others are all cuts of the tree.
+  Bisection(const Point_sample& sample, int part_count, double reach, int part = all_parts)
+    : Cut_tree(part_count), sample_(&sample), reach_(reach), wanted_part_(part),
+      is_in_first_(sample.size())
   {
     const std::vector<Keyed_value> by_id = order_by_id();
     for(int axis = 0; axis < sample.dimension; ++axis)
       orders_.push_back(order_along(axis, by_id));
-    reset(part_count);
-    set_root(side_of(0, sample.size(), 0, part_count));
     make_cuts(0, sample.size(), 0, part_count);
     sample_ = nullptr;
     orders_ = {};
     is_in_first_ = {};
   }
 
+  // The cuts that other parts are to add.
+  const std::vector<Cut>& own_cuts() const { return own_cuts_; }
+
+private:
   // One group is [low, high) of the order along an axis, and the other one is around it.
   struct Axis_split
   {
@@ -101,43 +86,28 @@ private:
     return order;
   }
 
-  // Returns where the points [first, last) of all orders go. Space without points has one part.
-  static Side side_of(std::size_t first, std::size_t last, int part, int part_count)
-  {
-    const bool is_part = part_count == 1 || first == last;
-    return {is_part ? part : place_of_cuts(part, part_count), is_part, false};
-  }
-
-  // Cuts the points [first, last) of all orders into parts [part, part + part_count). Points on
-  // both sides of a part are cut together.
+  // Cuts the points [first, last) of all orders into parts [part, part + part_count). Space without
+  // points has one part. Points on both sides of a part are cut together.
   void make_cuts(std::size_t first, std::size_t last, int part, int part_count)
   {
     const bool is_wanted = wanted_part_ == all_parts
                            || (part <= wanted_part_ && wanted_part_ < part + part_count);
-    if(side_of(first, last, part, part_count).is_part || !is_wanted)
+    if(part_count == 1 || first == last || !is_wanted)
       return;
-    const int place = place_of_cuts(part, part_count);
-    if(part == wanted_part_)
-      own_places_.push_back(place);
     const int first_count = part_count / 2;
     const Axis_split split = best_split(first, last, static_cast<double>(first_count) / part_count);
-    const bool is_divided = split.low > first && split.high < last;
-    Cut& second = cut(place + is_divided);
-    set_cut(second, split.axis, first, last, split.high);
+    Cut cut;
+    cut.place = place_of_cut(part, part_count);
+    cut.axis = split.axis;
+    cut.is_first_inside = split.is_first_inside;
     if(split.low > first)
-      set_cut(cut(place), split.axis, first, last, split.low);
+      cut.low = border_below(split.axis, first, split.low);
+    if(split.high < last)
+      cut.high = border_below(split.axis, first, split.high);
+    add({cut});
+    if(part == wanted_part_)
+      own_cuts_.push_back(cut);
     const std::size_t middle = separate(first, last, split);
-    Side inside = side_of(first, middle, part, first_count);
-    Side outside = side_of(middle, last, part + first_count, part_count - first_count);
-    if(!split.is_first_inside)
-      std::swap(inside, outside);
-    outside.is_divided = is_divided;
-    second.below = inside;
-    second.above = outside;
-    if(split.low > first) {
-      cut(place).below = outside;
-      cut(place).above = is_divided ? Side{place + 1, false, false} : inside;
-    }
     make_cuts(first, middle, part, first_count);
     make_cuts(middle, last, part + first_count, part_count - first_count);
   }
@@ -203,34 +173,21 @@ private:
     return sample_->point(item(place, axis))[axis];
   }
 
-  // Cuts below the point at a place of the order.
-  void set_cut(Cut& cut, int axis, std::size_t first, std::size_t last, std::size_t place) const
-  {
-    cut.axis = axis;
-    cut.value = std::numeric_limits<double>::infinity();
-    if(place == last)
-      return;
-    cut.value = cut_value(place, axis, first);
-    if(cut.value == coordinate_of(place, axis))
-      cut.id = sample_->ids[item(place, axis)];
-  }
-
-  // Returns where to cut below a point: between it and the point before it, if there is a double
-  // between them.
-  double cut_value(std::size_t place, int axis, std::size_t first) const
+  // Returns the border below the point at a place of the order: between it and the point before it,
+  // if there is a double between them.
+  Border border_below(int axis, std::size_t first, std::size_t place) const
   {
     const double above = coordinate_of(place, axis);
-    if(place == first)
-      return above;
-    const double below = coordinate_of(place - 1, axis);
+    const double below = place > first ? coordinate_of(place - 1, axis) : above;
     const double value = below / 2 + above / 2;
-    return below < value && value < above ? value : above;
+    const bool is_between = below < value && value < above;
+    return is_between ? Border{value, 0} : Border{above, sample_->ids[item(place, axis)]};
   }
 
   // Returns the load of the points near a cut.
   double near_cut(int axis, std::size_t first, std::size_t last, std::size_t place) const
   {
-    const double value = cut_value(place, axis, first);
+    const double value = border_below(axis, first, place).value;
     double sum = 0;
     for(std::size_t i = place; i > first && value - coordinate_of(i - 1, axis) <= reach_; --i)
       sum += sample_->loads[item(i - 1, axis)].points;
@@ -257,10 +214,10 @@ private:
   // While the cuts are made:
   const Point_sample* sample_;
   double reach_;
-  int wanted_part_;              // or all parts
-  std::vector<int> own_places_;  // of cuts whose first part is the wanted one
+  int wanted_part_; // or all parts
   std::vector<std::vector<std::uint32_t>> orders_; // of the sample along each axis
   std::vector<char> is_in_first_;
+  std::vector<Cut> own_cuts_; // those whose first part is the wanted one
 };
 
 } // namespace internal

@@ -11,7 +11,6 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_points.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Point_sample.h>
-#include <CGAL/Thick_intersection_d/internal/parts/choose_sample.h>
 
 #include <algorithm>
 #include <cmath>
@@ -62,7 +61,7 @@ public:
     for(std::size_t first = 0; first < part.size(); first += step) {
       const std::size_t count = (std::min)(step, part.size() - first);
       const std::size_t position = first + random.below(count);
-      const std::uint64_t key = key_of(part.lower_bounds(position));
+      const std::uint64_t key = key_of(part.points[position]);
       const std::size_t slot = slot_of(key);
       if(keys_[slot] == key) {
         counts_[slot] += count;
@@ -74,12 +73,12 @@ public:
 
   std::vector<std::uint64_t>& counts() { return counts_; }
 
-  // Appends some of the counted points of a part to `bytes`, so that each stands for as many pairs.
-  // All parts together append about `total` points. A point of a crowd is there as often as it has
+  // Adds some of the counted points of a part to `chosen`, so that each stands for as many pairs.
+  // All parts together add about `total` points. A point of a crowd is there as often as it has
   // to be.
   template <class Carried>
   void choose_by_pairs(const Part_points<Carried>& part, const std::vector<Counted_point>& counted,
-                       std::size_t total, std::vector<char>& bytes) const
+                       std::size_t total, Point_sample& chosen) const
   {
     double all = 0;
     for(std::size_t slot = 0; slot < keys_.size(); ++slot)
@@ -89,7 +88,7 @@ public:
     for(const Counted_point& point : counted) {
       sum += pairs_of_point(point.slot) * static_cast<double>(point.count);
       for(; step > 0 && sum >= step; sum -= step)
-        write_sampled(part, point.position, dimension_, bytes);
+        chosen.add(part.points[point.position], part.ids[point.position]);
     }
   }
 

@@ -5,12 +5,11 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_PARTS_CUT_TREE_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_PARTS_CUT_TREE_H
 
-// Parts of space, as a tree of cuts.
-
-#include <CGAL/Thick_intersection_d/internal/parts/Byte_reader.h>
+// Which part has a point, by cuts of space.
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -29,21 +28,52 @@ public:
   };
   static constexpr std::size_t max_boxes = 128; // of a part; most have no points
 
+  // Points with the same coordinate are cut by their ids.
+  struct Border
+  {
+    double value;
+    std::uint64_t id;
+
+    bool is_above(double x, std::uint64_t i) const { return x < value || (x == value && i < id); }
+  };
+
+  // Divides parts into two groups: one is between two borders, and the other one around it. Without
+  // borders, all points go to the first group, which has the lower parts.
+  struct Cut
+  {
+    int place = 0;
+    int axis = 0;
+    bool is_first_inside = true;
+    Border low = {-std::numeric_limits<double>::infinity(), 0};
+    Border high = {std::numeric_limits<double>::infinity(), ~std::uint64_t(0)};
+
+    bool has_two_borders() const
+    {
+      return low.value > -std::numeric_limits<double>::infinity()
+             && high.value < std::numeric_limits<double>::infinity();
+    }
+  };
+
   // Returns where a point is. `x[axis]` is a double that stands for its coordinate, always the same
   // one.
   template <class Coordinates>
   Part_place find(const Coordinates& x, std::uint64_t id) const
   {
+    int part = 0, part_count = static_cast<int>(cuts_.size()) + 1;
     std::size_t box = 1;
-    Side place = root_;
-    while(!place.is_part) {
-      const Cut& cut = cuts_[static_cast<std::size_t>(place.next)];
+    while(part_count > 1) {
+      const int first_count = part_count / 2;
+      const Cut& cut = cuts_[static_cast<std::size_t>(place_of_cut(part, part_count))];
       const double value = x[static_cast<std::size_t>(cut.axis)];
-      const bool is_below = value < cut.value || (value == cut.value && id < cut.id);
-      place = is_below ? cut.below : cut.above;
-      box = place.is_divided && box < max_boxes / 2 ? 2 * box + !is_below : box;
+      const bool is_below = cut.low.is_above(value, id);
+      const bool is_inside = !is_below && cut.high.is_above(value, id);
+      if(!is_inside && box < max_boxes / 2 && cut.has_two_borders())
+        box = 2 * box + is_below;
+      const bool is_in_first = is_inside == cut.is_first_inside;
+      part += is_in_first ? 0 : first_count;
+      part_count = is_in_first ? first_count : part_count - first_count;
     }
-    return {place.next, box};
+    return {part, box};
   }
 
   template <class Coordinates>
@@ -52,53 +82,20 @@ public:
     return find(x, id).part;
   }
 
+  void add(const std::vector<Cut>& cuts)
+  {
+    for(const Cut& cut : cuts)
+      cuts_[static_cast<std::size_t>(cut.place)] = cut;
+  }
+
 protected:
-  // What is on one side of a cut: a cut, or a part. If it is divided, its other half is above the
-  // second cut, or below the first one.
-  struct Side
-  {
-    int next = 0;
-    bool is_part = true;
-    bool is_divided = false;
-  };
+  explicit Cut_tree(int part_count) : cuts_(static_cast<std::size_t>(part_count - 1)) {}
 
-  struct Cut
-  {
-    int axis = 0;
-    double value = 0;
-    std::uint64_t id = 0;
-    Side below, above;
-  };
-
-  // At most two cuts divide parts [part, part + part_count) into two groups. On all processes they
-  // have the same places.
-  static int place_of_cuts(int part, int part_count) { return 2 * (part + part_count / 2 - 1); }
-
-  Cut& cut(int place) { return cuts_[static_cast<std::size_t>(place)]; }
-
-  // There are no cuts yet.
-  void reset(int part_count) { cuts_.assign(2 * static_cast<std::size_t>(part_count - 1), Cut()); }
-  void set_root(const Side& root) { root_ = root; }
-
-  // Appends the cuts at a place to `bytes`.
-  void write_cuts(int place, std::vector<char>& bytes) const
-  {
-    write_bytes(&place, 1, bytes);
-    write_bytes(&cuts_[static_cast<std::size_t>(place)], 2, bytes);
-  }
-
-  void read_cuts(const std::vector<char>& bytes)
-  {
-    for(Byte_reader reader(bytes); !reader.is_at_end();) {
-      int place;
-      reader.read(&place, 1);
-      reader.read(&cut(place), 2);
-    }
-  }
+  // The place of the cut that divides parts [part, part + part_count), the same on all processes.
+  static int place_of_cut(int part, int part_count) { return part + part_count / 2 - 1; }
 
 private:
   std::vector<Cut> cuts_;
-  Side root_;
 };
 
 } // namespace internal

@@ -46,14 +46,22 @@ std::vector<Value> zeros_on_huge_pages(std::size_t size)
   return zeros;
 }
 
-// Ids are in a column of their own: a search reports positions, and each pair looks up two ids.
+// The points of one set that a part has: its own come first, then those it has received because
+// they are near. Ids are in a column of their own: a search reports positions, and each pair looks
+// up two ids.
 template <class Carried>
 struct Part_points
 {
   std::vector<Carried> points;
   std::vector<std::uint64_t> ids;
+  std::size_t own_size = 0;
+  std::uint64_t first_id = 0;
+  std::size_t consecutive_size = 0; // the ids of so many points follow each other
 
   std::size_t size() const { return points.size(); }
+
+  // Looks up an id only if it has to: two ids for each pair are as much work as the pair itself.
+  std::uint64_t id(std::size_t i) const { return i < consecutive_size ? first_id + i : ids[i]; }
 
   void reserve(std::size_t size)
   {
@@ -105,17 +113,6 @@ struct Part_points
       points.back().unpack(reader, dimension);
     }
   }
-
-  // Returns the lower bounds of the coordinates of a point, by their axes.
-  struct Lower_bounds
-  {
-    const Carried& point;
-    double operator[](std::size_t axis) const
-    {
-      return point.bounds_along(static_cast<int>(axis)).first;
-    }
-  };
-  Lower_bounds lower_bounds(std::size_t i) const { return {points[i]}; }
 };
 
 } // namespace internal

@@ -96,7 +96,7 @@ void sort_by_cells(Part_points<Carried>& part, int dimension)
   std::vector<std::uint32_t> begins(cells.size() + 1);
   auto places = zeros_on_huge_pages<std::uint32_t>(part.size());
   for(std::size_t i = 0; i < part.size(); ++i) {
-    places[i] = static_cast<std::uint32_t>(cells(part.lower_bounds(i)));
+    places[i] = static_cast<std::uint32_t>(cells(part.points[i]));
     ++begins[places[i] + 1];
   }
   for(std::size_t cell = 0; cell < cells.size(); ++cell)

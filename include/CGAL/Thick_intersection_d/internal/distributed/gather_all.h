@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_DISTRIBUTED_GATHER_BYTES_H
-#define CGAL_THICK_INTERSECTION_D_INTERNAL_DISTRIBUTED_GATHER_BYTES_H
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_DISTRIBUTED_GATHER_ALL_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_DISTRIBUTED_GATHER_ALL_H
 
-// Gives the bytes of each process to all of them.
+// What each process has, on all processes.
 
 #include <CGAL/Thick_intersection_d/internal/distributed/Communicator.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/run_together.h>
@@ -22,14 +22,15 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Returns the bytes of all processes, one process after another. They are those of small samples.
-inline std::vector<char> gather_bytes(const Communicator& comm, const std::vector<char>& mine)
+// Returns the values of all processes, one process after another. They are those of small samples.
+template <class Value>
+std::vector<Value> gather_all(const Communicator& comm, const std::vector<Value>& mine)
 {
   std::vector<std::uint64_t> counts;
   std::vector<int> sizes, begins;
-  std::vector<char> all;
+  std::vector<Value> all;
   run_together(comm, [&] { counts.resize(static_cast<std::size_t>(comm.size())); });
-  const std::uint64_t count = mine.size();
+  const std::uint64_t count = mine.size() * sizeof(Value);
   comm.gather(&count, 1, counts);
   run_together(comm, [&] {
     std::uint64_t begin = 0;
@@ -40,9 +41,9 @@ inline std::vector<char> gather_bytes(const Communicator& comm, const std::vecto
       if(begin > (std::numeric_limits<int>::max)())
         throw std::length_error("There are too many processes for one sample.");
     }
-    all.resize(static_cast<std::size_t>(begin));
+    all.resize(static_cast<std::size_t>(begin / sizeof(Value)));
   });
-  MPI_Allgatherv(mine.data(), static_cast<int>(mine.size()), MPI_BYTE, all.data(), sizes.data(),
+  MPI_Allgatherv(mine.data(), static_cast<int>(count), MPI_BYTE, all.data(), sizes.data(),
                  begins.data(), MPI_BYTE, comm.get());
   return all;
 }
@@ -51,4 +52,4 @@ inline std::vector<char> gather_bytes(const Communicator& comm, const std::vecto
 } // namespace Thick_intersection_d
 } // namespace CGAL
 
-#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_DISTRIBUTED_GATHER_BYTES_H
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_DISTRIBUTED_GATHER_ALL_H
