@@ -260,19 +260,14 @@ Distributed_neighbor_lists distributed_fixed_radius_neighbor_lists(
 
 #ifndef DOXYGEN_RUNNING
 // Bare numbers as bounds: each call that has one stops with a sentence that says so.
-template <class ConcurrencyTag = Sequential_tag, class PointRange, class Number, class... Arguments>
-std::enable_if_t<Thick_intersection_d::internal::is_number_v<Number>, bool>
-distributed_fixed_radius_near_neighbors(MPI_Comm, PointRange&&, const Number&, Arguments&&...)
-{
-  return Thick_intersection_d::internal::check_bound<Number>();
-}
-template <class ConcurrencyTag = Sequential_tag, class PointRangeA, class PointRangeB, class Number,
+template <class ConcurrencyTag = Sequential_tag, class PointRange, class A, class B,
           class... Arguments>
-std::enable_if_t<Thick_intersection_d::internal::is_number_v<Number>, bool>
-distributed_fixed_radius_near_neighbors(MPI_Comm, PointRangeA&&, PointRangeB&&, const Number&,
-                                        Arguments&&...)
+std::enable_if_t<Thick_intersection_d::internal::is_number_v<A>
+                   || Thick_intersection_d::internal::is_number_v<B>, bool>
+distributed_fixed_radius_near_neighbors(MPI_Comm, PointRange&&, const A&, const B&, Arguments&&...)
 {
-  return Thick_intersection_d::internal::check_bound<Number>();
+  namespace internal = Thick_intersection_d::internal;
+  return internal::check_bound<std::conditional_t<internal::is_number_v<A>, A, B>>();
 }
 template <class ConcurrencyTag = Sequential_tag, class PointRange, class Number, class... Arguments>
 std::enable_if_t<Thick_intersection_d::internal::is_number_v<Number>, Distributed_neighbor_lists>

@@ -184,34 +184,23 @@ inline void check_budget(std::size_t bytes)
                                 + " bytes is too small: take at least 4 MiB.");
 }
 
-template <class Point>
-constexpr bool check_stored_points()
-{
-  constexpr bool is_stored = is_held_by_double_v<Coordinate_t<Point>>
-                             && (dimension_or<Point>(0) == 2 || dimension_or<Point>(0) == 3);
-  static_assert(is_stored, "The points are to be points in the plane or in space whose coordinates "
-                           "are doubles, or numbers that doubles hold.");
-  return is_stored;
-}
-
-template <class Callback>
-constexpr bool check_callback_of_ids()
-{
-  constexpr bool is_callback = std::is_invocable_v<Callback&, std::uint64_t, std::uint64_t>;
-  static_assert(is_callback, "The callback is to take two positions of the type std::uint64_t.");
-  return is_callback;
-}
-
 template <class ConcurrencyTag, class Range, class Callback, class NamedParameters>
 constexpr bool check_external_search()
 {
   if constexpr(!check_range_of_points<ConcurrencyTag, Range, NamedParameters>())
     return false;
-  else if constexpr(!check_callback_of_ids<Callback>())
-    return false;
-  else
-    return check_stored_points<typename decltype(make_elements(
-      std::declval<Range&>(), std::declval<const NamedParameters&>()))::value_type>();
+  else {
+    using Elements
+      = decltype(make_elements(std::declval<Range&>(), std::declval<const NamedParameters&>()));
+    using Point = typename Elements::value_type;
+    constexpr bool is_callback = std::is_invocable_v<Callback&, std::uint64_t, std::uint64_t>;
+    static_assert(is_callback, "The callback is to take two positions of the type std::uint64_t.");
+    constexpr bool is_stored = is_held_by_double_v<Coordinate_t<Point>>
+                               && (dimension_or<Point>(0) == 2 || dimension_or<Point>(0) == 3);
+    static_assert(is_stored, "The points are to be points in the plane or in space whose "
+                             "coordinates are doubles, or numbers that doubles hold.");
+    return is_callback && is_stored;
+  }
 }
 
 template <class ConcurrencyTag, class Range, class NT, class Callback, class NamedParameters>

@@ -99,7 +99,11 @@ public:
     reserve_huge_pages(points, static_cast<std::size_t>(part.size()));
     loaded.begins.clear();
     for(Points& tile : part.tiles) {
-      const std::vector<Part*> near_parts = parts_near(tile.box());
+      const Part_box box = tile.box();
+      std::vector<Part*> near_parts;
+      for(Part& other : parts_)
+        if(other.box.is_near(box, reach_))
+          near_parts.push_back(&other);
       loaded.begins.push_back(points.size());
       tile.load(store_, points);
       for(Part* other : near_parts)
@@ -111,15 +115,6 @@ public:
   }
 
 private:
-  std::vector<Part*> parts_near(const Part_box& box)
-  {
-    std::vector<Part*> near_parts;
-    for(Part& part : parts_)
-      if(part.box.is_near(box, reach_))
-        near_parts.push_back(&part);
-    return near_parts;
-  }
-
   void give(Part& part, const Point& point)
   {
     if(part.box.is_near(point, reach_))

@@ -31,7 +31,7 @@ public:
   // 512 points each. Pages hold whole chunks where the budget allows this.
   std::size_t points_per_chunk() const
   {
-    const std::size_t fair = bytes_for_chunks() / (tile_count() * point_size_);
+    const std::size_t fair = bytes_ / 8 / (tile_count() * point_size_);
     const std::size_t of_pages = fair < points_per_pages ? fair : fair / points_per_pages
                                                                    * points_per_pages;
     return (std::min)((std::max)(of_pages, std::size_t(4)), std::size_t(4096));
@@ -55,8 +55,6 @@ public:
 private:
   static constexpr std::size_t most_tiles = 128;
   static constexpr std::size_t points_per_pages = 512;
-
-  std::size_t bytes_for_chunks() const { return bytes_ / 8; }
 
   std::size_t bytes_;
   std::size_t point_size_;

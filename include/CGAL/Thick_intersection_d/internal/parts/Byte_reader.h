@@ -9,7 +9,6 @@
 
 #include <cstddef>
 #include <cstring>
-#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -38,13 +37,6 @@ public:
   {
     std::memcpy(numbers, next_, count * sizeof(Number));
     next_ += count * sizeof(Number);
-  }
-
-  std::string read_text(std::size_t size)
-  {
-    const char* const first = next_;
-    next_ += size;
-    return std::string(first, next_);
   }
 
 private:

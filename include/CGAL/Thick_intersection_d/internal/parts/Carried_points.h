@@ -175,7 +175,9 @@ public:
     for(double& low : this->x_) {
       std::uint64_t size;
       bytes.read(&size, 1);
-      std::istringstream stream(bytes.read_text(static_cast<std::size_t>(size)));
+      std::string text(static_cast<std::size_t>(size), ' ');
+      bytes.read(&text[0], text.size());
+      std::istringstream stream(text);
       exact_.emplace_back();
       stream >> exact_.back().value;
       std::tie(low, exact_.back().high) = bounds(exact_.back().value);
