@@ -25,8 +25,8 @@ using test_support::Counted_boxes;
 using test_support::Number_objects;
 namespace internal = CGAL::Thick_intersection_d::internal;
 
-template <int Axes, std::size_t Sets>
-Work search_boxes(const Number_objects& objects, std::size_t first_size)
+template <int Axes>
+Work search_boxes(const Number_objects& objects, std::size_t set_count, std::size_t first_size)
 {
   std::vector<int> axes(static_cast<std::size_t>(objects.dimension()));
   std::iota(axes.begin(), axes.end(), 0);
@@ -34,11 +34,10 @@ Work search_boxes(const Number_objects& objects, std::size_t first_size)
   std::vector<typename Counted_boxes<Axes>::Box> boxes(objects.size());
   for(std::size_t i = 0; i < boxes.size(); ++i)
     test.put(i, boxes[i]);
-  internal::Piece<typename Counted_boxes<Axes>::Box, Sets> piece;
-  const auto first = boxes.data(), last = first + boxes.size();
-  piece[0] = {first, Sets == 1 ? last : first + first_size};
-  if constexpr(Sets == 2)
-    piece[1] = {first + first_size, last};
+  using Piece = internal::Piece<typename Counted_boxes<Axes>::Box>;
+  const auto first = boxes.data(), middle = first + first_size, last = first + boxes.size();
+  const Piece piece
+    = set_count == 1 ? Piece({first, last}) : Piece({first, middle}, {middle, last});
   Work work;
   const double limit = max_pairs_per_element * static_cast<double>(objects.size());
   const auto callback = [&](std::size_t, std::size_t) { return ++work.pairs < limit; };
@@ -66,11 +65,11 @@ Work run_boxes(const Made_scene& scene)
       boxes[i][c] = {scene.boxes[i].low[c], scene.boxes[i].low[c] + scene.boxes[i].extent[c]};
     }
   const Number_objects objects(boxes, scene.dimension);
-  Work work = search_boxes<Axes, 1>(objects, 0);
+  Work work = search_boxes<Axes>(objects, 1, 0);
   if(!AreTwoSets || !std::isfinite(work.pairs))
     return work;
   const double pairs = work.pairs;
-  work = search_boxes<Axes, 2>(objects, scene.first_size);
+  work = search_boxes<Axes>(objects, 2, scene.first_size);
   work.pairs = pairs;
   return work;
 }

@@ -43,19 +43,18 @@ void check_columns(const Run& run, const Number_boxes& boxes, int sweep_axis)
 }
 
 // Counts how often each pair is a box and its candidate.
-template <std::size_t Sets>
-void check_candidates(const internal::Piece<internal::Piece_box<3>, Sets>& piece,
+void check_candidates(const internal::Piece<internal::Piece_box<3>>& piece,
                       const Number_boxes& boxes, int sweep_axis, double max_bucket_pairs)
 {
   Box_tuning tuning;
   tuning.max_bucket_pairs = max_bucket_pairs;
-  internal::Box_order<3, Sets> order;
+  internal::Box_order<3> order;
   order.set(piece, sweep_axis, tuning);
   std::map<Pair, int> counts;
   std::uint64_t candidates = 0;
-  for(std::size_t set = 0; set < Sets; ++set) {
+  for(std::size_t set = 0; set < piece.set_count(); ++set) {
     const auto& a = order.run(set);
-    const auto& b = order.run(Sets - 1 - set);
+    const auto& b = order.candidates(set);
     BOOST_CHECK_EQUAL(a.last - a.first, piece[set].size());
     check_columns(a, boxes, sweep_axis);
     for(internal::Place i = a.first; i < a.last; ++i)
@@ -67,7 +66,7 @@ void check_candidates(const internal::Piece<internal::Piece_box<3>, Sets>& piece
   std::uint64_t meeting = 0;
   const std::size_t first_set_size = piece[0].size();
   for(std::size_t i = 0; i < first_set_size; ++i)
-    for(std::size_t j = Sets == 1 ? i + 1 : first_set_size; j < boxes.size(); ++j) {
+    for(std::size_t j = piece.set_count() == 1 ? i + 1 : first_set_size; j < boxes.size(); ++j) {
       const bool meet = do_meet(boxes[i][sweep_axis], boxes[j][sweep_axis]);
       meeting += meet;
       const int count = counts[Pair(i, j)];
@@ -101,9 +100,9 @@ BOOST_AUTO_TEST_CASE(copies_are_noted)
   std::vector<internal::Piece_box<3>> boxes(4);
   for(internal::Place i = 0; i < 4; ++i)
     boxes[i] = {{0, 0, 0}, {1, 1, 1}, i, i == 3 ? 4u : 0u};
-  internal::Box_order<3, 2> order;
+  internal::Box_order<3> order;
   auto* const first = boxes.data();
-  order.set({{{{first, first + 2}, {first + 2, first + 4}}}}, 0);
+  order.set({{first, first + 2}, {first + 2, first + 4}}, 0);
   BOOST_CHECK(!order.run(0).has_copies);
   BOOST_CHECK(order.run(1).has_copies);
   BOOST_CHECK_EQUAL(order.run(1).sides[0] + order.run(1).sides[1], 4u);
@@ -119,10 +118,8 @@ BOOST_AUTO_TEST_CASE(crowded_lower_ends_are_sorted)
   const Number_objects objects(boxes, 3);
   with_piece<3>(objects, std::nullopt, [&](const auto&, const auto& piece) {
     check_candidates(piece, boxes, 0, Box_tuning().max_bucket_pairs);
-    internal::Box_order<3, 1> order;
-    if constexpr(std::is_same_v<std::decay_t<decltype(piece)>,
-                                internal::Piece<internal::Piece_box<3>, 1>>)
-      order.set(piece, 0);
+    internal::Box_order<3> order;
+    order.set(piece, 0);
     BOOST_CHECK_EQUAL(order.candidate_count(), 0u);
   });
 }
@@ -144,8 +141,8 @@ BOOST_AUTO_TEST_CASE(candidates_at_equal_steps_do_not_hide_that_few_are_pairs)
         boxes[j].low[1] = 0;
         boxes[j].high[1] = 2 * size;
       }
-  internal::Box_order<2, 1> order;
-  order.set({{{{boxes.data(), boxes.data() + size}}}}, 0);
+  internal::Box_order<2> order;
+  order.set(internal::Piece<internal::Piece_box<2>>({boxes.data(), boxes.data() + size}), 0);
   BOOST_CHECK_EQUAL(order.candidate_count(), size * (size - 1) / 2);
   BOOST_CHECK_LT(order.share_of_pairs(), .1);
 }

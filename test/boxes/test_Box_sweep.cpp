@@ -40,20 +40,20 @@ public:
 };
 
 // Sweeps all blocks. The blocks have no pair in common.
-template <class Test, std::size_t Sets>
-Pairs by_sweeps(const Test& test, const internal::Piece<internal::Piece_box<2>, Sets>& piece,
+template <class Test>
+Pairs by_sweeps(const Test& test, const internal::Piece<internal::Piece_box<2>>& piece,
                 internal::Place block_count)
 {
   Pairs pairs;
   auto callback = [&](std::size_t i, std::size_t j) { pairs.emplace_back(i, j); };
   internal::Pair_reporter<decltype(callback)> report(callback);
-  internal::Box_order<2, Sets> order;
+  internal::Box_order<2> order;
   order.set(piece, 0);
   internal::Box_sweep<Test, decltype(report)> sweep(test, report);
   for(internal::Place block = 0; block < block_count; ++block) {
     sweep.take_block(block, block_count);
-    for(std::size_t set = 0; set < Sets; ++set)
-      sweep.between(order.run(set), order.run(Sets - 1 - set));
+    for(std::size_t set = 0; set < piece.set_count(); ++set)
+      sweep.between(order.run(set), order.candidates(set));
   }
   BOOST_CHECK(!sweep.is_stopped());
   return sorted(pairs);
@@ -105,8 +105,9 @@ void sweep_once(const Objects& objects, Callback& callback, const Check& check)
   std::vector<internal::Piece_box<2>> boxes(objects.size());
   for(std::size_t i = 0; i < boxes.size(); ++i)
     test.put(i, boxes[i]);
-  internal::Box_order<2, 1> order;
-  order.set({{{{boxes.data(), boxes.data() + boxes.size()}}}}, 0);
+  internal::Box_order<2> order;
+  using Piece = internal::Piece<internal::Piece_box<2>>;
+  order.set(Piece({boxes.data(), boxes.data() + boxes.size()}), 0);
   internal::Pair_reporter<Callback> report(callback);
   internal::Box_sweep<Test, decltype(report)> sweep(test, report);
   sweep.between(order.run(0), order.run(0));

@@ -15,6 +15,7 @@ BOOST_AUTO_TEST_SUITE(Cut_boxes)
 using namespace test_support;
 using Box = internal::Piece_box<2>;
 using Boxes = std::vector<Box>;
+using Piece = internal::Piece<Box>;
 using Cut = internal::Cut_boxes<CGAL::Sequential_tag, Box>;
 
 Boxes some_boxes(Generator& random)
@@ -45,22 +46,22 @@ BOOST_AUTO_TEST_CASE(boxes_go_to_the_pieces_that_they_meet)
       box.sides = random() % 4;
     const int axis = seed % 2;
     const internal::Equal_cut equal_cut = some_cut(boxes, axis, random);
-    Cut cut({boxes.data(), boxes.data() + boxes.size()}, axis, equal_cut);
+    Cut cut(Piece({boxes.data(), boxes.data() + boxes.size()}), axis, equal_cut);
     const std::uint64_t size = cut.size();
     cut.distribute();
     std::uint64_t sum = 0;
     for(internal::Place p = 0; p < equal_cut.count(); ++p) {
-      const Box* found = cut.piece(p).first;
+      const Box* found = cut.piece(p)[0].first;
       for(const Box& box : boxes)
         if(equal_cut(box.low[axis]) <= p && p <= equal_cut(box.high[axis])) {
-          BOOST_REQUIRE(found != cut.piece(p).last);
+          BOOST_REQUIRE(found != cut.piece(p)[0].last);
           BOOST_CHECK_EQUAL(found->position, box.position); // in the same order
           BOOST_CHECK(found->low == box.low && found->high == box.high);
           const bool is_copy = equal_cut(box.low[axis]) < p;
           BOOST_CHECK_EQUAL(found->sides, box.sides | (is_copy ? 1u << axis : 0u));
           ++found;
         }
-      BOOST_CHECK(found == cut.piece(p).last);
+      BOOST_CHECK(found == cut.piece(p)[0].last);
       sum += cut.piece(p).size();
     }
     BOOST_CHECK_EQUAL(sum, size);
@@ -80,10 +81,10 @@ void count_common_pieces(const internal::Span<Box>& boxes, int depth, Generator&
   }
   const int axis = random() % 4 == 0;
   const internal::Equal_cut equal_cut = some_cut(Boxes(boxes.first, boxes.last), axis, random);
-  Cut cut(boxes, axis, equal_cut);
+  Cut cut(Piece(boxes), axis, equal_cut);
   cut.distribute();
   for(internal::Place p = 0; p < equal_cut.count(); ++p)
-    count_common_pieces(cut.piece(p), depth - 1, random, counts);
+    count_common_pieces(cut.piece(p)[0], depth - 1, random, counts);
 }
 
 BOOST_AUTO_TEST_CASE(boxes_that_meet_have_one_common_piece_in_cuts_within_cuts)
@@ -112,11 +113,11 @@ BOOST_AUTO_TEST_CASE(every_box_is_itself_in_one_piece)
   Generator random(5);
   Boxes boxes = some_boxes(random);
   const internal::Equal_cut equal_cut({-3, 3}, 7);
-  Cut cut({boxes.data(), boxes.data() + boxes.size()}, 0, equal_cut);
+  Cut cut(Piece({boxes.data(), boxes.data() + boxes.size()}), 0, equal_cut);
   cut.distribute();
   std::vector<int> seen(boxes.size(), 0);
   for(internal::Place p = 0; p < equal_cut.count(); ++p)
-    for(const Box* box = cut.piece(p).first; box != cut.piece(p).last; ++box)
+    for(const Box* box = cut.piece(p)[0].first; box != cut.piece(p)[0].last; ++box)
       seen[box->position] += box->sides == 0;
   BOOST_CHECK(seen == std::vector<int>(boxes.size(), 1));
 }

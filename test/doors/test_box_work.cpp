@@ -37,11 +37,10 @@ double check_work(const std::string& name, const Number_boxes& boxes, double lim
   internal::Box_route<CGAL::Sequential_tag, Counted_boxes<Axes>, decltype(report),
                       internal::Unwatched_progress>
     route(test, report, progress);
-  internal::Piece<typename Counted_boxes<Axes>::Box, Sets> piece;
-  for(std::size_t set = 0; set < Sets; ++set)
-    piece[set] = {copies.data() + set * boxes.size() / Sets,
-                  copies.data() + (set + 1) * boxes.size() / Sets};
-  route.search(piece);
+  using Piece = internal::Piece<typename Counted_boxes<Axes>::Box>;
+  const auto first = copies.data(), middle = first + copies.size() / Sets,
+             last = first + copies.size();
+  route.search(Sets == 1 ? Piece({first, last}) : Piece({first, middle}, {middle, last}));
   const double n = static_cast<double>(boxes.size());
   const double work = (test.candidates + test.swept)
                       / (n * std::pow(std::log2(n), Axes - 1) + k);

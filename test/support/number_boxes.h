@@ -123,9 +123,9 @@ auto with_piece(const Objects& objects, std::optional<std::size_t> first_set_siz
   Box* const first = boxes.data();
   Box* const last = first + boxes.size();
   if(!first_set_size)
-    return search(test, internal::Piece<Box, 1>{{{{first, last}}}});
+    return search(test, internal::Piece<Box>({first, last}));
   Box* const middle = first + *first_set_size;
-  return search(test, internal::Piece<Box, 2>{{{{first, middle}, {middle, last}}}});
+  return search(test, internal::Piece<Box>({first, middle}, {middle, last}));
 }
 
 // Reports the pairs by the box route. Returns false iff it was stopped.

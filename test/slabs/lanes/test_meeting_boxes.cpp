@@ -28,14 +28,14 @@ using namespace test_support;
 
 // The pairs of a box of one run and a candidate in the other one that meet, in the order of lanes,
 // as positions.
-template <class Lanes, int Axes, std::size_t Sets>
-Pairs collected(Lanes, const internal::Box_order<Axes, Sets>& order)
+template <class Lanes, int Axes>
+Pairs collected(Lanes, const internal::Box_order<Axes>& order)
 {
   Pairs pairs;
   internal::Found_pairs found;
-  for(std::size_t set = 0; set < Sets; ++set) {
+  for(std::size_t set = 0; set < order.set_count(); ++set) {
     const auto& a = order.run(set);
-    const auto& b = order.run(Sets - 1 - set);
+    const auto& b = order.candidates(set);
     const auto add = [&](internal::Place i, internal::Place j) {
       pairs.emplace_back(std::minmax<std::size_t>(a.positions[i], b.positions[j]));
     };
@@ -55,18 +55,18 @@ Pairs collected(Lanes, const internal::Box_order<Axes, Sets>& order)
   return pairs;
 }
 
-template <class Lanes, int Axes, std::size_t Sets>
-void check_lanes(Lanes set, const internal::Piece<internal::Piece_box<Axes>, Sets>& piece,
+template <class Lanes, int Axes>
+void check_lanes(Lanes set, const internal::Piece<internal::Piece_box<Axes>>& piece,
                  const Number_boxes& boxes)
 {
   for(const double max_bucket_pairs : {0., 1e9}) {
     Box_tuning tuning;
     tuning.max_bucket_pairs = max_bucket_pairs;
-    internal::Box_order<Axes, Sets> order;
+    internal::Box_order<Axes> order;
     order.set(piece, 0, tuning);
     const Pairs found = collected(set, order);
     std::optional<std::size_t> first_set_size;
-    if(Sets == 2)
+    if(piece.set_count() == 2)
       first_set_size = piece[0].size();
     const Pairs_difference difference
       = compare(all_meeting_pairs(boxes, Axes, first_set_size), found);
@@ -109,8 +109,9 @@ void check_stop(Lanes set, bool do_all_meet)
   std::vector<internal::Piece_box<2>> boxes(200, {{0, 0}, {1, 1}, 0, 0}); // 19900 pairs
   for(std::size_t i = 1; i < boxes.size() && !do_all_meet; i += 2)
     boxes[i] = {{0, 2}, {1, 3}, 0, 0};
-  internal::Box_order<2, 1> order;
-  order.set({{{{boxes.data(), boxes.data() + boxes.size()}}}}, 0);
+  internal::Box_order<2> order;
+  using Piece = internal::Piece<internal::Piece_box<2>>;
+  order.set(Piece({boxes.data(), boxes.data() + boxes.size()}), 0);
   internal::Found_pairs found;
   int calls = 0;
   const auto stop = [&] {

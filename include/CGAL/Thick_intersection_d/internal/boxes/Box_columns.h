@@ -78,7 +78,6 @@ public:
 
   Place size() const { return boxes_.size(); }
   double low(Place place) const { return columns_.low[0][place]; }
-  double high(Place place) const { return columns_.high[0][place]; }
 
   Place begin_of(double x) const
   {
@@ -95,17 +94,17 @@ public:
     return ends_.data()[cut_(x)];
   }
 
-  // Makes the boxes at the places [begin(i), end(i)) of a run the candidates of the box at place i.
-  // Returns the number of all candidates.
-  template <class Begin, class End>
-  std::uint64_t set_candidates(const Begin& begin, const End& end)
+  // Makes the boxes of `others` from place begin(i) on, as far as they may begin within it, the
+  // candidates of the box at place i. Returns the number of all candidates.
+  template <class Begin>
+  std::uint64_t set_candidates(const Box_columns& others, const Begin& begin)
   {
     Place* const begins = candidate_begins_.require(size());
     Place* const ends = candidate_ends_.require(size());
     std::uint64_t count = 0;
     for(Place i = 0; i < size(); ++i) {
       begins[i] = begin(i);
-      ends[i] = end(i);
+      ends[i] = others.end_of(columns_.high[0][i]);
       count += ends[i] - begins[i];
     }
     columns_.begins = begins;

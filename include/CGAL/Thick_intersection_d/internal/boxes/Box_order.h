@@ -26,36 +26,40 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-template <int Axes, std::size_t Sets>
+template <int Axes>
 class Box_order
 {
   using Columns = Box_columns<Axes>;
 
 public:
-  void set(const Piece<Piece_box<Axes>, Sets>& piece, int sweep_axis,
+  void set(const Piece<Piece_box<Axes>>& piece, int sweep_axis,
            const Box_tuning& tuning = Box_tuning())
   {
+    set_count_ = piece.set_count();
     Interval range;
     for(const auto& span : piece)
       for(const auto* box = span.first; box != span.last; ++box)
         range.add(box->low[sweep_axis]);
     const Equal_cut cut(range, piece.size());
     double pairs_in_buckets = 0;
-    for(std::size_t set = 0; set < Sets; ++set)
+    for(std::size_t set = 0; set < set_count_; ++set)
       pairs_in_buckets += columns_[set].count(piece[set], sweep_axis, cut);
-    for(Columns& columns : columns_)
+    for(std::size_t set = 0; set < set_count_; ++set)
       if(pairs_in_buckets > tuning.max_bucket_pairs * piece.size())
-        columns.sort();
+        columns_[set].sort();
       else
-        columns.distribute();
+        columns_[set].distribute();
     find_candidates();
   }
 
   // The candidates of all boxes.
   std::uint64_t candidate_count() const { return candidate_count_; }
 
-  // The boxes of a set, with their candidates in the same set, or in the other set.
+  std::size_t set_count() const { return set_count_; }
+
+  // The boxes of a set, and the run with their candidates: that of the other set, if there is one.
   const Box_run<Axes>& run(std::size_t set) const { return columns_[set].run(); }
+  const Box_run<Axes>& candidates(std::size_t set) const { return run(set_count_ - 1 - set); }
 
   // The share of pairs of boxes among the candidates, by a sample of them: a random one in each of
   // `crowd_sample` steps. A scene made to mislead a sample at equal steps would be swept in
@@ -70,9 +74,9 @@ public:
     take_step();
     double passed = 0;
     Place pairs = 0;
-    for(std::size_t set = 0; set < Sets; ++set) {
+    for(std::size_t set = 0; set < set_count_; ++set) {
       const auto& a = run(set);
-      const auto& b = run(Sets - 1 - set);
+      const auto& b = candidates(set);
       for(Place i = a.first; i < a.last; passed += a.ends[i] - a.begins[i], ++i)
         for(; next < passed + (a.ends[i] - a.begins[i]); take_step())
           pairs += do_meet(a, i, b, a.begins[i] + static_cast<Place>(next - passed));
@@ -85,7 +89,7 @@ private:
   std::uint32_t seed() const
   {
     std::size_t hash = 0;
-    for(std::size_t set = 0; set < Sets; ++set)
+    for(std::size_t set = 0; set < set_count_; ++set)
       for(const auto& ends : {run(set).low, run(set).high})
         for(const double* end : ends)
           boost::hash_range(hash, end + run(set).first, end + run(set).last);
@@ -106,19 +110,17 @@ private:
   void find_candidates()
   {
     Columns& a = columns_[0];
-    if constexpr(Sets == 1)
-      candidate_count_ = a.set_candidates([](Place i) { return i + 1; },
-                                          [&](Place i) { return a.end_of(a.high(i)); });
+    Columns& b = columns_[1];
+    if(set_count_ == 1)
+      candidate_count_ = a.set_candidates(a, [](Place i) { return i + 1; });
     else {
-      Columns& b = columns_[1];
-      candidate_count_ = a.set_candidates([&](Place i) { return b.begin_of(a.low(i)); },
-                                          [&](Place i) { return b.end_of(a.high(i)); });
-      candidate_count_ += b.set_candidates([&](Place j) { return a.end_of(b.low(j)); },
-                                           [&](Place j) { return a.end_of(b.high(j)); });
+      candidate_count_ = a.set_candidates(b, [&](Place i) { return b.begin_of(a.low(i)); });
+      candidate_count_ += b.set_candidates(a, [&](Place j) { return a.end_of(b.low(j)); });
     }
   }
 
-  std::array<Columns, Sets> columns_;
+  std::array<Columns, 2> columns_; // of the sets
+  std::size_t set_count_ = 1;
   std::uint64_t candidate_count_ = 0;
 };
 

@@ -43,8 +43,7 @@ class Box_planner
 public:
   explicit Box_planner(const Box_tuning& tuning = Box_tuning()) : tuning_(tuning) {}
 
-  template <std::size_t Sets>
-  Box_plan<Axes> plan(const Piece<Piece_box<Axes>, Sets>& piece, std::size_t sample_limit)
+  Box_plan<Axes> plan(const Piece<Piece_box<Axes>>& piece, std::size_t sample_limit)
   {
     take_sample(piece, sample_limit);
     for(int axis = 0; axis < Axes; ++axis)
@@ -59,14 +58,13 @@ public:
       if(axis != sweep_axis && profiles_[axis].is_cuttable())
         consider_cuts(axis, size, least, plan);
     if(plan.cut_axis < 0 && plan.candidates > tuning_.crowded_candidates)
-      plan.pair_share = share_of_pairs<Sets>(sweep_axis);
+      plan.pair_share = share_of_pairs(piece.set_count(), sweep_axis);
     return plan;
   }
 
 private:
   // Takes a random box of each step, because boxes at equal steps may be of one kind.
-  template <std::size_t Sets>
-  void take_sample(const Piece<Piece_box<Axes>, Sets>& piece, std::size_t sample_limit)
+  void take_sample(const Piece<Piece_box<Axes>>& piece, std::size_t sample_limit)
   {
     sample_.clear();
     Random_numbers random;
@@ -80,13 +78,12 @@ private:
 
   // The share of pairs among random pairs of the sample that meet along the axis of the sweep. If
   // there are few of these, the answer is one.
-  template <std::size_t Sets>
-  double share_of_pairs(int sweep_axis) const
+  double share_of_pairs(std::size_t set_count, int sweep_axis) const
   {
     Random_numbers random;
     int candidates = 0;
     int pairs = 0;
-    const std::size_t first_count = Sets == 1 ? sample_.size() : last_begin_;
+    const std::size_t first_count = set_count == 1 ? sample_.size() : last_begin_;
     const std::size_t last_count = sample_.size() - last_begin_;
     for(int i = 0; i < crowd_pairs; ++i) {
       const auto& a = *sample_[random.below(first_count)];

@@ -8,23 +8,22 @@
 // The divide and conquer of [V03] for boxes of any sizes: boxes are cut into pieces, with copies of
 // those that meet several pieces, and each piece is swept. doc/searches.md describes it.
 
-#include <CGAL/Thick_intersection_d/internal/boxes/Box_classes.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Box_order.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Box_planner.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Box_sweep.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Box_tree.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Cut_boxes.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/divide_into_classes.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/tuning.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Equal_cut.h>
-#include <CGAL/Thick_intersection_d/internal/boxes/Box_sweep.h>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -37,7 +36,6 @@ template <class ConcurrencyTag, class Test, class Report, class Progress>
 class Box_route
 {
   using Box = typename Test::Box;
-  using Cut = Cut_boxes<ConcurrencyTag, Box>;
   static constexpr int axes = Box::axes;
 
   // What a thread needs for its pieces.
@@ -46,10 +44,7 @@ class Box_route
     explicit Worker(const Box_tuning& tuning) : planner(tuning) {}
 
     Box_planner<axes> planner;
-    std::tuple<Box_order<axes, 1>, Box_order<axes, 2>> orders;
-
-    template <std::size_t Sets>
-    Box_order<axes, Sets>& order() { return std::get<Sets - 1>(orders); }
+    Box_order<axes> order;
   };
 
 public:
@@ -59,8 +54,7 @@ public:
   {}
 
   // Reports the pairs of one set, or of two sets. Returns false iff the search was stopped.
-  template <std::size_t Sets>
-  bool search(const Piece<Box, Sets>& boxes)
+  bool search(const Piece<Box>& boxes)
   {
     Worker worker(tuning_);
     search_piece(worker, boxes, {first_box_sample, max_box_cuts, boxes.size()});
@@ -80,12 +74,11 @@ private:
     bool finishes_boxes = true; // whether the boxes are finished when the piece is
   };
 
-  template <std::size_t Sets>
-  void search_piece(Worker& worker, const Piece<Box, Sets>& piece, const Piece_task& task)
+  void search_piece(Worker& worker, const Piece<Box>& piece, const Piece_task& task)
   {
     if(report_.is_stopped())
       return;
-    auto& order = worker.template order<Sets>();
+    Box_order<axes>& order = worker.order;
     if(!piece.has_pairs())
       return finish(piece, task);
     if(piece.size() <= tuning_.few_boxes || task.may_be_swept) {
@@ -100,8 +93,7 @@ private:
   // Cuts the boxes, or sweeps them, or searches them in another way if they are crowded: if there
   // are many candidates, and few of them are pairs. The sample shows most crowds before they are
   // put in order.
-  template <std::size_t Sets>
-  void plan_piece(Worker& worker, const Piece<Box, Sets>& piece, const Piece_task& task)
+  void plan_piece(Worker& worker, const Piece<Box>& piece, const Piece_task& task)
   {
     const Box_plan<axes> plan = worker.planner.plan(piece, task.sample_limit);
     if(plan.cut_axis >= 0 && task.cuts_left > 0 && search_cut(worker, piece, task, plan))
@@ -109,7 +101,7 @@ private:
     if(plan.candidates > tuning_.crowded_candidates && plan.pair_share < tuning_.crowded_share
        && search_crowd(worker, piece, task, plan, plan.candidates))
       return;
-    auto& order = worker.template order<Sets>();
+    Box_order<axes>& order = worker.order;
     order.set(piece, plan.sweep_axis, tuning_);
     const double candidates = static_cast<double>(order.candidate_count()) / piece.size();
     if(!(candidates > tuning_.crowded_candidates && order.share_of_pairs() < tuning_.crowded_share
@@ -118,8 +110,7 @@ private:
   }
 
   // Searches crowded boxes by classes or by a tree. Returns false if a sweep is faster.
-  template <std::size_t Sets>
-  bool search_crowd(Worker& worker, const Piece<Box, Sets>& piece, const Piece_task& task,
+  bool search_crowd(Worker& worker, const Piece<Box>& piece, const Piece_task& task,
                     const Box_plan<axes>& plan, double candidates)
   {
     if(!task.is_one_class && search_classes(worker, piece, task, plan))
@@ -138,32 +129,23 @@ private:
   }
 
   // Searches the pieces of a cut. Returns false if there would be too many copies.
-  template <std::size_t Sets>
-  bool search_cut(Worker& worker, const Piece<Box, Sets>& piece, const Piece_task& task,
+  bool search_cut(Worker& worker, const Piece<Box>& piece, const Piece_task& task,
                   const Box_plan<axes>& plan)
   {
     const Equal_cut equal_cut(plan.range, plan.piece_count);
-    std::vector<Cut> cuts;
-    std::uint64_t size = 0;
-    for(const auto& span : piece) {
-      cuts.emplace_back(span, plan.cut_axis, equal_cut);
-      size += cuts.back().size();
-    }
-    if(size - piece.size() > task.copies_left)
+    Cut_boxes<ConcurrencyTag, Box> cut(piece, plan.cut_axis, equal_cut);
+    const std::uint64_t copies = cut.size() - piece.size();
+    if(copies > task.copies_left)
       return false;
-    for(Cut& cut_of_set : cuts)
-      cut_of_set.distribute();
+    cut.distribute();
     Piece_task task_of_pieces = task;
     task_of_pieces.sample_limit = box_sample;
     task_of_pieces.cuts_left = task.cuts_left - 1;
-    task_of_pieces.copies_left = task.copies_left - (size - piece.size());
+    task_of_pieces.copies_left = task.copies_left - copies;
     task_of_pieces.sweep_axis = plan.sweep_axis;
     task_of_pieces.may_be_swept = plan.candidates <= tuning_.usual_box_candidates;
     for_each_piece(worker, equal_cut.count(), [&](Worker& own_worker, Place p) {
-      Piece<Box, Sets> part;
-      for(std::size_t set = 0; set < Sets; ++set)
-        part[set] = cuts[set].piece(p);
-      search_piece(own_worker, part, task_of_pieces);
+      search_piece(own_worker, cut.piece(p), task_of_pieces);
     });
     return true;
   }
@@ -186,8 +168,7 @@ private:
 
   // Sweeps the boxes in their order. If there are very many candidates, it sweeps in blocks, which
   // threads share. The search can stop after each block.
-  template <std::size_t Sets>
-  void sweep_boxes(const Box_order<axes, Sets>& order, const Piece<Box, Sets>& piece,
+  void sweep_boxes(const Box_order<axes>& order, const Piece<Box>& piece,
                    const Piece_task& task)
   {
     const double candidates = static_cast<double>(order.candidate_count());
@@ -197,8 +178,8 @@ private:
       Box_sweep<Test, Report> box_sweep(test_, report_);
       for(; block != last && !report_.is_stopped(); ++block) {
         box_sweep.take_block(static_cast<Place>(block), count);
-        for(std::size_t set = 0; set < Sets && !box_sweep.is_stopped(); ++set)
-          box_sweep.between(order.run(set), order.run(Sets - 1 - set));
+        for(std::size_t set = 0; set < order.set_count() && !box_sweep.is_stopped(); ++set)
+          box_sweep.between(order.run(set), order.candidates(set));
         advance(size * (block + 1) / count - size * block / count);
       }
     });
@@ -208,46 +189,42 @@ private:
   // short along the third axis, and beams along one axis are short along the others. So these
   // searches may have few candidates where that of all boxes has many. Returns false if all boxes
   // are of one class.
-  template <std::size_t Sets>
-  bool search_classes(Worker& worker, const Piece<Box, Sets>& piece, const Piece_task& task,
+  bool search_classes(Worker& worker, const Piece<Box>& piece, const Piece_task& task,
                       const Box_plan<axes>& plan)
   {
-    std::array<Box_classes<Box>, Sets> classes;
-    std::size_t class_count = 0;
-    for(std::size_t set = 0; set < Sets; ++set) {
-      classes[set] = Box_classes<Box>(piece[set], plan.long_lengths);
-      class_count += classes[set].spans().size();
-    }
-    if(class_count == Sets)
+    std::array<std::vector<Span<Box>>, 2> classes;
+    for(std::size_t set = 0; set < piece.set_count(); ++set)
+      classes[set] = divide_into_classes(piece[set], plan.long_lengths);
+    if(classes[0].size() + classes[1].size() == piece.set_count())
       return false;
     Piece_task part = task;
     part.may_be_swept = false;
     part.is_one_class = true;
     part.finishes_boxes = false;
-    const auto& others = classes[Sets - 1].spans();
-    for(auto a = classes[0].spans().begin(); a != classes[0].spans().end(); ++a) {
-      if constexpr(Sets == 1)
-        search_piece(worker, Piece<Box, 1>{{{*a}}}, part);
-      for(auto b = others.begin(); b != others.end() && (Sets == 2 || b != a); ++b)
-        search_piece(worker, Piece<Box, 2>{{{*a, *b}}}, part);
-      finish(Piece<Box, 1>{{{*a}}}, task);
+    const bool is_one_set = piece.set_count() == 1;
+    for(std::size_t a = 0; a < classes[0].size(); ++a) {
+      const Span<Box>& boxes = classes[0][a];
+      if(is_one_set)
+        search_piece(worker, Piece<Box>(boxes), part);
+      const auto& others = classes[piece.set_count() - 1];
+      for(std::size_t b = 0; b < (is_one_set ? a : others.size()); ++b)
+        search_piece(worker, Piece<Box>(boxes, others[b]), part);
+      finish(Piece<Box>(boxes), task);
     }
-    if constexpr(Sets == 2)
-      finish(Piece<Box, 1>{{{piece[1]}}}, task);
+    if(!is_one_set)
+      finish(Piece<Box>(piece[1]), task);
     return true;
   }
 
   // Advances the progress by the boxes of a piece.
-  template <std::size_t Sets>
-  void finish(const Piece<Box, Sets>& piece, const Piece_task& task)
+  void finish(const Piece<Box>& piece, const Piece_task& task)
   {
     if(task.finishes_boxes)
       advance(original_count(piece));
   }
 
   // The number of boxes that are no copies. Each box is one in one piece.
-  template <std::size_t Sets>
-  static std::size_t original_count(const Piece<Box, Sets>& piece)
+  static std::size_t original_count(const Piece<Box>& piece)
   {
     std::size_t count = 0;
     for(const auto& span : piece)

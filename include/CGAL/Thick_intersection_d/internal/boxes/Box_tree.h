@@ -255,8 +255,7 @@ private:
   std::vector<Range> held_by_starting_;
 };
 
-// Reports two boxes that meet if their objects intersect. Its type does not depend on the number of
-// sets, and so there is one tree for all.
+// Reports two boxes that meet if their objects intersect.
 template <class Test, class Report>
 struct Tested_report
 {
@@ -274,22 +273,24 @@ struct Tested_report
 
 // Boxes that are copies along a common axis are not searched for pairs, so no pair is found in two
 // pieces.
-template <class Box, std::size_t Sets, class Test, class Report>
-void search_tree(const Piece<Box, Sets>& piece, const Test& test, Report& report)
+template <class Box, class Test, class Report>
+void search_tree(const Piece<Box>& piece, const Test& test, Report& report)
 {
   Tested_report<Test, Report> tested_report = {test, report};
   Box_tree<Box, Tested_report<Test, Report>> tree(tested_report);
   using Boxes_by_sides = std::array<std::vector<const Box*>, std::size_t(1) << Box::axes>;
-  std::array<Boxes_by_sides, Sets> boxes;
-  for(std::size_t set = 0; set < Sets; ++set)
+  std::array<Boxes_by_sides, 2> boxes;
+  for(std::size_t set = 0; set < 2; ++set)
     for(const Box* box = piece[set].first; box != piece[set].last; ++box)
       boxes[set][box->sides].push_back(box);
+  const bool is_one_set = piece.set_count() == 1;
+  const Boxes_by_sides& others = boxes[is_one_set ? 0 : 1];
   bool goes_on = true;
   for(std::size_t a = 0; a < boxes[0].size(); ++a)
-    for(std::size_t b = Sets == 1 ? a : 0; b < boxes[0].size(); ++b)
+    for(std::size_t b = is_one_set ? a : 0; b < others.size(); ++b)
       if((a & b) == 0 && goes_on)
-        goes_on = Sets == 1 && a == b ? tree.within(boxes[0][a])
-                                      : tree.between(boxes[0][a], boxes[Sets - 1][b]);
+        goes_on = is_one_set && a == b ? tree.within(boxes[0][a])
+                                       : tree.between(boxes[0][a], others[b]);
 }
 
 } // namespace internal

@@ -32,23 +32,25 @@ template <class ConcurrencyTag, class Box>
 class Cut_boxes
 {
 public:
-  // Counts the boxes of each piece.
-  Cut_boxes(const Span<Box>& boxes, int axis, const Equal_cut& cut)
+  // Counts the boxes of each piece, and of each set in it.
+  Cut_boxes(const Piece<Box>& boxes, int axis, const Equal_cut& cut)
     : boxes_(boxes), axis_(axis), cut_(cut),
       blocks_(boxes.size() < min_size_for_threads ? 1 : block_count<ConcurrencyTag>()),
-      next_(blocks_ * cut.count(), 0)
+      next_(boxes.set_count() * cut.count() * blocks_, 0), begins_(next_.size() / blocks_ + 1)
   {
-    for_each_box([&](std::size_t block, const Box& box) {
+    for_each_box([&](Place* next, const Box& box) {
       const Place last = cut_(box.high[axis_]);
       for(Place piece = cut_(box.low[axis_]); piece <= last; ++piece)
-        ++next(block, piece);
+        ++next[piece];
     });
-    for(Place piece = 0; piece < cut.count(); ++piece) {
-      begins_.push_back(size_);
-      for(std::size_t block = 0; block < blocks_; ++block)
-        size_ += std::exchange(next(block, piece), static_cast<Place>(size_));
-    }
-    begins_.push_back(size_);
+    auto begin = begins_.begin();
+    for(std::size_t set = 0; set < boxes.set_count(); ++set)
+      for(Place piece = 0; piece < cut.count(); ++piece) {
+        *begin++ = size_;
+        for(std::size_t block = 0; block < blocks_; ++block)
+          size_ += std::exchange(next_of(set, block)[piece], static_cast<Place>(size_));
+      }
+    *begin = size_;
   }
 
   // The number of boxes in all pieces.
@@ -58,44 +60,56 @@ public:
   void distribute()
   {
     copies_ = make_uninitialized<Box>(size_);
-    for_each_box([&](std::size_t block, const Box& box) {
+    for_each_box([&](Place* next, const Box& box) {
       const Place first = cut_(box.low[axis_]);
       const Place last = cut_(box.high[axis_]);
-      copies_[next(block, first)++] = box;
+      copies_[next[first]++] = box;
       for(Place piece = first + 1; piece <= last; ++piece) {
-        Box& copy = copies_[next(block, piece)++];
+        Box& copy = copies_[next[piece]++];
         copy = box;
         copy.sides |= Place(1) << axis_;
       }
     });
   }
 
-  Span<Box> piece(Place piece) const
+  Piece<Box> piece(Place piece) const
   {
-    return {copies_.get() + begins_[piece], copies_.get() + begins_[piece + 1]};
+    return boxes_.set_count() == 1 ? Piece<Box>(span(piece))
+                                   : Piece<Box>(span(piece), span(cut_.count() + piece));
   }
 
 private:
   static constexpr Place min_size_for_threads = 1 << 14;
 
-  Place& next(std::size_t block, Place piece) { return next_[block * cut_.count() + piece]; }
+  Span<Box> span(std::size_t i) const
+  {
+    return {copies_.get() + begins_[i], copies_.get() + begins_[i + 1]};
+  }
 
+  // Where the next box of each piece goes.
+  Place* next_of(std::size_t set, std::size_t block)
+  {
+    return next_.data() + (set * blocks_ + block) * cut_.count();
+  }
+
+  // Calls task(next, box).
   template <class Task>
   void for_each_box(const Task& task)
   {
-    for_each_numbered_block<ConcurrencyTag>(
-      blocks_, boxes_.size(), [&](std::size_t block, std::size_t i, std::size_t last) {
-        for(; i != last; ++i)
-          task(block, boxes_.first[i]);
-      });
+    for(std::size_t set = 0; set < boxes_.set_count(); ++set)
+      for_each_numbered_block<ConcurrencyTag>(
+        blocks_, boxes_[set].size(), [&](std::size_t block, std::size_t i, std::size_t last) {
+          for(Place* const next = next_of(set, block); i != last; ++i)
+            task(next, boxes_[set].first[i]);
+        });
   }
 
-  const Span<Box> boxes_;
+  const Piece<Box> boxes_;
   const int axis_;
   const Equal_cut cut_;
   const std::size_t blocks_;
-  std::vector<Place> next_; // for each block and piece, where the next box goes
-  std::vector<std::uint64_t> begins_;
+  std::vector<Place> next_; // for each set, block and piece
+  std::vector<std::uint64_t> begins_; // for each set and piece
   std::uint64_t size_ = 0;
   std::unique_ptr<Box[]> copies_;
 };

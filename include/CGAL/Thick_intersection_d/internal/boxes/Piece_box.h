@@ -42,25 +42,28 @@ struct Span
 };
 
 // The boxes of one set, or of each of two sets, in a part of space.
-template <class Box, std::size_t Sets>
-struct Piece : std::array<Span<Box>, Sets>
+template <class Box>
+class Piece
 {
-  Place size() const
-  {
-    Place size = 0;
-    for(const Span<Box>& span : *this)
-      size += span.size();
-    return size;
-  }
+public:
+  explicit Piece(const Span<Box>& set) : sets_{set, {set.last, set.last}}, set_count_(1) {}
+  Piece(const Span<Box>& first, const Span<Box>& second) : sets_{first, second}, set_count_(2) {}
+
+  std::size_t set_count() const { return set_count_; }
+  const Span<Box>& operator[](std::size_t set) const { return sets_[set]; }
+  const Span<Box>* begin() const { return sets_.data(); }
+  const Span<Box>* end() const { return sets_.data() + set_count_; }
+  Place size() const { return sets_[0].size() + sets_[1].size(); }
 
   // Whether there may be a pair.
   bool has_pairs() const
   {
-    if constexpr(Sets == 1)
-      return (*this)[0].size() > 1;
-    else
-      return (*this)[0].size() > 0 && (*this)[1].size() > 0;
+    return set_count_ == 1 ? size() > 1 : sets_[0].size() > 0 && sets_[1].size() > 0;
   }
+
+private:
+  std::array<Span<Box>, 2> sets_;
+  std::size_t set_count_;
 };
 
 } // namespace internal

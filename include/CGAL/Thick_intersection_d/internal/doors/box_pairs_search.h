@@ -45,7 +45,6 @@ template <class ConcurrencyTag, int Axes, class Objects, class Sets, class Repor
 bool report_by_boxes(const Objects& objects, const Sets& sets, Report& report,
                      Progress& progress)
 {
-  constexpr std::size_t set_count = Sets::are_two ? 2 : 1;
   using Test = Boxed_objects<Axes, Objects>;
   const Test test(objects, axes_of_boxes(objects, Axes));
   using Box_of_test = typename Test::Box;
@@ -54,17 +53,15 @@ bool report_by_boxes(const Objects& objects, const Sets& sets, Report& report,
     for(; i != last; ++i)
       test.put(i, boxes[i]);
   });
-  Piece<Box_of_test, set_count> piece;
   Box_of_test* const first = boxes.get();
   Box_of_test* const last = first + objects.size();
+  Box_route<ConcurrencyTag, Test, Report, Progress> route(test, report, progress);
   if constexpr(Sets::are_two) {
-    piece[0] = {first, first + sets.first_size};
-    piece[1] = {first + sets.first_size, last};
+    Box_of_test* const middle = first + sets.first_size;
+    return route.search(Piece<Box_of_test>({first, middle}, {middle, last}));
   }
   else
-    piece[0] = {first, last};
-  Box_route<ConcurrencyTag, Test, Report, Progress> route(test, report, progress);
-  return route.search(piece);
+    return route.search(Piece<Box_of_test>({first, last}));
 }
 
 // Reports the pairs of objects. `Objects` is as for Boxed_objects, with a constant static_dimension

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-BOOST_AUTO_TEST_SUITE(Box_classes)
+BOOST_AUTO_TEST_SUITE(divide_into_classes)
 
 using namespace test_support;
 using Box = internal::Piece_box<3>;
@@ -33,10 +33,11 @@ BOOST_AUTO_TEST_CASE(classes_divide_the_boxes_by_the_axes_along_which_they_are_l
   }
   const std::vector<Box> before = boxes;
   const std::array<double, 3> lengths = {1, 2, 0};
-  const internal::Box_classes<Box> classes({boxes.data(), boxes.data() + boxes.size()}, lengths);
+  const auto classes
+    = internal::divide_into_classes<Box>({boxes.data(), boxes.data() + boxes.size()}, lengths);
   std::vector<int> seen(boxes.size(), 0);
-  BOOST_CHECK_EQUAL(classes.spans().size(), 8u);
-  for(const auto& span : classes.spans())
+  BOOST_CHECK_EQUAL(classes.size(), 8u);
+  for(const auto& span : classes)
     for(const Box* box = span.first; box != span.last; ++box) {
       ++seen[box->position];
       BOOST_CHECK(box->low == before[box->position].low);
@@ -48,12 +49,12 @@ BOOST_AUTO_TEST_CASE(classes_divide_the_boxes_by_the_axes_along_which_they_are_l
 
 BOOST_AUTO_TEST_CASE(classes_without_boxes_are_left_out)
 {
-  BOOST_CHECK(internal::Box_classes<Box>({nullptr, nullptr}, {1, 1, 1}).spans().empty());
+  BOOST_CHECK(internal::divide_into_classes<Box>({nullptr, nullptr}, {1, 1, 1}).empty());
   std::vector<Box> boxes(2);
   boxes[0].high = {2, 0, 0};
   boxes[1].high = {0, 0, 2};
-  const internal::Box_classes<Box> classes({boxes.data(), boxes.data() + 2}, {1, 1, 1});
-  BOOST_CHECK_EQUAL(classes.spans().size(), 2u);
+  BOOST_CHECK_EQUAL(
+    internal::divide_into_classes<Box>({boxes.data(), boxes.data() + 2}, {1, 1, 1}).size(), 2u);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
