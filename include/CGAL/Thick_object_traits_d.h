@@ -14,6 +14,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_vertices.h>
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
 
@@ -87,7 +88,7 @@ public:
   {
   public:
     /// returns whether the box of `a` begins before the box of `b` along axis `i`.
-    bool operator()(const Object& a, const Object& b, int i) const
+    CGAL_RARELY_CALLED bool operator()(const Object& a, const Object& b, int i) const
     {
       return (box(a).min)(i) < (box(b).min)(i);
     }
@@ -99,7 +100,7 @@ public:
   public:
     /// returns whether the lower corners differ by at most the reach along axis `i`. Difference and
     /// reach are rounded in the same way.
-    bool operator()(const Object& a, const Object& b, int i) const
+    CGAL_RARELY_CALLED bool operator()(const Object& a, const Object& b, int i) const
     {
       return std::fabs((box(a).min)(i) - (box(b).min)(i)) <= reaches_[i];
     }
@@ -115,7 +116,7 @@ public:
   {
   public:
     /// returns whether `a` and `b` have a point in common.
-    bool operator()(const Object& a, const Object& b) const
+    CGAL_RARELY_CALLED bool operator()(const Object& a, const Object& b) const
     {
       return do_overlap(box(a), box(b)) && decide(a, b);
     }

@@ -8,8 +8,11 @@
 // The signs of determinants of two and of three vectors, of integers and of exact numbers.
 
 #include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
 
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/wide_integers.h>
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 
 #include <array>
 #include <cstddef>
@@ -65,6 +68,24 @@ inline Sign sign_of_long_product(const std::array<Int128, 3>& normal,
   const Split_integer rest(low);
   high += rest.high;
   return high != 0 ? sign_of_number(high) : sign_of_number(rest.low);
+}
+
+// Returns the orientation of four points, whatever doubles they have. This is one function with a
+// loop, because exact numbers make much code wherever they are inline.
+CGAL_RARELY_CALLED inline Sign exact_orientation(const std::array<std::array<double, 3>, 4>& points)
+{
+  using Exact = Exact_number_t<double>;
+  const auto difference = [&](std::size_t k, std::size_t axis) {
+    return Exact(Exact(points[k][axis]) - Exact(points[0][axis]));
+  };
+  Exact determinant(0);
+  for(std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    const Exact minor = Exact(difference(1, j) * difference(2, k))
+                        - Exact(difference(1, k) * difference(2, j));
+    determinant = Exact(determinant + minor * difference(3, i));
+  }
+  return CGAL::sign(determinant);
 }
 
 } // namespace internal

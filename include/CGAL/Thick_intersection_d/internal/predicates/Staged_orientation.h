@@ -23,11 +23,9 @@
 #include <CGAL/enum.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/determinant_signs.h>
-#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/grid_steps.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/rounding.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/wide_integers.h>
-#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 
 #include <boost/config.hpp> // BOOST_FORCEINLINE, BOOST_NOINLINE
 
@@ -177,8 +175,6 @@ public:
   }
 
 private:
-  using Exact = Exact_number_t<double>;
-
   static constexpr double planar_factor = 0x1p-50, spatial_factor = 0x1p-49, least_sum = 0x1p-1000;
 
   // Returns the sign of a number that is off by at most `bound`, or zero if that is not known.
@@ -261,25 +257,19 @@ private:
 
   // ---- exact numbers ----------------------------------------------------------------------------
 
-  CGAL_RARELY_CALLED Sign decide_turn_in_exact_numbers(const std::array<double, 3>& x,
-                                                       const std::array<double, 3>& y)
+  // The turn of three points is the side of a point above the first one.
+  Sign decide_turn_in_exact_numbers(const std::array<double, 3>& x, const std::array<double, 3>& y)
   {
     need(Arithmetic_tier::FILTERED_EXACT);
-    const auto vector_to = [&](std::size_t k) {
-      return std::array<Exact, 2>{Exact(x[k]) - Exact(x[0]), Exact(y[k]) - Exact(y[0])};
-    };
-    return sign_of_determinant<Exact>(vector_to(1), vector_to(2));
+    return exact_orientation(
+      {{{x[0], y[0], 0}, {x[1], y[1], 0}, {x[2], y[2], 0}, {x[0], y[0], 1}}});
   }
 
-  CGAL_RARELY_CALLED Sign decide_side_in_exact_numbers(const Plane& plane, const Point& s)
+  Sign decide_side_in_exact_numbers(const Plane& plane, const Point& s)
   {
     need(Arithmetic_tier::FILTERED_EXACT);
-    const auto vector_to = [&](const Point& x) {
-      const auto along = [&](int i) { return Exact(x[i]) - Exact(plane.p[i]); };
-      return std::array<Exact, 3>{along(0), along(1), along(2)};
-    };
-    return sign_of_product<Exact>(normal_of<Exact>(vector_to(plane.q), vector_to(plane.r)),
-                                  vector_to(s));
+    const auto doubles = [](const Point& x) { return std::array<double, 3>{x[0], x[1], x[2]}; };
+    return exact_orientation({doubles(plane.p), doubles(plane.q), doubles(plane.r), doubles(s)});
   }
 
   void need(Arithmetic_tier tier) { needed_tier_ = (std::max)(needed_tier_, tier); }
