@@ -34,21 +34,6 @@ namespace internal {
 // positive, so is the side of vertex k along face k.
 constexpr std::size_t face_vertices[4][3] = {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}};
 
-constexpr std::size_t edge_ends[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
-
-// The edge from vertex i to vertex j, and whether it is listed in that direction.
-struct Directed_edge
-{
-  std::size_t edge;
-  bool is_forward;
-};
-
-constexpr Directed_edge edge_between(std::size_t i, std::size_t j)
-{
-  constexpr std::size_t edges[4][4] = {{6, 0, 1, 2}, {0, 6, 3, 4}, {1, 3, 6, 5}, {2, 4, 5, 6}};
-  return {edges[i][j], i < j};
-}
-
 template <class Orientation>
 Simplex<Orientation, 3> face_of(const Simplex<Orientation, 4>& tetrahedron, std::size_t k)
 {
@@ -99,70 +84,17 @@ Sides_of_faces sides_of_faces(Orientation& orientation, const Simplex<Orientatio
   return result;
 }
 
-// The orientations of an edge of one tetrahedron and an edge of another. Each is computed once,
-// when it is asked for: an edge belongs to two faces.
+// Whether an edge of tetrahedron `a`, whose vertices have these sides, crosses a face of `b`.
 template <class Orientation>
-class Edge_orientations
+bool does_any_edge_cross(Orientation& orientation, const Sides_of_faces& sides,
+                         const Simplex<Orientation, 4>& a, const Simplex<Orientation, 4>& b)
 {
-public:
-  Edge_orientations(Orientation& orientation, const Simplex<Orientation, 4>& a,
-                    const Simplex<Orientation, 4>& b)
-    : orientation_(orientation), a_(a), b_(b)
-  {}
-
-  // The order of two edges does not matter for the orientation of their ends.
-  Sign operator()(std::size_t edge_of_a, std::size_t edge_of_b)
-  {
-    int& known = known_[edge_of_a][edge_of_b];
-    if(known == unknown) {
-      const std::size_t* const p = edge_ends[edge_of_a];
-      const std::size_t* const q = edge_ends[edge_of_b];
-      known = orientation_.side(orientation_.plane(a_[p[0]], a_[p[1]], b_[q[0]]), b_[q[1]]) + 2;
-    }
-    return static_cast<Sign>(known - 2);
-  }
-
-private:
-  static constexpr int unknown = 0;
-
-  Orientation& orientation_;
-  const Simplex<Orientation, 4>& a_;
-  const Simplex<Orientation, 4>& b_;
-  int known_[6][6] = {}; // the sign plus 2
-};
-
-// Whether an edge passes the three edges of a face on one side. `orientation_with` gives the
-// orientation of the edge with an edge of the tetrahedron of the face.
-template <class Function>
-bool does_edge_pass_face(std::size_t face, const Function& orientation_with)
-{
-  Sign side = ZERO;
-  for(std::size_t k = 0; k < 3; ++k) {
-    const Directed_edge along
-      = edge_between(face_vertices[face][k], face_vertices[face][(k + 1) % 3]);
-    const Sign sign = orientation_with(along.edge);
-    const Sign of_edge = along.is_forward ? sign : opposite(sign);
-    if(of_edge != ZERO && side != ZERO && of_edge != side)
-      return false;
-    side = of_edge != ZERO ? of_edge : side;
-  }
-  return true;
-}
-
-// Whether an edge of the one whose vertices have these sides crosses a face of the other one.
-// `orientation(edge, other_edge)` is that of an edge of the one and an edge of the other.
-template <class Function>
-bool does_any_edge_cross(const Sides_of_faces& sides, const Function& orientation)
-{
-  for(std::size_t edge = 0; edge < 6; ++edge) {
-    const auto [i, j] = edge_ends[edge];
-    if((sides.outside[i] & sides.outside[j]) != 0)
-      continue;
-    for(std::size_t face = 0; face < 4; ++face)
-      if(sides.sides[face][i] * sides.sides[face][j] < 0
-         && does_edge_pass_face(face, [&](std::size_t other) { return orientation(edge, other); }))
-        return true;
-  }
+  for(std::size_t i = 0; i < 4; ++i)
+    for(std::size_t j = i + 1; j < 4; ++j)
+      for(std::size_t k = 0; k < 4 && (sides.outside[i] & sides.outside[j]) == 0; ++k)
+        if(sides.sides[k][i] * sides.sides[k][j] < 0
+           && does_line_meet_triangle(orientation, a[i], a[j], face_of<Orientation>(b, k)))
+          return true;
   return false;
 }
 
@@ -177,12 +109,9 @@ bool do_tetrahedra_intersect(Orientation& orientation, const Simplex<Orientation
   const Sides_of_faces sides_b = sides_of_faces(orientation, a, sign_a, b);
   if(sides_b.is_face_between())
     return false;
-  if(sides_a.is_any_inside() || sides_b.is_any_inside())
-    return true;
-  Edge_orientations<Orientation> of_edges(orientation, a, b);
-  return does_any_edge_cross(sides_a, [&](std::size_t e, std::size_t f) { return of_edges(e, f); })
-         || does_any_edge_cross(sides_b,
-                                [&](std::size_t f, std::size_t e) { return of_edges(e, f); });
+  return sides_a.is_any_inside() || sides_b.is_any_inside()
+         || does_any_edge_cross(orientation, sides_a, a, b)
+         || does_any_edge_cross(orientation, sides_b, b, a);
 }
 
 template <class Orientation>
