@@ -73,6 +73,16 @@ BOOST_AUTO_TEST_CASE(zeros_have_any_grid)
   BOOST_CHECK_EQUAL(other.exponent(), 3);
 }
 
+BOOST_AUTO_TEST_CASE(a_grid_holds_multiples_of_its_step)
+{
+  const internal::Double_grid grid(-3);
+  BOOST_CHECK_EQUAL(grid.exponent(), -3);
+  for(const double x : {0., -0., 0.125, -7.875, 0x1p-3 + 0x1p40, 0x1p100})
+    BOOST_CHECK(grid.holds(x));
+  for(const double x : {0.0625, -7.9375, 0x1p-4 + 0x1p40, 5e-324, 0.1})
+    BOOST_CHECK(!grid.holds(x));
+}
+
 // Of numbers on the grid, and of others without what is below it; however large they are.
 BOOST_AUTO_TEST_CASE(steps_are_counted_modulo_2_to_64)
 {

@@ -121,12 +121,12 @@ void check_first_beyond(std::uint64_t n, std::uint64_t d, int e)
   const Rational r2 = Rational(Integer(n)) / Rational(Integer(d));
   for(const bool is_open : {false, true}) {
     const internal::Squared_bound<Exact> bound(is_open ? closed.open() : closed);
-    const Integer expected = first_beyond(r2, 0, is_open);
-    BOOST_CHECK_EQUAL(Integer(bound.template first_beyond<std::uint64_t>(e, 64)), expected);
-    const auto finer = bound.template first_beyond<internal::Uint128>(e - 31, 126);
-    const Integer found = (Integer(static_cast<std::uint64_t>(finer >> 64)) << 64)
-                          + static_cast<std::uint64_t>(finer);
-    BOOST_CHECK_EQUAL(found, first_beyond(r2, -31, is_open));
+    for(const int finer : {0, 31}) {
+      const internal::Uint128 beyond = bound.first_beyond(e - finer);
+      const Integer found = (Integer(static_cast<std::uint64_t>(beyond >> 64)) << 64)
+                            + static_cast<std::uint64_t>(beyond);
+      BOOST_CHECK_EQUAL(found, first_beyond(r2, -finer, is_open));
+    }
   }
 }
 

@@ -20,6 +20,8 @@
 
 BOOST_AUTO_TEST_SUITE(exact_tier)
 
+namespace internal = CGAL::Thick_intersection_d::internal;
+
 CGAL::Scene_profile profile_of_units(int dimension, double reach, int exponent)
 {
   return CGAL::Scene_profile(2, std::vector<std::pair<double, double>>(dimension, {0, reach}),
@@ -68,6 +70,17 @@ BOOST_AUTO_TEST_CASE(doubles_are_not_certified_where_squares_vanish_or_overflow)
   BOOST_CHECK(profile_of_units(2, std::ldexp(1.5, 1022), 1010).tier() == Tier::FILTERED_EXACT);
   BOOST_CHECK(CGAL::Scene_profile(2, {{0, 1}, {0, 1}}, 1, std::nullopt).tier()
               == Tier::FILTERED_EXACT);
+}
+
+BOOST_AUTO_TEST_CASE(no_finer_grid_fits_128_bits)
+{
+  for(const double reach : {0., 5e-324, 1e-320, 1e-300, 0.1, 1., 1.99, 1e300, 0x1p1022})
+    for(const int axis_count : {0, 1, 3, 4, 5, 100}) {
+      const int e = internal::finest_grid_exponent(reach, axis_count);
+      BOOST_CHECK(internal::fits_int128(internal::steps_within(reach, e), axis_count));
+      BOOST_CHECK(e == -1074
+                  || !internal::fits_int128(internal::steps_within(reach, e - 1), axis_count));
+    }
 }
 
 // The first tier that holds d U^2, in integers of any length.

@@ -225,6 +225,8 @@ BOOST_AUTO_TEST_CASE(each_pair_is_decided_once)
     check_count<double>(tier, near, true, Arithmetic_tier::DOUBLE);
     check_count<double>(tier, far, false, std::nullopt);
   }
+  check_count<double>(Arithmetic_tier::INT128, {{5, 1e-30}}, false, // which does not fit
+                      Arithmetic_tier::FILTERED_EXACT);
   check_count<Rational>(Arithmetic_tier::FILTERED_EXACT, rational_tie, true,
                         Arithmetic_tier::FILTERED_EXACT);
   check_count<Rational>(Arithmetic_tier::FILTERED_EXACT, rational_near, true,
@@ -240,7 +242,7 @@ void check_last_question(const Plain_point<Number>& q, bool is_within, Arithmeti
   const internal::Is_within_distance<Plain_point<Number>> test(bound, scene,
                                                                Arithmetic_tier::FILTERED_EXACT);
   internal::Decision_counts counts;
-  BOOST_CHECK_EQUAL(test.decide_undecided(points[0], points[1], counts), is_within);
+  BOOST_CHECK_EQUAL(test.decide(points[0], points[1], counts), is_within);
   BOOST_CHECK_EQUAL(total(counts), 1u);
   BOOST_CHECK_EQUAL(counts[decided_by], 1u);
 }
@@ -270,8 +272,8 @@ BOOST_AUTO_TEST_CASE(the_reach_of_doubles_has_room_for_the_error)
     const internal::Is_within_distance<Point> is_within(
       internal::Squared_bound<Exact>(CGAL::within_distance(1)), scene,
       Arithmetic_tier::FILTERED_EXACT);
-    BOOST_CHECK(Exact(is_within.reach_of_doubles()) >= Exact(1) + Exact(scene.error));
-    BOOST_CHECK_LE(is_within.reach_of_doubles(), 1 + scene.error + 1e-15);
+    BOOST_CHECK(Exact(is_within.filter_of_doubles().reach) >= Exact(1) + Exact(scene.error));
+    BOOST_CHECK_LE(is_within.filter_of_doubles().reach, 1 + scene.error + 1e-15);
   }
 }
 

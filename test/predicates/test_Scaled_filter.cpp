@@ -13,9 +13,12 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 BOOST_AUTO_TEST_SUITE(Scaled_filter)
@@ -24,6 +27,27 @@ using namespace test_support;
 namespace internal = CGAL::Thick_intersection_d::internal;
 
 using Bound = internal::Squared_bound<internal::Exact_number_t<double>>;
+
+using Filter = internal::Scaled_filter;
+
+constexpr Filter none = {1, 0, {-1, std::numeric_limits<double>::infinity()}}; // decides nothing
+
+// Whether p and q are within the bound, if this is certain.
+template <std::size_t Dimension>
+std::optional<bool> decision(const Filter& filter, const std::array<double, Dimension>& p,
+                             const std::array<double, Dimension>& q)
+{
+  double s = 0;
+  for(std::size_t i = 0; i < Dimension; ++i) {
+    const double gap = p[i] * filter.scale - q[i] * filter.scale;
+    s += gap * gap;
+  }
+  if(s <= filter.filter.inside)
+    return true;
+  if(s > filter.filter.outside)
+    return false;
+  return std::nullopt;
+}
 
 // Points on the grid of 2^exponent with coordinates of 40 bits, and a bound whose quotient by their
 // distance is 1 + 2^-closeness or 1 - 2^-closeness, up to a step. Returns the share of the answers
@@ -36,22 +60,25 @@ double check_near_ties(int exponent, int closeness)
   for(int k = 0; k < count; ++k) {
     std::array<double, 3> p, q;
     Integer squared_distance = 0;
+    double largest = 0;
     for(std::size_t i = 0; i < 3; ++i) {
       p[i] = static_cast<double>(random.below(std::uint64_t(1) << 40));
       q[i] = -static_cast<double>(random.below(std::uint64_t(1) << 40));
       const Integer gap = Integer(p[i]) - Integer(q[i]);
       squared_distance += gap * gap;
+      p[i] = std::ldexp(p[i], exponent);
+      q[i] = std::ldexp(q[i], exponent);
+      largest = (std::max)({largest, p[i], -q[i]});
     }
     const double sign = random.below(2) == 0 ? 1 : -1;
     const double steps = std::floor(std::sqrt(static_cast<double>(squared_distance))
                                     * (1 + sign * std::ldexp(1., -closeness)));
     const bool expected = squared_distance <= Integer(steps) * Integer(steps);
-    const internal::Scaled_filter filter(
-      Bound(CGAL::within_distance(std::ldexp(steps, exponent))), 3);
+    const Filter filter = internal::scaled_filter(
+      Bound(CGAL::within_distance(std::ldexp(steps, exponent))), 3, largest, none);
     for(const int mode : rounding_modes) {
       const Rounding_mode rounding(mode);
-      const auto found = filter.decide([&](int i) { return std::ldexp(p[i], exponent); },
-                                       [&](int i) { return std::ldexp(q[i], exponent); }, 3);
+      const std::optional<bool> found = decision(filter, p, q);
       if(found && *found != expected)
         BOOST_ERROR("grid 2^" << exponent << ", closeness " << closeness << ": a distance that is "
                               << (expected ? "within the bound" : "beyond the bound"));
@@ -83,11 +110,11 @@ BOOST_AUTO_TEST_CASE(bounds_in_the_range_of_the_other_filter_are_left_to_it)
 // The extent of a scene may overflow.
 BOOST_AUTO_TEST_CASE(differences_may_be_beyond_the_range_of_doubles)
 {
-  const internal::Scaled_filter filter(Bound(CGAL::within_distance(0x1p1022)), 2);
-  const auto far = [](int) { return 0x1.8p1023; };
-  const auto back = [](int) { return -0x1.8p1023; };
-  BOOST_CHECK(filter.decide(far, back, 2) == std::optional<bool>(false));
-  BOOST_CHECK(filter.decide(far, far, 2) == std::optional<bool>(true));
+  const Filter filter
+    = internal::scaled_filter(Bound(CGAL::within_distance(0x1p1022)), 2, 0x1.8p1023, none);
+  const std::array<double, 2> far = {0x1.8p1023, 0x1.8p1023}, back = {-0x1.8p1023, -0x1.8p1023};
+  BOOST_CHECK(decision(filter, far, back) == std::optional<bool>(false));
+  BOOST_CHECK(decision(filter, far, far) == std::optional<bool>(true));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -8,6 +8,8 @@
 #include "support/point_generators.h"
 #include "support/rounding_mode.h"
 
+#include <CGAL/boost_mp.h>
+
 #include <CGAL/Thick_intersection_d/internal/predicates/Twofold_distance.h>
 
 #include <boost/test/unit_test.hpp>

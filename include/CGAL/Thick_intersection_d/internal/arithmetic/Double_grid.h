@@ -60,6 +60,9 @@ inline int logarithm(std::uint64_t power)
 class Double_grid
 {
 public:
+  Double_grid() = default; // the coarsest of all
+  explicit Double_grid(int exponent) : exponent_(exponent) {}
+
   // Refines the grid until it holds the finite number x. The last bit of most numbers, whatever it
   // is, is on the grid of the numbers before. The number of zeros at the end of a mantissa cannot
   // be predicted, so it takes no branch.
@@ -74,6 +77,13 @@ public:
 
   // Refines the grid until it holds all numbers of another grid.
   void add(const Double_grid& other) { exponent_ = (std::min)(exponent_, other.exponent_); }
+
+  bool holds(double x) const
+  {
+    Double_grid refined = *this;
+    refined.add(x);
+    return refined.exponent_ == exponent_;
+  }
 
   // Returns e, or 0 if no number but zero was added.
   int exponent() const { return exponent_ == none ? 0 : exponent_; }

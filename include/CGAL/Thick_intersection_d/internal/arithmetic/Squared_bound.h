@@ -13,6 +13,8 @@
 #include <CGAL/Fraction_traits.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_tier.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/wide_integers.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 
 #include <algorithm>
@@ -97,13 +99,6 @@ public:
     return open_ ? scaled < numerator_ : scaled <= numerator_;
   }
 
-  // Returns r^2 - x, rounded a few times. x is to be a double near r^2, and the conversion of Exact
-  // to double is to be precise. The conversion of lazy types is not.
-  CGAL_RARELY_CALLED double excess(double x) const
-  {
-    return CGAL::to_double(numerator_ - Exact(x) * denominator_) / CGAL::to_double(denominator_);
-  }
-
   // Returns the largest squared distance within the bound that is a double.
   CGAL_RARELY_CALLED double largest_double() const
   {
@@ -117,23 +112,22 @@ public:
     return threshold;
   }
 
-  // Returns the least integer s, below 2^bits, such that the squared distance s 4^e is not within
-  // the bound. Divides r^2 by 4^e, bit by bit.
-  template <class Integer>
-  CGAL_RARELY_CALLED Integer first_beyond(int e, int bits) const
+  // Returns the least integer s such that the squared distance s 4^e is not within the bound. The
+  // reach is to have fewer than 2^63 steps of 2^e. Divides r^2 by 4^e, bit by bit.
+  CGAL_RARELY_CALLED Uint128 first_beyond(int e) const
   {
     const Exact unit(std::ldexp(1., e));
     const Exact divisor(unit * unit * denominator_);
     Exact rest(numerator_);
-    Integer quotient = 0;
-    for(int bit = bits - 1; bit >= 0; --bit) {
+    Uint128 quotient = 0;
+    for(int bit = 2 * std::ilogb(steps_within(reach_, e) + 1) + 1; bit >= 0; --bit) {
       const Exact part(divisor * Exact(std::ldexp(1., bit)));
       if(part <= rest) {
         rest -= part;
-        quotient += Integer(1) << bit;
+        quotient += Uint128(1) << bit;
       }
     }
-    return open_ && rest == Exact(0) ? quotient : Integer(quotient + 1);
+    return open_ && rest == Exact(0) ? quotient : Uint128(quotient + 1);
   }
 
 private:

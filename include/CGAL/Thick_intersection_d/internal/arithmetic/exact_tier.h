@@ -79,6 +79,15 @@ inline bool fits_int128(double steps, int axis_count)
   return are_squares_at_most(~Uint128(0), steps, axis_count);
 }
 
+// Returns the exponent of the finest grid that fits_int128() holds for, or of that of all doubles.
+inline int finest_grid_exponent(double reach, int axis_count)
+{
+  int e = std::ilogb((std::max)(reach, 0x1p-1012)) - 62;
+  while(!fits_int128(steps_within(reach, e), axis_count))
+    ++e;
+  return e;
+}
+
 // Returns the first tier that is exact for points that differ along `axis_count` axes. It is the
 // last tier if there is no grid, or if the reach is so large that differences may overflow.
 CGAL_RARELY_CALLED

@@ -12,6 +12,8 @@
 // other dimensions, and if doubles are too coarse for the join. Closest_pair_search.h says what [L]
 // is.
 
+#include <CGAL/Arithmetic_tier.h>
+
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_tier.h>
@@ -79,8 +81,10 @@ public:
                     Progress& progress, const Report_near& report_near)
     : points_(points), all_(points.size()), scene_(scene),
       is_zero_within_(bound.holds_for(Exact(0))), is_zero_(bound.is_zero()),
-      is_within_(bound, scene, first_exact_tier(bound.reach(), scene.grid_exponent,
-                                                scene.extended_axis_count())),
+      is_within_(bound, scene,
+                 (std::min)(first_exact_tier(bound.reach(), scene.grid_exponent,
+                                             scene.extended_axis_count()),
+                            Arithmetic_tier::INT128)),
       buckets_(points, scene, is_within_), progress_(progress), report_near_(report_near)
   {}
 

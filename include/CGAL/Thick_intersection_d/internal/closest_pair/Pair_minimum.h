@@ -22,7 +22,6 @@
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Twofold_distance.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Twofold_filter.h>
 
 #include <boost/config.hpp>
 

@@ -59,7 +59,7 @@ void report_near_points(const Points_at<Elements>& points, const Distance_bound<
                         const std::function<bool(std::size_t, std::size_t)>& callback,
                         Progress& progress)
 {
-  Near_pairs_search<ConcurrencyTag, Points_at<Elements>>(points, bound, true)
+  Near_pairs_search<ConcurrencyTag, Points_at<Elements>>(points, bound, false)
     .report_crowded_points(callback, progress);
 }
 

@@ -31,8 +31,6 @@
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Is_within_distance.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Near_tie_predicate.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Near_ties_on_demand.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Neighbor_collector.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
@@ -77,7 +75,7 @@ public:
       scene_(scan_points<ConcurrencyTag>(
         points, "point", needs_grid || may_grid_decide_all(),
         [&](std::size_t position, int axis, double x) { doubles_.set(position, axis, x); })),
-      profile_(scene_, bound_.reach()), near_ties_([this] { return make_near_ties(); })
+      profile_(scene_, bound_.reach())
   {}
 
   Scene_profile& profile() { return profile_; }
@@ -136,22 +134,12 @@ private:
                                sample_.extended_axis_count()) == Arithmetic_tier::DOUBLE;
   }
 
+  // Where no tier is forced, integers decide the near ties that they can.
   CGAL_RARELY_CALLED Is_within_distance<Point> make_predicate(Shared_decision_counts* counts) const
   {
-    if(scene_.is_grid_known)
-      return {bound_, scene_, profile_.tier(), counts};
-    return {bound_, scene_, near_ties_, counts};
-  }
-
-  // Reads the grid. Integers decide near ties where doubles could, because the filter of the search
-  // is that of a scene without a grid.
-  CGAL_RARELY_CALLED Near_tie_predicate make_near_ties() const
-  {
-    Scene scene = scene_;
-    scene.grid_exponent = grid_exponent_of(points_, scene_);
-    const Arithmetic_tier tier
-      = first_exact_tier(bound_.reach(), scene.grid_exponent, scene.extended_axis_count());
-    return {bound_, scene, (std::max)(tier, Arithmetic_tier::INT64)};
+    const Arithmetic_tier tier = profile_.tier();
+    return {bound_, scene_,
+            profile_.forced_tier() ? tier : (std::min)(tier, Arithmetic_tier::INT128), counts};
   }
 
   // Whether finite doubles enclose the coordinates, as slabs and boxes need. Places have 32 bits;
@@ -249,7 +237,6 @@ private:
   const Scene_sample sample_;
   const Scene scene_;
   Scene_profile profile_;
-  const Near_ties_on_demand near_ties_;
 };
 
 template <class ConcurrencyTag, class Elements, class Sets, class NT, class Callback,

@@ -6,8 +6,7 @@
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_IS_WITHIN_DISTANCE_H
 
 // Decides whether |pq| <= r. Each search of points within a bound makes this object once. It asks a
-// filter in doubles, integers or doubles of twice the precision, and exact numbers, in this order.
-// Degree 2.
+// filter in doubles, integers and exact numbers, in this order. Degree 2.
 
 #include <CGAL/Arithmetic_tier.h>
 
@@ -20,14 +19,15 @@
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Near_tie_predicate.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Near_ties_on_demand.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Integer_distance.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/On_demand.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Scaled_filter.h>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
-#include <utility>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -44,35 +44,31 @@ public:
   // For points of any coordinates.
   CGAL_RARELY_CALLED Is_within_distance(const Bound& bound, int dimension)
     : bound_(bound), dimension_(dimension), filter_(make_distance_filter(bound, dimension)),
-      filter_of_doubles_(filter_), reach_of_doubles_(bound.reach())
+      filter_of_doubles_{1, bound.reach(), filter_}
   {
-    if constexpr(is_held_by_double_v<Number>)
-      near_tie_ = Near_tie_predicate(bound, dimension);
+    if(is_held_by_double_v<Number>)
+      take_integers(Arithmetic_tier::INT128, std::nullopt, dimension);
   }
 
-  // For the points of a scene whose grid is not known.
-  CGAL_RARELY_CALLED
-  Is_within_distance(const Bound& bound, const Scene& scene, const Near_ties_on_demand& near_ties,
-                     Shared_decision_counts* counts)
-    : Is_within_distance(bound, scene, Arithmetic_tier::FILTERED_EXACT, counts)
-  {
-    near_ties_ = &near_ties;
-  }
-
-  // For the points of a scene, and no other points. Uses the arithmetic of `tier`, which is to be
-  // exact for the scene. Counts in `counts` which arithmetic decides, unless `counts` is null.
+  // For the points of a scene, and no other points. Doubles decide near ties if `tier` is DOUBLE,
+  // integers if it is INT64 or INT128, and exact numbers if it is FILTERED_EXACT. The first two are
+  // to be exact for the scene. INT128 need not be: what does not fit is left to exact numbers.
+  // Counts in `counts` which arithmetic decides, unless `counts` is null.
   CGAL_RARELY_CALLED
   Is_within_distance(const Bound& bound, const Scene& scene, Arithmetic_tier tier,
                      Shared_decision_counts* counts = nullptr)
     : bound_(bound), dimension_(scene.dimension()),
       filter_(tier == Arithmetic_tier::DOUBLE ? make_certified_filter(bound)
                                               : make_distance_filter(bound, scene.dimension())),
-      near_tie_(bound, scene, tier), are_doubles_exact_(scene.error == 0),
-      filter_of_doubles_(widen(filter_, bound, scene.error)),
-      reach_of_doubles_(padded(bound.reach(), scene.error)), shared_counts_(counts)
+      filter_of_doubles_{1, padded(bound.reach(), scene.error),
+                         widen(filter_, bound, scene.error)},
+      shared_counts_(counts)
   {
-    if(are_doubles_exact_ && tier != Arithmetic_tier::DOUBLE)
-      scale_doubles(Scaled_filter(bound, scene.dimension(), scene.largest_coordinate()));
+    if(scene.error != 0 || tier == Arithmetic_tier::DOUBLE)
+      return;
+    take_integers(tier, scene.grid_exponent, scene.extended_axis_count());
+    filter_of_doubles_ = scaled_filter(bound, scene.dimension(), scene.largest_coordinate(),
+                                       filter_of_doubles_);
   }
 
   int dimension() const { return dimension_; }
@@ -108,36 +104,50 @@ public:
   // The first question, for searches that hold the points of the scene as doubles, times a power of
   // two. Each double is at most its coordinate, and is off by at most the error of the scene; what
   // scaled ones lose by underflow besides, the reach and the filter have room for.
-  double scale_of_doubles() const { return scale_of_doubles_; }
-  double reach_of_doubles() const { return reach_of_doubles_; }
-  const Distance_filter& filter_of_doubles() const { return filter_of_doubles_; }
+  const Scaled_filter& filter_of_doubles() const { return filter_of_doubles_; }
 
   // Returns the least number of squared steps of the grid 2^e Z that is not within the bound. A
   // reach is to have fewer than 2^31 steps.
   std::uint64_t first_square_beyond(int grid_exponent) const
   {
-    const double steps = steps_within(bound_.reach(), grid_exponent);
-    return bound_.template first_beyond<std::uint64_t>(grid_exponent,
-                                                       2 * (std::ilogb(steps + 1) + 1));
+    return static_cast<std::uint64_t>(bound_.first_beyond(grid_exponent));
   }
 
-  // The second question: returns whether points with the doubles x(i) and y(i), for i < `axes`, are
-  // within the bound. Returns nothing if only the points themselves can show this.
+  // The second question: returns whether points with the coordinates x(i) and y(i), for i < `axes`,
+  // are within the bound. Returns nothing if only the points themselves can show this.
   template <class X, class Y>
   std::optional<bool> decide_near_tie(const X& x, const Y& y, int axes,
                                       Decision_counts& counts) const
   {
-    return near_tie().decide(x, y, axes, counts);
+    if(!integers_)
+      return std::nullopt;
+    const std::optional<bool> is_within
+      = integers_->get([this] { return Integer_distance(bound_, grid_exponent_, tier_); })
+          .decide(x, y, axes);
+    if(is_within)
+      counts.add(tier_);
+    return is_within;
   }
 
-  // The last question, for points that the first two questions left undecided. It asks the filter
-  // again, because the bounds of these coordinates are often closer than the error of the scene.
-  bool decide_undecided(const Point& p, const Point& q, Decision_counts& counts) const
+  // All questions, in this order. It asks the filter also if doubles were asked before, because the
+  // bounds of these coordinates are often closer than the error of the scene.
+  bool decide(const Point& p, const Point& q, Decision_counts& counts) const
   {
-    if(!are_doubles_exact_)
-      if(const std::optional<bool> is_within = decide_by_filter(p, q, counts))
+    const Gap s = squared_distance_bounds(p, q, dimension_or<Point>(dimension_));
+    if(s.sup <= filter_.inside) {
+      counts.add(Arithmetic_tier::DOUBLE);
+      return true;
+    }
+    if(s.inf > filter_.outside)
+      return false;
+    if(integers_) { // so the bounds of a coordinate are equal
+      const auto x = [&](int i) { return coordinate_bounds(p, i).first; };
+      const auto y = [&](int i) { return coordinate_bounds(q, i).first; };
+      if(const std::optional<bool> is_within = decide_near_tie(x, y, dimension_, counts))
         return *is_within;
-    return decide_exactly(p, q, counts);
+    }
+    counts.add(Arithmetic_tier::FILTERED_EXACT);
+    return bound_.holds_for(exact_squared_distance(p, q, dimension_));
   }
 
   // Adds counts to the counts that all threads share, if there are such counts.
@@ -148,50 +158,15 @@ public:
   }
 
 private:
-  void scale_doubles(const Scaled_filter& scaled)
+  // Prepares integers for near ties of doubles, on the grid of the scene or on the finest one.
+  void take_integers(Arithmetic_tier tier, const std::optional<int>& grid_exponent, int axis_count)
   {
-    if(!scaled.is_usable())
+    if(tier == Arithmetic_tier::FILTERED_EXACT || bound_.reach() > 0x1p1022)
       return;
-    scale_of_doubles_ = scaled.scale();
-    filter_of_doubles_ = scaled.filter();
-    reach_of_doubles_ = scaled.reach();
-  }
-
-  bool decide(const Point& p, const Point& q, Decision_counts& counts) const
-  {
-    if(const std::optional<bool> is_within = decide_by_filter(p, q, counts))
-      return *is_within;
-    if(are_doubles_exact_) { // so the bounds of a coordinate are equal
-      const auto x = [&](int i) { return coordinate_bounds(p, i).first; };
-      const auto y = [&](int i) { return coordinate_bounds(q, i).first; };
-      if(const std::optional<bool> is_within = near_tie().decide(x, y, dimension_, counts))
-        return *is_within;
-    }
-    return decide_exactly(p, q, counts);
-  }
-
-  std::optional<bool> decide_by_filter(const Point& p, const Point& q,
-                                       Decision_counts& counts) const
-  {
-    const Gap s = squared_distance_bounds(p, q, dimension_or<Point>(dimension_));
-    if(s.sup <= filter_.inside) {
-      counts.add(Arithmetic_tier::DOUBLE);
-      return true;
-    }
-    if(s.inf > filter_.outside)
-      return false;
-    return std::nullopt;
-  }
-
-  const Near_tie_predicate& near_tie() const
-  {
-    return near_ties_ == nullptr ? near_tie_ : near_ties_->get();
-  }
-
-  bool decide_exactly(const Point& p, const Point& q, Decision_counts& counts) const
-  {
-    counts.add(Arithmetic_tier::FILTERED_EXACT);
-    return bound_.holds_for(exact_squared_distance(p, q, dimension_));
+    tier_ = tier;
+    grid_exponent_ = tier == Arithmetic_tier::INT64
+                       ? *grid_exponent : finest_grid_exponent(bound_.reach(), axis_count);
+    integers_ = std::make_shared<On_demand<Integer_distance>>();
   }
 
   // Doubles that are off by up to `error`, all in one direction, differ by up to `error` more.
@@ -204,12 +179,10 @@ private:
   Bound bound_;
   int dimension_;
   Distance_filter filter_;
-  Near_tie_predicate near_tie_;
-  const Near_ties_on_demand* near_ties_ = nullptr; // instead, if there are any
-  bool are_doubles_exact_ = is_held_by_double_v<Number>;
-  double scale_of_doubles_ = 1;
-  Distance_filter filter_of_doubles_;
-  double reach_of_doubles_;
+  Scaled_filter filter_of_doubles_;
+  Arithmetic_tier tier_ = Arithmetic_tier::FILTERED_EXACT;
+  int grid_exponent_ = 0; // of the integers
+  std::shared_ptr<On_demand<Integer_distance>> integers_; // null if they decide nothing
   Shared_decision_counts* shared_counts_ = nullptr;
 };
 

@@ -5,10 +5,8 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_TWOFOLD_DISTANCE_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_TWOFOLD_DISTANCE_H
 
-// Compares two distances that are equal or nearly so, by doubles. In a scene of equal steps, nearly
-// all distances of neighbors are.
-
-#include <CGAL/Thick_intersection_d/internal/predicates/Twofold_filter.h>
+// Compares two distances that are equal or nearly so, by doubles of twice the precision. In a scene
+// of equal steps, nearly all distances of neighbors are.
 
 #include <algorithm>
 #include <array>
@@ -18,6 +16,36 @@
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
+
+// The unevaluated sum of two doubles. The second one is small against the first one.
+struct Twofold
+{
+  double value;
+  double rest;
+};
+
+// Returns a + b. In rounding to nearest the rest is exactly what rounding lost. In the directed
+// modes the rest is off by a few 2^-104 of the sum: if a + b is rounded at all, it is at least half
+// as long as the longer one of a and b, and each operation on the rest is off by 2^-52 of the rest.
+inline Twofold twofold_sum(double a, double b)
+{
+  const double sum = a + b;
+  const double b_in_sum = sum - a;
+  return {sum, (a - (sum - b_in_sum)) + (b - b_in_sum)};
+}
+
+// Above the one, no part of a product underflows. Up to the other, no sum overflows.
+inline constexpr double min_twofold_square = 0x1p-800;
+inline constexpr double max_twofold_square = 0x1p1000;
+
+// Returns a bound on the error of a sum of squares and of one comparison with it.
+//
+// Each coordinate takes less than 16 operations on rests. In any rounding mode, each operation is
+// off by a few 2^-104 of the sum. The slack has 2^-96 for each coordinate.
+inline double twofold_slack(double sum, int dimension)
+{
+  return std::ldexp(sum, -96) * (dimension + 8);
+}
 
 // The differences of the coordinates of two points, and their squared distance.
 class Twofold_distance
@@ -41,7 +69,7 @@ public:
 
   // Returns a negative number, 0 or a positive number if this distance is less than the other one,
   // equal, or greater. Returns nothing if only exact numbers can tell. For distances of one
-  // dimension and scale, with scaled squares in the range of Twofold_filter.
+  // dimension and scale, with scaled squares between min_twofold_square and max_twofold_square.
   std::optional<int> compare(const Twofold_distance& other) const
   {
     if(has_exact_gaps_ && other.has_exact_gaps_)
@@ -72,9 +100,15 @@ private:
 
   Twofold square() const
   {
-    return sum_of_squares([&](int i) {
-      return Twofold{differences_[i].value * scale_, differences_[i].rest * scale_};
-    }, dimension_);
+    Twofold sum = {0, 0};
+    for(int i = 0; i < dimension_; ++i) {
+      const Twofold d = {differences_[i].value * scale_, differences_[i].rest * scale_};
+      const double square = d.value * d.value;
+      const double rest_of_square = std::fma(d.value, d.value, -square) + 2 * d.value * d.rest;
+      const Twofold next = twofold_sum(sum.value, square);
+      sum = {next.value, sum.rest + next.rest + rest_of_square};
+    }
+    return sum;
   }
 
   // By Sterbenz, in every rounding mode.

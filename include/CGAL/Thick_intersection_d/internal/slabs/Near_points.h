@@ -18,6 +18,7 @@
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Is_within_distance.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Scaled_filter.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_question.h>
@@ -45,11 +46,6 @@ template <int Dimension, class Elements>
 class Near_points
 {
   using Element = typename Elements::value_type;
-  struct Near
-  {
-    double reach;
-    Distance_filter filter;
-  };
 
 public:
   using Point = Slab_point<Dimension, double>;
@@ -58,8 +54,7 @@ public:
   Near_points(const Elements& points, const Scene& scene, const Doubles<Elements>& doubles,
               const Is_within_distance<Element>& is_within)
     : points_(points), scene_(scene), doubles_(doubles), is_within_(is_within),
-      scale_(is_within.scale_of_doubles()), unscale_(1 / scale_),
-      near_{is_within.reach_of_doubles(), is_within.filter_of_doubles()}
+      near_(is_within.filter_of_doubles())
   {}
 
   std::size_t size() const { return points_.size(); }
@@ -68,17 +63,17 @@ public:
   Interval interval(int axis) const
   {
     const Interval& interval = scene_.box[static_cast<std::size_t>(axis)];
-    return {interval.low * scale_, interval.high * scale_};
+    return {interval.low * near_.scale, interval.high * near_.scale};
   }
   double coordinate(std::size_t position, int axis) const
   {
-    return doubles_.at(position, axis) * scale_;
+    return doubles_.at(position, axis) * near_.scale;
   }
   void put(std::size_t position, Point& place) const
   {
     place.x = doubles_.template at<Dimension>(position);
     for(double& x : place.x)
-      x *= scale_;
+      x *= near_.scale;
     place.position = number(position);
   }
 
@@ -154,34 +149,33 @@ private:
     }
     if(s > near_.filter.outside)
       return false;
-    std::array<double, Dimension> unscaled_x, unscaled_y;
+    std::array<double, Dimension> x_of_axes, y_of_axes;
     for(int axis = 0; axis < Dimension; ++axis) {
-      unscaled_x[axis] = x(axis) * unscale_;
-      unscaled_y[axis] = y(axis) * unscale_;
+      x_of_axes[axis] = x(axis);
+      y_of_axes[axis] = y(axis);
     }
-    return decide_near_tie(unscaled_x, unscaled_y, p, q, counts);
+    return decide_near_tie(x_of_axes, y_of_axes, p, q, counts);
   }
 
   // Decides about a near tie. This does not depend on where the doubles come from, so it is
-  // compiled once. Numbers of a grid that decides ties have not underflowed.
+  // compiled once. What was scaled may have underflowed.
   bool decide_near_tie(const std::array<double, Dimension>& x,
                        const std::array<double, Dimension>& y, Place p, Place q,
                        Decision_counts& counts) const
   {
-    if(const std::optional<bool> is
-       = is_within_.decide_near_tie([&](int axis) { return x[axis]; },
-                                    [&](int axis) { return y[axis]; }, Dimension, counts))
-      return *is;
-    return is_within_.decide_undecided(points_[place_of(p)], points_[place_of(q)], counts);
+    if(near_.scale == 1)
+      if(const std::optional<bool> is
+         = is_within_.decide_near_tie([&](int axis) { return x[axis]; },
+                                      [&](int axis) { return y[axis]; }, Dimension, counts))
+        return *is;
+    return is_within_.decide(points_[place_of(p)], points_[place_of(q)], counts);
   }
 
   const Elements& points_;
   const Scene& scene_;
   const Doubles<Elements>& doubles_;
   const Is_within_distance<Element>& is_within_;
-  const double scale_; // a power of two
-  const double unscale_;
-  const Near near_;
+  const Scaled_filter near_;
 };
 
 } // namespace internal
