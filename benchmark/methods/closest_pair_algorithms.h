@@ -1,12 +1,15 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The algorithms for the closest pair and for a close one as they stand in the library: that of [L]
-// by divide and conquer, the randomised incremental one, and cells as long as the distance. No
-// other file of the benchmarks knows how the library calls them.
+// The algorithms for the closest pair and for a close one: that of [L] by divide and conquer, the
+// randomised incremental one, and cells as long as the distance. The library has the first one and
+// the last one. No other file of the benchmarks knows how it calls them.
 
 #ifndef THICK_INTERSECTION_BENCHMARK_METHODS_CLOSEST_PAIR_ALGORITHMS_H
 #define THICK_INTERSECTION_BENCHMARK_METHODS_CLOSEST_PAIR_ALGORITHMS_H
+
+#include "Bucket_dictionary.h"
+#include "Incremental_cells.h"
 
 #include <CGAL/closest_pair.h>
 
@@ -46,9 +49,8 @@ public:
     std::vector<std::uint32_t> positions(n_);
     std::iota(positions.begin(), positions.end(), 0);
     Minimum minimum(elements_, scene_);
-    internal::Unwatched_progress progress;
-    internal::Closest_pair_cells<Dimension, Elements>(elements_, std::move(positions), scene_, 1)
-      .search(minimum, progress);
+    Incremental_cells<Dimension, Elements>(elements_, std::move(positions), scene_, 1)
+      .search(minimum);
     return minimum.pair();
   }
 
@@ -58,15 +60,20 @@ public:
   {
     const internal::Is_within_distance<Point> is_within(
       internal::Squared_bound<internal::Exact_number_t<double>>(bound), Dimension);
-    const auto access = by_hashing ? internal::Bucket_access::HASHING
-                                   : internal::Bucket_access::SORTED_ORDER;
-    internal::Unwatched_progress progress;
-    return internal::Close_pair_buckets<CGAL::Sequential_tag, Elements>(
-             elements_, scene_, is_within, access)
-      .find(internal::All_positions(n_), progress).has_value();
+    return by_hashing ? has_pair_found_by<Bucket_dictionary>(is_within)
+                      : has_pair_found_by<internal::Sorted_bucket_finder>(is_within);
   }
 
 private:
+  template <class Finder>
+  bool has_pair_found_by(const internal::Is_within_distance<Point>& is_within) const
+  {
+    internal::Unwatched_progress progress;
+    return internal::Close_pair_buckets<CGAL::Sequential_tag, Elements, Finder>(
+             elements_, n_, scene_, is_within)
+      .find(progress).has_value();
+  }
+
   const Elements elements_;
   const std::size_t n_;
   const internal::Scene scene_;

@@ -114,12 +114,13 @@ The search stops at the first such pair. It gives the answer of real arithmetic,
 `fixed_radius_near_neighbors()` does, for distances of exactly the bound and for bounds of any size
 as well. Equal points at different positions are a pair.
 
-In the plane and in space, the search joins points in common cells. It falls back to the buckets of
-\cgalCite{l-cp} if cells are crowded, if doubles are too coarse for the bound, and in other
-dimensions. A bucket holds the points of a cell as large as the bound. Two points of a bucket are
+In the plane and in space, the search joins points in common cells: a few points first, and then all
+of them. It falls back to the search of `fixed_radius_near_neighbors()` if cells are crowded, and to
+the buckets of \cgalCite{l-cp} if doubles are too coarse for the bound, and in other dimensions. A
+bucket holds the points of a cell as large as the bound. Two points of a bucket are
 closer than the bound if it holds more than 4 points in the plane, more than 8 in space, or more
 than \f$ (\lfloor \sqrt d \rfloor + 1)^d \f$ in dimension \f$ d \f$. These numbers serve closed
-bounds and open bounds. So the search looks at the buckets of a few points before the join. It takes
+bounds and open bounds. The search takes
 expected \f$ O(n) \f$ time in fixed dimension if the coordinates are doubles, or if the extent of
 the scene is below \f$ 2^{30} \f$ times the bound. Otherwise it sorts the coordinates, and takes
 \f$ O(n \log n) \f$ time. Beyond dimension 5 it is the divide and conquer of `closest_pair()`. The

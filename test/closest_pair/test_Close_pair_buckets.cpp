@@ -23,9 +23,7 @@ BOOST_AUTO_TEST_CASE(cells_lose_no_pair_at_the_bound)
   for(int i = -50; i < 50; ++i) {
     const double x = 2 + std::ldexp(i, -18);
     const std::vector<Point> points = {{0, 0}, {x, 0}, {x + 1, 0}};
-    for(const auto access : {internal::Bucket_access::HASHING,
-                             internal::Bucket_access::SORTED_ORDER})
-      BOOST_CHECK(close_by_buckets(points, CGAL::within_distance(1), access) == Pair(1, 2));
+    BOOST_CHECK(close_by_buckets(points, CGAL::within_distance(1)) == Pair(1, 2));
   }
 }
 
@@ -38,8 +36,7 @@ BOOST_AUTO_TEST_CASE(rounding_at_the_ends_of_cells_loses_no_pair)
                              {0x1.991ba3cfcbb26p+0, 0x1.991ba3cfcbb25p+4, 0x1.b2ad5e0cc86d7p+4}};
   for(const auto& [r, x, y] : cases) {
     const std::vector<Point> points = {{0, 0}, {x, 0}, {y, 0}};
-    BOOST_CHECK(close_by_buckets(points, CGAL::within_distance(r), internal::Bucket_access::HASHING)
-                == Pair(1, 2));
+    BOOST_CHECK(close_by_buckets(points, CGAL::within_distance(r)) == Pair(1, 2));
   }
 }
 
@@ -69,9 +66,9 @@ BOOST_AUTO_TEST_CASE(heavy_cell_ends_the_search)
   const internal::Is_within_distance<Point> is_within(
     internal::Squared_bound<Exact_of<Point>>(CGAL::within_distance(1).open()), 2);
   const internal::Close_pair_buckets<CGAL::Sequential_tag, Counted_points<Point>> buckets(
-    counted, scene, is_within);
+    counted, points.size(), scene, is_within);
   internal::Unwatched_progress progress;
-  BOOST_CHECK(buckets.find(internal::All_positions(points.size()), progress));
+  BOOST_CHECK(buckets.find(progress));
   BOOST_CHECK_LE(looks, 2 * points.size() + 20);
 }
 

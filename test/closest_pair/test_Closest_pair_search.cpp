@@ -8,6 +8,10 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <cmath>
+#include <limits>
+#include <random>
+
 BOOST_AUTO_TEST_SUITE(Closest_pair_search)
 
 using namespace test_support;
@@ -130,6 +134,43 @@ BOOST_AUTO_TEST_CASE(wide_scenes_of_ties_are_searched_once)
     BOOST_CHECK_EQUAL(reports_of_closest_pair<2>(points), 1);
     BOOST_CHECK_EQUAL(reports, shift == 0 ? 2 : 1);
   }
+}
+
+// The points that a search with a seed looks at first are far apart, and the others are not.
+Points made_for_a_seed(int dimension, std::size_t size, std::uint64_t seed, double scale)
+{
+  std::mt19937_64 random(seed);
+  const internal::Some_positions drawn(internal::Some_positions(size), random);
+  Points points = moved(uniform_points(dimension, size, 0, 1, 8), scale, 0);
+  for(std::size_t i = 0; i < drawn.size(); ++i)
+    points[drawn[i]] = Coordinates(static_cast<std::size_t>(dimension),
+                                   1 + static_cast<double>(i) / 100);
+  return points;
+}
+
+// Too many pairs are within the distance of the first sample.
+BOOST_AUTO_TEST_CASE(points_that_are_made_for_a_seed_take_a_few_reports)
+{
+  for(const double scale : {1e-3, 1e-20, 1e-200, 1e-310}) {
+    const int reports = reports_of_closest_pair<2>(made_for_a_seed(2, 4000, 1, scale));
+    BOOST_CHECK_GT(reports, 0);
+    BOOST_CHECK_LE(reports, 13);
+    BOOST_CHECK_GT(reports_of_closest_pair<3>(made_for_a_seed(3, 4000, 1, scale)), 0);
+  }
+}
+
+// They are more than 2^1023 apart: every other point of a lattice.
+BOOST_AUTO_TEST_CASE(points_that_are_as_far_apart_as_doubles_are_compared)
+{
+  Points points;
+  for(const Coordinates& c : shuffled(lattice_points(3, 6, 1), 9))
+    if(std::fmod(c[0] + c[1] + c[2], 2) == 0)
+      points.push_back(c);
+  points = moved(moved(points, 0.4, -1), std::numeric_limits<double>::max(), 0);
+  BOOST_CHECK_GT(reports_of_closest_pair<3>(points), 1);
+  points.back() = points.front();
+  points.back()[0] /= 2;
+  reports_of_closest_pair<3>(points);
 }
 
 // Neither are their samples crowded, nor samples of these.

@@ -17,7 +17,6 @@
 #include <boost/test/unit_test.hpp>
 
 #include <map>
-#include <numeric>
 
 namespace test_support {
 
@@ -57,32 +56,9 @@ Pair closest_by_division(const std::vector<Point>& points)
   return minimum.pair();
 }
 
-constexpr int static_dimension(CGAL::Dynamic_dimension_tag) { return 0; }
-template <int Dimension>
-constexpr int static_dimension(CGAL::Dimension_tag<Dimension>)
-{
-  return Dimension;
-}
-
-// By the randomised cells; nothing if doubles are too coarse, or if points are equal.
-template <int Dimension, class Point>
-std::optional<Pair> closest_by_cells(const std::vector<Point>& points, std::uint64_t seed)
-{
-  const Elements_of<Point> elements(points);
-  const internal::Scene scene = scene_of(elements);
-  std::vector<std::uint32_t> positions(points.size());
-  std::iota(positions.begin(), positions.end(), 0);
-  internal::Pair_minimum<Elements_of<Point>> minimum(elements, scene);
-  internal::Closest_pair_cells<Dimension, Elements_of<Point>> cells(elements, positions, scene,
-                                                                    seed);
-  internal::Unwatched_progress progress;
-  return cells.search(minimum, progress) ? std::optional<Pair>(minimum.pair()) : std::nullopt;
-}
-
 template <class Point, class NT>
 std::optional<Pair> close_by_buckets(const std::vector<Point>& points,
-                                     const CGAL::Distance_bound<NT>& bound,
-                                     internal::Bucket_access access)
+                                     const CGAL::Distance_bound<NT>& bound)
 {
   const Elements_of<Point> elements(points);
   const internal::Scene scene = scene_of(elements);
@@ -90,8 +66,8 @@ std::optional<Pair> close_by_buckets(const std::vector<Point>& points,
     internal::Squared_bound<Exact_of<Point>>(bound), scene.dimension());
   internal::Unwatched_progress progress;
   return internal::Close_pair_buckets<CGAL::Sequential_tag, Elements_of<Point>>(
-    elements, scene, is_within, access)
-    .find(internal::All_positions(points.size()), progress);
+    elements, points.size(), scene, is_within)
+    .find(progress);
 }
 
 inline const Closest& known_closest(const Points& points)
@@ -119,9 +95,6 @@ void check_closest_pair(const Points& scene)
   check_pair("another seed", expected,
              CGAL::closest_pair(points, CGAL::parameters::random_seed(7)));
   check_pair("division", expected, closest_by_division(points));
-  using Dimension = typename CGAL::Ambient_dimension<typename Maker::Point>::type;
-  if(const auto pair = closest_by_cells<static_dimension(Dimension())>(points, 1))
-    check_pair("grid", expected, *pair);
 }
 
 // A pair was found if there is one, and it is one of them.
@@ -140,10 +113,7 @@ void check_close_pair(const std::vector<typename Maker::Point>& points,
                       const CGAL::Distance_bound<NT>& bound, const Pairs& all)
 {
   check_close_pair("default", all, CGAL::find_close_pair(points, bound));
-  check_close_pair("hashing", all,
-                   close_by_buckets(points, bound, internal::Bucket_access::HASHING));
-  check_close_pair("order", all,
-                   close_by_buckets(points, bound, internal::Bucket_access::SORTED_ORDER));
+  check_close_pair("buckets", all, close_by_buckets(points, bound));
 }
 
 // The closest pair, and whether there is a pair at its distance, and none below.
@@ -161,11 +131,8 @@ void check_closest_and_close_pair(const Points& scene)
   const Scaled_points both = scaled_points({scene[found->first], scene[found->second]});
   BOOST_CHECK(squared_distance(both[0], both[1]) == closest.square);
   BOOST_CHECK(!CGAL::has_close_pair(points, bound.open()));
-  for(const auto access : {internal::Bucket_access::HASHING,
-                           internal::Bucket_access::SORTED_ORDER}) {
-    BOOST_CHECK(close_by_buckets(points, bound, access));
-    BOOST_CHECK(!close_by_buckets(points, bound.open(), access));
-  }
+  BOOST_CHECK(close_by_buckets(points, bound));
+  BOOST_CHECK(!close_by_buckets(points, bound.open()));
 }
 
 // At the distance of the closest pair, and at that of the scene, closed and open.

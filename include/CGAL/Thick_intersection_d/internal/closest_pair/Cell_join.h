@@ -23,13 +23,17 @@
 // the same place of the hash table. Of these, expected O(1) are of other cells, for any points and
 // a random seed. The comparisons are counted, so a join takes O(n) time, to the end or not.
 
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/Chunked_lists.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Hashed_cells.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/Some_positions.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Step_budget.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/tuning.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
+#include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 
@@ -46,16 +50,32 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
+// Whether joins take all points of a type that differ: those whose coordinates are doubles, in the
+// plane or in space.
+template <class Point>
+inline constexpr bool are_joined_v
+  = is_held_by_double_v<Coordinate_t<Point>>
+    && (dimension_or<Point>(0) == 2 || dimension_or<Point>(0) == 3);
+
 // Returns the length of the cells of a join, for `size` points of the scene. If the points are
 // uniform, few pairs are in a common cell. Cells are long enough for points to enter few of them.
-// They are not so long that one cell would hold a cluster.
+// They are not so long that one cell would hold a cluster, or many pairs of a cluster of all
+// points.
 inline double join_cell_side(const Scene& scene, std::size_t size, double distance)
 {
+  const double dimension = scene.dimension();
   double volume = 1 / (cells_per_point * static_cast<double>(size)); // in cubes of the distance
   for(const Interval& interval : scene.box)
-    volume *= (std::max)(interval.length() / distance, max_cell_side);
-  const double side = std::pow(volume, 1. / scene.dimension());
+    volume *= (std::max)(interval.high / distance - interval.low / distance, max_cell_side);
+  const double longest = std::pow(static_cast<double>(size) / points_of_long_cells, 1 / dimension);
+  const double side = (std::min)(std::pow(volume, 1 / dimension), longest);
   return distance * (std::min)((std::max)(side, min_cell_side), max_cell_side);
+}
+
+// Returns after how many steps to give up a join of so many points.
+inline std::size_t max_join_steps(std::size_t size)
+{
+  return (std::max)(max_steps_per_point * size, max_steps_of_few_points);
 }
 
 // A point in a cell. Bits of its hash identify the cell: those below the bits of its list.
@@ -76,22 +96,22 @@ public:
   // depends on the seed.
   Cell_join(const Elements& points, double distance, double cell_side, std::uint64_t seed)
     : points_(points),
-      cells_(Dimension, std::nextafter(distance / 2, std::numeric_limits<double>::infinity()),
+      cells_(std::nextafter(distance / 2, std::numeric_limits<double>::infinity()),
              cell_side, seed)
   {}
 
-  // Enters the points at `positions`, and visits pairs of these points. Each task makes a visitor
-  // of its own by make_visitor(). visitor(i, j) returns whether to go on, and visitor.finish() is
-  // called last. Each point is two steps of progress: to enter it, and to visit its pairs. Returns
-  // false if the join was given up after `max_steps` comparisons of entries.
-  template <class Positions, class Make_visitor, class Progress>
-  bool operator()(const Positions& positions, std::size_t max_steps,
+  // Enters the points of a sample, and visits pairs of these points. Each task makes a visitor of
+  // its own by make_visitor(). visitor(i, j) returns whether to go on. Each point is two steps of
+  // progress: to enter it, and to visit its pairs. Returns false if the join was given up after
+  // `max_steps` comparisons of entries.
+  template <class Make_visitor, class Progress>
+  bool operator()(const Some_positions& sample, std::size_t max_steps,
                   const Make_visitor& make_visitor, Progress& progress) const
   {
     std::size_t list_count = 1; // a power of two
-    while(positions.size() / list_count > entries_per_list && list_count < max_list_count)
+    while(sample.size() / list_count > entries_per_list && list_count < max_list_count)
       list_count *= 2;
-    const std::vector<Cell_entry_lists> blocks = enter_all(positions, list_count, progress);
+    const std::vector<Cell_entry_lists> blocks = enter_all(sample, list_count, progress);
 
     Step_budget budget(max_steps);
     std::atomic<bool> go_on = !progress.is_cancelled();
@@ -101,10 +121,9 @@ public:
       Step_counter counter(budget);
       for(std::size_t list = first; list != last && go_on.load(std::memory_order_relaxed); ++list)
         if(!join(blocks, list, table, counter, visitor)
-           || !progress.advance(positions.size() * (list + 1) / list_count
-                                - positions.size() * list / list_count))
+           || !progress.advance(sample.size() * (list + 1) / list_count
+                                - sample.size() * list / list_count))
           go_on.store(false, std::memory_order_relaxed);
-      visitor.finish();
     });
     return !budget.is_exceeded();
   }
@@ -113,45 +132,47 @@ private:
   static constexpr std::size_t batch_size = 512;
 
   // Enters all points. In parallel, enters several blocks of points at the same time.
-  template <class Positions, class Progress>
-  std::vector<Cell_entry_lists> enter_all(const Positions& positions, std::size_t list_count,
+  template <class Progress>
+  std::vector<Cell_entry_lists> enter_all(const Some_positions& sample, std::size_t list_count,
                                           Progress& progress) const
   {
     const std::size_t count = is_parallel_v<ConcurrencyTag> ? max_entry_block_count : 1;
     std::vector<Cell_entry_lists> blocks(count);
     for_each_numbered_block<ConcurrencyTag>(
-      count, positions.size(), [&](std::size_t block, std::size_t first, std::size_t last) {
+      count, sample.size(), [&](std::size_t block, std::size_t first, std::size_t last) {
         blocks[block] = Cell_entry_lists(list_count);
-        enter(positions, first, last, list_count, blocks[block], progress);
+        enter(sample, first, last, list_count, blocks[block], progress);
       });
     return blocks;
   }
 
-  // Appends the entries of the positions [first, last). Most points have one cell. So the first
-  // cells of a batch of points come first, without branches, and then the other cells.
-  template <class Positions, class Progress>
-  void enter(const Positions& positions, std::size_t first, std::size_t last,
+  // Appends the entries of the points [first, last) of the sample. Most of them have one cell. So
+  // the first cells of a batch of points come first, without branches, and then the other cells.
+  template <class Progress>
+  void enter(const Some_positions& sample, std::size_t first, std::size_t last,
              std::size_t list_count, Cell_entry_lists& lists, Progress& progress) const
   {
     const auto append = [&](std::uint64_t hash, Place position) {
       const std::uint64_t bits = (hash >> 32) * list_count; // the list, and 32 bits below it
       lists.append(bits >> 32, {static_cast<std::uint32_t>(bits), position});
     };
+    std::array<Place, batch_size> positions;
     std::array<std::uint64_t, batch_size> hashes;
     std::array<std::uint32_t, batch_size> several; // points that are in several cells
     for(; first < last; first += batch_size) {
       const std::size_t size = (std::min)(batch_size, last - first);
+      sample.copy(first, first + size, positions.data());
       std::size_t several_count = 0;
       for(std::size_t i = 0; i < size; ++i) {
-        const auto [hash, is_in_several] = cells_.first_cell_around(points_[positions[first + i]]);
+        const auto [hash, is_in_several] = cells_.first_cell_around(points_[positions[i]]);
         hashes[i] = hash;
         several[several_count] = static_cast<std::uint32_t>(i);
         several_count += is_in_several;
       }
       for(std::size_t i = 0; i < size; ++i)
-        append(hashes[i], positions[first + i]);
+        append(hashes[i], positions[i]);
       for(std::size_t k = 0; k < several_count; ++k)
-        append_other_cells(positions[first + several[k]], append);
+        append_other_cells(positions[several[k]], append);
       if(!progress.advance(size))
         return;
     }

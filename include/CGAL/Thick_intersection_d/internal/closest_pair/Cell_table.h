@@ -5,13 +5,12 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CELL_TABLE_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CELL_TABLE_H
 
-// The buckets of [L] (Closest_pair_search.h): the members of a set by their cells. Hashing or the
-// sorted order finds the buckets of adjacent cells.
+// The buckets of [L] (Closest_pair_search.h): the members of a set by their cells. The sorted order
+// finds the buckets of adjacent cells.
 //
 // A cell has a number along each axis. The numbers may be rounded coordinates, or numbers of strips
 // that comparisons have found.
 
-#include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/radix_sort.h>
 
 #include <cstddef>
@@ -23,12 +22,6 @@ namespace Thick_intersection_d {
 namespace internal {
 
 using Cell_number = std::uint32_t;
-
-// How to find the bucket of an adjacent cell.
-enum class Bucket_access {
-  HASHING,
-  SORTED_ORDER
-};
 
 // The offsets from a cell to adjacent cells, but only the lexicographically positive half: with the
 // other half, each two buckets would meet twice.
@@ -133,12 +126,13 @@ private:
 };
 
 // Finds buckets by the sorted order. For each offset, the buckets to find come in order as well. So
-// a finger per offset moves forward only, and finding all buckets takes linear time.
+// a finger per offset moves forward only, and finding all buckets takes linear time. The fingers
+// start at the first bucket that is asked for: the buckets to find are behind it.
 class Sorted_bucket_finder
 {
 public:
-  Sorted_bucket_finder(const Cell_table& table, const Forward_offsets& offsets)
-    : table_(table), offsets_(offsets), fingers_(offsets.size(), 0)
+  Sorted_bucket_finder(const Cell_table& table, const Forward_offsets& offsets, std::size_t first)
+    : table_(table), offsets_(offsets), fingers_(offsets.size(), first)
   {}
 
   // Returns the bucket at offset `i` from `bucket`, or bucket_count() if it is empty. Calls are to
@@ -157,54 +151,6 @@ private:
   const Cell_table& table_;
   const Forward_offsets& offsets_;
   std::vector<std::size_t> fingers_;
-};
-
-// The dictionary of [L]: hashing with lists of the buckets in the same slot. The hash is random, so
-// finding a bucket takes expected O(1) time for any cells.
-class Bucket_dictionary
-{
-public:
-  Bucket_dictionary(const Cell_table& table, const Forward_offsets& offsets, int axis_count)
-    : table_(table), offsets_(offsets), axis_count_(axis_count),
-      hash_(axis_count, seed_of_process()),
-      slot_bits_(hash_table_bits(table.bucket_count())), heads_(std::size_t(1) << slot_bits_),
-      next_(table.bucket_count())
-  {
-    for(std::size_t bucket = 0; bucket < table.bucket_count(); ++bucket) {
-      std::uint32_t& head = heads_[slot([&](int axis) { return table_.number(bucket, axis); })];
-      next_[bucket] = head;
-      head = static_cast<std::uint32_t>(bucket) + 1;
-    }
-  }
-
-  // Returns the bucket at offset `i` from `bucket`, or bucket_count() if it is empty.
-  std::size_t operator()(std::size_t bucket, std::size_t i) const
-  {
-    const std::vector<int>& offset = offsets_[i];
-    std::uint32_t other
-      = heads_[slot([&](int axis) { return table_.number(bucket, axis) + offset[axis]; })];
-    while(other != 0 && table_.compare(other - 1, bucket, offset) != 0)
-      other = next_[other - 1];
-    return other == 0 ? table_.bucket_count() : other - 1;
-  }
-
-private:
-  template <class Number_along>
-  std::size_t slot(const Number_along& number_along) const
-  {
-    std::uint64_t sum = 0;
-    for(int axis = 0; axis < axis_count_; ++axis)
-      sum = hash_.add(sum, axis, number_along(axis));
-    return hash_.finish(sum) >> (64 - slot_bits_);
-  }
-
-  const Cell_table& table_;
-  const Forward_offsets& offsets_;
-  int axis_count_;
-  Sequence_hash<> hash_;
-  int slot_bits_;
-  std::vector<std::uint32_t> heads_; // by slot: 1 + the last bucket in the slot, or 0
-  std::vector<std::uint32_t> next_;  // by bucket: 1 + the bucket before it in the slot, or 0
 };
 
 } // namespace internal

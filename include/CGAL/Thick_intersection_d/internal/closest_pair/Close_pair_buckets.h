@@ -41,7 +41,6 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <mutex>
 #include <numeric>
 #include <optional>
@@ -51,7 +50,9 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-template <class ConcurrencyTag, class Elements>
+// `Finder` finds adjacent buckets. It is made of the table, the offsets and the first bucket of a
+// block, and is called with increasing buckets.
+template <class ConcurrencyTag, class Elements, class Finder = Sorted_bucket_finder>
 class Close_pair_buckets
 {
   using Point = typename Elements::value_type;
@@ -59,39 +60,30 @@ class Close_pair_buckets
   using Found = std::optional<Position_pair>;
 
 public:
-  // Takes the points of the scene.
-  Close_pair_buckets(const Elements& points, const Scene& scene,
-                     const Is_within_distance<Point>& is_within,
-                     Bucket_access access = Bucket_access::HASHING)
-    : points_(points), scene_(scene), is_within_(is_within), access_(access)
+  // Takes the first `size` points of the scene.
+  Close_pair_buckets(const Elements& points, std::size_t size, const Scene& scene,
+                     const Is_within_distance<Point>& is_within)
+    : points_(points), size_(size), scene_(scene), is_within_(is_within)
   {}
 
-  // Returns a pair of the points at `positions` within the bound, if there is one. In sequence, the
-  // same positions give the same pair. Each point is one step of progress per axis, and one more.
-  template <class Positions, class Progress>
-  Found find(const Positions& positions, Progress& progress) const
+  // Returns a pair within the bound, if there is one. In sequence, the same points give the same
+  // pair. Each point is one step of progress per axis, and one more.
+  template <class Progress>
+  Found find(Progress& progress) const
   {
-    if(positions.size() < 2 || progress.is_cancelled())
+    if(size_ < 2 || progress.is_cancelled())
       return std::nullopt;
     std::vector<std::vector<Cell_number>> numbers(dimension());
     for(int axis = 0; axis < dimension(); ++axis) {
-      numbers[axis] = can_round(axis) ? number_rounded(positions, axis)
-                                      : number_strips(positions, axis);
-      if(!progress.advance(positions.size()))
+      numbers[axis] = can_round(axis) ? number_rounded(axis) : number_strips(axis);
+      if(!progress.advance(size_))
         return std::nullopt;
     }
-    const Cell_table table(positions.size(), dimension(), [&](std::size_t member, int axis) {
+    const Cell_table table(size_, dimension(), [&](std::size_t member, int axis) {
       return numbers[axis][member];
     });
-    if(const Found pair = find_in_heavy_bucket(table, positions))
-      return pair;
-    const Forward_offsets offsets(dimension());
-    if(access_ == Bucket_access::SORTED_ORDER)
-      return find_in_buckets(table, positions, offsets.size(), progress,
-                             [&] { return Sorted_bucket_finder(table, offsets); });
-    const Bucket_dictionary dictionary(table, offsets, dimension());
-    return find_in_buckets(table, positions, offsets.size(), progress,
-                           [&] { return std::cref(dictionary); });
+    const Found pair = find_in_heavy_bucket(table);
+    return pair ? pair : find_in_buckets(table, progress);
   }
 
 private:
@@ -107,40 +99,37 @@ private:
   }
 
   // Returns the number of the cell of each point along an axis. The first cell has number 1.
-  template <class Positions>
-  std::vector<Cell_number> number_rounded(const Positions& positions, int axis) const
+  std::vector<Cell_number> number_rounded(int axis) const
   {
     const double low = scene_.box[axis].low;
     const double scale = 1 / side();
-    std::vector<Cell_number> numbers(positions.size());
-    for(std::size_t i = 0; i < numbers.size(); ++i)
+    std::vector<Cell_number> numbers(size_);
+    for(std::size_t i = 0; i < size_; ++i)
       numbers[i] = 1 + static_cast<Cell_number>(
-        (coordinate_bounds(points_[positions[i]], axis).first - low) * scale);
+        (coordinate_bounds(points_[i], axis).first - low) * scale);
     return numbers;
   }
 
-  template <class Positions>
-  std::vector<Cell_number> number_strips(const Positions& positions, int axis) const
+  std::vector<Cell_number> number_strips(int axis) const
   {
     const auto is_beyond = [&](Place a, Place b) {
-      return !is_within_.is_within_along(points_[positions[a]], points_[positions[b]], axis);
+      return !is_within_.is_within_along(points_[a], points_[b], axis);
     };
     Strip_numbering<Place, decltype(is_beyond)> number_of_strip(is_beyond);
-    std::vector<Cell_number> numbers(positions.size());
-    for(const Place member : sort_along(positions, axis))
-      numbers[member] = number_of_strip(member);
+    std::vector<Cell_number> numbers(size_);
+    for(const Place position : sort_along(axis))
+      numbers[position] = number_of_strip(position);
     return numbers;
   }
 
-  // Returns the members of `positions` in order along an axis.
-  template <class Positions>
-  std::vector<Place> sort_along(const Positions& positions, int axis) const
+  // Returns the points in order along an axis.
+  std::vector<Place> sort_along(int axis) const
   {
-    std::vector<Place> order(positions.size());
+    std::vector<Place> order(size_);
     if constexpr(is_held_by_double_v<Number>) {
-      std::vector<Keyed_value> items(positions.size());
-      for(std::size_t i = 0; i < positions.size(); ++i)
-        items[i] = {radix_key(static_cast<double>(coordinate(points_[positions[i]], axis))),
+      std::vector<Keyed_value> items(size_);
+      for(std::size_t i = 0; i < size_; ++i)
+        items[i] = {radix_key(static_cast<double>(coordinate(points_[i], axis))),
                     static_cast<Place>(i)};
       radix_sort(items);
       std::transform(items.begin(), items.end(), order.begin(),
@@ -149,44 +138,40 @@ private:
     else {
       std::iota(order.begin(), order.end(), 0);
       std::stable_sort(order.begin(), order.end(), [&](Place a, Place b) {
-        return coordinate(points_[positions[a]], axis) < coordinate(points_[positions[b]], axis);
+        return coordinate(points_[a], axis) < coordinate(points_[b], axis);
       });
     }
     return order;
   }
 
   // Looks at only N + 1 members of a bucket with more than N: two of them are close.
-  template <class Positions>
-  Found find_in_heavy_bucket(const Cell_table& table, const Positions& positions) const
+  Found find_in_heavy_bucket(const Cell_table& table) const
   {
     const std::size_t most = max_points_per_cell(dimension());
     for(std::size_t bucket = 0; bucket < table.bucket_count(); ++bucket)
       if(table.end(bucket) - table.begin(bucket) > most)
-        return find_within(table, table.begin(bucket), table.begin(bucket) + most + 1, positions);
+        return find_within(table, table.begin(bucket), table.begin(bucket) + most + 1);
     return std::nullopt;
   }
 
-  // Compares each bucket with itself and with the adjacent buckets ahead. `make_finder()` returns a
-  // function find(bucket, i), which returns the bucket at offset `i`. The search calls it for
-  // increasing buckets.
-  template <class Positions, class Progress, class Make_finder>
-  Found find_in_buckets(const Cell_table& table, const Positions& positions,
-                        std::size_t offset_count, Progress& progress,
-                        const Make_finder& make_finder) const
+  // Compares each bucket with itself and with the adjacent buckets ahead.
+  template <class Progress>
+  Found find_in_buckets(const Cell_table& table, Progress& progress) const
   {
+    const Forward_offsets offsets(dimension());
     Found result;
     std::mutex mutex;
     std::atomic<bool> go_on = true;
-    for_each_block<ConcurrencyTag>(table.bucket_count(), [&](std::size_t first, std::size_t last) {
-      auto find = make_finder();
+    const auto search = [&](std::size_t, std::size_t first, std::size_t last) {
+      Finder find(table, offsets, first);
       Found pair;
       for(std::size_t bucket = first;
           bucket != last && go_on.load(std::memory_order_relaxed); ++bucket) {
-        pair = find_within(table, table.begin(bucket), table.end(bucket), positions);
-        for(std::size_t i = 0; !pair && i < offset_count; ++i) {
+        pair = find_within(table, table.begin(bucket), table.end(bucket));
+        for(std::size_t i = 0; !pair && i < offsets.size(); ++i) {
           const std::size_t other = find(bucket, i);
           if(other != table.bucket_count())
-            pair = find_between(table, bucket, other, positions);
+            pair = find_between(table, bucket, other);
         }
         if(pair || !progress.advance(table.end(bucket) - table.begin(bucket)))
           go_on.store(false, std::memory_order_relaxed);
@@ -195,28 +180,26 @@ private:
         const std::lock_guard<std::mutex> lock(mutex);
         result = pair;
       }
-    });
+    };
+    for_each_numbered_block<ConcurrencyTag>(block_count<ConcurrencyTag>(), table.bucket_count(),
+                                            search);
     return result;
   }
 
-  template <class Positions>
-  Found find_within(const Cell_table& table, std::size_t begin, std::size_t end,
-                    const Positions& positions) const
+  Found find_within(const Cell_table& table, std::size_t begin, std::size_t end) const
   {
     for(std::size_t a = begin; a < end; ++a)
       for(std::size_t b = a + 1; b < end; ++b)
-        if(const Found pair = test(positions[table.member(a)], positions[table.member(b)]))
+        if(const Found pair = test(table.member(a), table.member(b)))
           return pair;
     return std::nullopt;
   }
 
-  template <class Positions>
-  Found find_between(const Cell_table& table, std::size_t bucket, std::size_t other,
-                     const Positions& positions) const
+  Found find_between(const Cell_table& table, std::size_t bucket, std::size_t other) const
   {
     for(std::size_t a = table.begin(bucket); a != table.end(bucket); ++a)
       for(std::size_t b = table.begin(other); b != table.end(other); ++b)
-        if(const Found pair = test(positions[table.member(a)], positions[table.member(b)]))
+        if(const Found pair = test(table.member(a), table.member(b)))
           return pair;
     return std::nullopt;
   }
@@ -229,9 +212,9 @@ private:
   }
 
   const Elements& points_;
+  std::size_t size_;
   const Scene& scene_;
   const Is_within_distance<Point>& is_within_;
-  Bucket_access access_;
 };
 
 } // namespace internal

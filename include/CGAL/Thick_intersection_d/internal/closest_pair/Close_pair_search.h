@@ -6,11 +6,10 @@
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CLOSE_PAIR_SEARCH_H
 
 // Chooses the method for a close pair. If the bound is zero, and doubles hold the coordinates, it
-// is hashing. Beyond dimension 5 it is the divide and conquer of [L]. Otherwise the buckets of [L]
-// look at a few points first. In the plane and in space, a join of points in common cells follows.
-// If the join is given up, the search of near pairs looks for one. The buckets take all points in
-// other dimensions, and if doubles are too coarse for the join. Closest_pair_search.h says what [L]
-// is.
+// is hashing. Beyond dimension 5 it is the divide and conquer of [L]. In the plane and in space it
+// is a join of points in common cells. If the join is given up, the search of near pairs looks for
+// a close pair. The buckets of [L] take points of other dimensions, and points that doubles are too
+// coarse for. A few points are searched first. Closest_pair_search.h says what [L] is.
 
 #include <CGAL/Arithmetic_tier.h>
 
@@ -23,6 +22,7 @@
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Closest_pair_divide.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Hashed_cells.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Pair_minimum.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/Some_positions.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/first_equal_pair.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/tuning.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
@@ -34,37 +34,13 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <mutex>
 #include <optional>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
-
-// Tests the pairs that a join visits, until a pair is close.
-template <class Elements>
-struct Close_pair_visitor
-{
-  bool operator()(std::size_t i, std::size_t j)
-  {
-    if(is_within(points[i], points[j]))
-      pair = Position_pair(std::minmax(i, j));
-    return !pair;
-  }
-
-  void finish()
-  {
-    const std::lock_guard<std::mutex> lock(mutex);
-    if(pair)
-      result = pair;
-  }
-
-  const Elements& points;
-  const Is_within_distance<typename Elements::value_type>& is_within;
-  std::optional<Position_pair>& result;
-  std::mutex& mutex;
-  std::optional<Position_pair> pair = std::nullopt;
-};
 
 // `report_near(callback, progress)` calls callback(i, j) for the close pairs, until it returns
 // false.
@@ -79,16 +55,14 @@ public:
   // Takes the points of the scene.
   Close_pair_search(const Elements& points, const Squared_bound<Exact>& bound, const Scene& scene,
                     Progress& progress, const Report_near& report_near)
-    : points_(points), all_(points.size()), scene_(scene),
+    : points_(points), scene_(scene),
       is_zero_within_(bound.holds_for(Exact(0))), is_zero_(bound.is_zero()),
       is_within_(bound, scene,
                  (std::min)(first_exact_tier(bound.reach(), scene.grid_exponent,
                                              scene.extended_axis_count()),
                             Arithmetic_tier::INT128)),
-      buckets_(points, scene, is_within_), progress_(progress), report_near_(report_near)
+      progress_(progress), report_near_(report_near)
   {}
-
-  Close_pair_search(const Close_pair_search&) = delete; // the buckets refer to another member
 
   // Returns a close pair, if there is one and if it was found before the search was cancelled.
   Found find() const
@@ -97,23 +71,37 @@ public:
       return std::nullopt;
     if constexpr(is_held_by_double_v<Coordinate_t<Point>>)
       if(is_zero_) {
-        progress_.restart(all_.size());
-        First_equal_pair<Elements> equal_points(points_, scene_.dimension(), seed_of_process());
-        const Found pair = equal_points.find(progress_);
-        if(!equal_points.is_given_up())
-          return pair;
+        progress_.restart(points_.size());
+        return First_equal_pair<Elements>(points_, scene_.dimension(), seed_of_process())
+          .find(progress_);
       }
-    if(scene_.dimension() > max_bucket_dimension)
-      return test_closest_pair();
-    if(const Found pair = find_in_buckets(All_positions(all_.size() / first_look_divisor),
-                                          2 * all_.size()))
-      return pair;
     return for_plane_and_space<Point>(scene_.dimension(), [&](auto dimension) {
-      return find_by_join<decltype(dimension)::value>();
-    }, [&] { return find_in_buckets(all_, 0); });
+      return find_by_joins<decltype(dimension)::value>();
+    }, [&] { return find_otherwise(); });
   }
 
 private:
+  // Finds a close pair by what takes any number type and any dimension.
+  Found find_otherwise() const
+  {
+    if constexpr(!are_joined_v<Point>) {
+      if(scene_.dimension() > max_bucket_dimension)
+        return test_closest_pair();
+      const std::size_t few = points_.size() / first_look_divisor;
+      const std::size_t rounds = static_cast<std::size_t>(scene_.dimension()) + 1;
+      progress_.restart(rounds * (few + points_.size()));
+      const Found pair = find_in_buckets(few);
+      return pair ? pair : find_in_buckets(points_.size());
+    }
+    return std::nullopt;
+  }
+
+  Found find_in_buckets(std::size_t size) const
+  {
+    return Close_pair_buckets<ConcurrencyTag, Elements>(points_, size, scene_, is_within_)
+      .find(progress_);
+  }
+
   Found test_closest_pair() const
   {
     if(points_.size() < 2)
@@ -125,30 +113,40 @@ private:
     return is_within_(points_[pair.first], points_[pair.second]) ? Found(pair) : std::nullopt;
   }
 
-  // For the progress, `later` more objects are left for other methods.
-  Found find_in_buckets(const All_positions& positions, std::size_t later) const
+  template <int Dimension>
+  Found find_by_joins() const
   {
-    const std::size_t rounds = static_cast<std::size_t>(scene_.dimension()) + 1;
-    progress_.restart(rounds * positions.size() + later);
-    return buckets_.find(positions, progress_);
+    if(!Hashed_cells<Dimension>::fits(is_within_.reach(), scene_.error))
+      return find_otherwise();
+    const std::size_t few = points_.size() / first_look_divisor;
+    progress_.restart(2 * (few + points_.size()));
+    bool is_complete = false;
+    for(const std::size_t size : {few, points_.size()}) {
+      Found result;
+      is_complete = join<Dimension>(size, result);
+      if(result)
+        return result;
+    }
+    return is_complete ? std::nullopt : find_reported();
   }
 
+  // Joins the first `size` points until a close pair is found. Returns false if the join was given
+  // up.
   template <int Dimension>
-  Found find_by_join() const
+  bool join(std::size_t size, Found& result) const
   {
-    const double reach = is_within_.reach();
-    if(!Hashed_cells<Dimension>::fits(reach, scene_.error))
-      return find_in_buckets(all_, 0);
-    progress_.restart(2 * all_.size());
+    const double reach = (std::min)(is_within_.reach(), (std::numeric_limits<double>::max)());
     const Cell_join<ConcurrencyTag, Dimension, Elements> join_cells(
-      points_, reach, join_cell_side(scene_, all_.size(), reach), join_seed);
-    Found result;
+      points_, reach, join_cell_side(scene_, size, reach), join_seed);
     std::mutex mutex;
-    const bool is_complete
-      = join_cells(all_, max_steps_per_point * all_.size(), [&] {
-          return Close_pair_visitor<Elements>{points_, is_within_, result, mutex};
-        }, progress_);
-    return result || is_complete ? result : find_reported();
+    const auto test = [&](std::size_t i, std::size_t j) {
+      if(!is_within_(points_[i], points_[j]))
+        return true;
+      const std::lock_guard<std::mutex> lock(mutex);
+      result = Position_pair(std::minmax(i, j));
+      return false;
+    };
+    return join_cells(Some_positions(size), max_join_steps(size), [&] { return test; }, progress_);
   }
 
   Found find_reported() const
@@ -160,7 +158,7 @@ private:
       result = Position_pair(std::minmax(i, j));
       return false;
     };
-    progress_.restart(all_.size());
+    progress_.restart(points_.size());
     report_near_(take, progress_);
     return result;
   }
@@ -169,12 +167,10 @@ private:
   static constexpr std::uint64_t join_seed = 0;
 
   const Elements& points_;
-  const All_positions all_;
   const Scene& scene_;
   const bool is_zero_within_;
   const bool is_zero_; // whether only equal points are close
   const Is_within_distance<Point> is_within_;
-  const Close_pair_buckets<ConcurrencyTag, Elements> buckets_;
   Progress& progress_;
   const Report_near& report_near_;
 };

@@ -219,7 +219,7 @@ private:
     for(std::size_t place = 0; place < members.size(); ++place) // in the order of cells
       strip_[first + place] = members[table.member(place)];
     const Forward_offsets offsets(axis_count);
-    Sorted_bucket_finder find(table, offsets);
+    Sorted_bucket_finder find(table, offsets, 0);
     for(std::size_t bucket = 0; bucket < table.bucket_count(); ++bucket) {
       scan(first + table.begin(bucket), first + table.end(bucket), unlimited, minimum);
       for(std::size_t i = 0; i < offsets.size(); ++i) {

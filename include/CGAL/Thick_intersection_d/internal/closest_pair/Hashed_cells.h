@@ -36,7 +36,6 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// `Dimension` is the dimension of the points, or 0 if it is known at run time only.
 template <int Dimension>
 class Hashed_cells
 {
@@ -48,36 +47,22 @@ public:
     return reach > 0 && error <= reach / 2;
   }
 
-  Hashed_cells() = default;
-  Hashed_cells(int dimension, double width, double side, std::uint64_t seed)
-    : dimension_(dimension), width_(width), hash_(dimension, seed)
+  Hashed_cells(double width, double side, std::uint64_t seed)
+    : width_(width), hash_(Dimension, seed)
   {
-    constexpr double max_side = 0x1p1022; // more than eight of these make one cell
+    constexpr double max_double = (std::numeric_limits<double>::max)();
     if(side < 0x1p-1000) // its inverse may be no double
       prescale_ = 0x1p100;
-    scale_ = side <= max_side ? 1 / (side * prescale_) : 0;
-    far_ = (std::min)(side * 0x1p53, (std::numeric_limits<double>::max)());
+    scale_ = side <= max_double ? 1 / (side * prescale_) : 0; // longer sides make one cell
+    far_ = (std::min)(side * 0x1p53, max_double);
     near_ = prescale_ == 1 ? far_ - 4 * width : 0;
-  }
-
-  // Returns the hash of the cell that holds the lower bounds of the coordinates of p.
-  template <class Point>
-  std::uint64_t cell_of(const Point& p) const
-  {
-    std::uint64_t hash = 0;
-    for(int axis = 0; axis < dimension(); ++axis)
-      hash = hash_.add(hash, axis, index(coordinate_bounds(p, axis).first));
-    return hash_.finish(hash);
   }
 
   // Calls f(hash) for each cell that may hold points within the width of p along each axis.
   template <class Point, class Function>
   void for_each_cell_around(const Point& p, const Function& f) const
   {
-    if constexpr(Dimension == 0)
-      visit(p, 0, 0, f);
-    else
-      visit<0>(ranges_around(p), 0, f);
+    visit<0>(ranges_around(p), 0, f);
   }
 
   // Returns the hash of the first of these cells, and whether there are more.
@@ -123,8 +108,6 @@ private:
     return first_of(ranges_around(p));
   }
 
-  int dimension() const { return Dimension == 0 ? dimension_ : Dimension; }
-
   std::int64_t near_index(double x) const { return static_cast<std::int64_t>(x * scale_); }
 
   // Monotone: products and the conversion, which cuts towards zero, are monotone, and the index of
@@ -146,31 +129,14 @@ private:
   }
 
   template <class Point>
-  Index_range index_range(const Point& p, int axis) const
-  {
-    const std::pair<double, double> x = coordinate_bounds(p, axis);
-    return {index(x.first - width_), index(x.second + width_)};
-  }
-
-  template <class Point>
   std::array<Index_range, Dimension> ranges_around(const Point& p) const
   {
     std::array<Index_range, Dimension> ranges;
-    for(int axis = 0; axis < Dimension; ++axis)
-      ranges[axis] = index_range(p, axis);
-    return ranges;
-  }
-
-  template <class Point, class Function>
-  void visit(const Point& p, int axis, std::uint64_t hash, const Function& f) const
-  {
-    if(axis == dimension_) {
-      f(hash_.finish(hash));
-      return;
+    for(int axis = 0; axis < Dimension; ++axis) {
+      const std::pair<double, double> x = coordinate_bounds(p, axis);
+      ranges[axis] = {index(x.first - width_), index(x.second + width_)};
     }
-    const Index_range range = index_range(p, axis);
-    for(std::int64_t i = range.first; i <= range.last; ++i)
-      visit(p, axis + 1, hash_.add(hash, axis, i), f);
+    return ranges;
   }
 
   template <int Axis, class Function>
@@ -184,8 +150,7 @@ private:
         visit<Axis + 1>(ranges, hash_.add(hash, Axis, i), f);
   }
 
-  int dimension_ = Dimension;
-  double width_ = 0;
+  double width_;
   double prescale_ = 1; // a power of two: prescale_ * scale_ is 1 / side
   double scale_ = 0;
   double near_ = 0; // up to three widths beyond it, near_index() is the index

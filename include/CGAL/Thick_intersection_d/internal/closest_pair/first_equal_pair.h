@@ -12,11 +12,13 @@
 #include <CGAL/Thick_intersection_d/internal/closest_pair/tuning.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace CGAL {
@@ -32,33 +34,31 @@ public:
   First_equal_pair(const Elements& points, int dimension, std::uint64_t seed)
     : points_(points), dimension_(dimension), hash_(dimension, seed),
       slot_bits_(hash_table_bits(points.size())), heads_(std::size_t(1) << slot_bits_),
-      next_(points.size())
+      next_(points.size()), tree_(Less{*this})
   {}
 
-  // Returns the pair, if there is one, in linear time. The search may be cancelled, or given up if
-  // many points collide in the hash table, which is not to be expected of a random seed. Each point
-  // is one step of progress.
+  First_equal_pair(const First_equal_pair&) = delete; // the tree refers to it
+
+  // Returns the pair, if there is one, in linear time, or in O(n log n) time if many points collide
+  // in the hash table, which is not to be expected of a random seed. The search may be cancelled.
+  // Each point is one step of progress.
   template <class Progress>
   std::optional<Position_pair> find(Progress& progress)
   {
-    // Invariant: the slots hold the first point of each set of equal points before i.
+    // Invariant: the slots or the tree hold the first point of each set of equal points before i.
     std::optional<Position_pair> first;
     for(std::size_t i = 0; i < points_.size(); ++i) {
       if(i % batch_size == 0 && !progress.advance((std::min)(batch_size, points_.size() - i)))
         return first;
-      const std::size_t other = find_or_insert(i);
+      const std::size_t other = step_count_ > max_equality_steps_per_point * points_.size()
+                                  ? find_or_insert_in_tree(i) : find_or_insert(i);
       if(other < (first ? first->first : i))
         first = Position_pair(other, i);
       if(first && first->first == 0)
         return first;
-      if(is_given_up())
-        return std::nullopt;
     }
     return first;
   }
-
-  // Whether it is not known if there is a pair.
-  bool is_given_up() const { return step_count_ > max_equality_steps_per_point * points_.size(); }
 
 private:
   static constexpr std::size_t batch_size = 512;
@@ -77,6 +77,15 @@ private:
     return i;
   }
 
+  // The same for points that are made for the hash.
+  CGAL_RARELY_CALLED std::size_t find_or_insert_in_tree(std::size_t i)
+  {
+    if(tree_.empty())
+      for(std::size_t j = 0; j < i; ++j)
+        tree_.insert(j);
+    return *tree_.insert(i).first;
+  }
+
   std::size_t slot(std::size_t i) const
   {
     std::uint64_t sum = 0;
@@ -84,6 +93,20 @@ private:
       sum = hash_.add(sum, axis, key(i, axis));
     return hash_.finish(sum) >> (64 - slot_bits_);
   }
+
+  // The order of the tree.
+  struct Less
+  {
+    bool operator()(std::size_t i, std::size_t j) const
+    {
+      for(int axis = 0; axis < search.dimension_; ++axis)
+        if(search.key(i, axis) != search.key(j, axis))
+          return search.key(i, axis) < search.key(j, axis);
+      return false;
+    }
+
+    const First_equal_pair& search;
+  };
 
   bool are_equal(std::size_t i, std::size_t j) const
   {
@@ -105,6 +128,7 @@ private:
   std::vector<Place> heads_; // by slot: 1 + the last point in the slot, or 0
   std::vector<Place> next_;  // by point: 1 + the point before it in the slot, or 0
   std::size_t step_count_ = 0;
+  std::set<std::size_t, Less> tree_; // after too many steps
 };
 
 } // namespace internal

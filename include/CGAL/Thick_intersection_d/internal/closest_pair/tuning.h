@@ -16,9 +16,8 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// The closest pair of so few points is not worth a join. 5000 points in the plane: 1.02 with 100,
-// 1.81 with 10,000. 1000 points: 0.60 with 100 in the plane, 1.12 in space.
-inline constexpr std::size_t small_size = 1000;
+// The pairs of so few points are compared one by one.
+inline constexpr std::size_t small_size = 40;
 
 // A sample of the points finds how far the join has to look: each point is drawn with a probability
 // of 1/8, by steps of 1 to 15. Uniform points in the plane: 1.29 by steps to 7, 1.19 to 31.
@@ -29,6 +28,10 @@ inline constexpr std::size_t max_sample_step = 15;
 // samples of uniform points are crowded: 1.43 times the instructions.
 inline constexpr std::size_t max_steps_per_point = 5;
 
+// Of few points, more may be near by chance. 20,000 points of a lattice in space: 1.6 times the
+// instructions with 5000 more steps for all samples.
+inline constexpr std::size_t max_steps_of_few_points = 5000;
+
 // More pairs per point that are as near as the closest pair of a sample are not to be expected.
 inline constexpr std::size_t max_near_pairs_per_point = 100;
 
@@ -37,16 +40,16 @@ inline constexpr std::size_t max_near_pairs_per_point = 100;
 // extent; 216,000 of its points in space take 1.2 times as long if they are searched once.
 inline constexpr double max_narrow_reaches = 1 << 21;
 
-// The randomized cells take a few hundred steps per point of a lattice in space. More are due to a
-// seed that the points are made for.
-inline constexpr std::size_t max_cell_steps_per_point = 1000;
-
 // The cells of a join are 2 to 16 distances long. If the points are uniform then one cell in 64 has
 // a point in it, so that most points are alone in their cell. At least 1: 1.52 for 5000 points. At
 // most 4: 1.30 for uniform points. One cell in 512: 1.17 for uniform points in space.
 inline constexpr double min_cell_side = 2;
 inline constexpr double max_cell_side = 16;
 inline constexpr double cells_per_point = 64;
+
+// Cells of s distances have about 15 s^3 pairs of a cluster in space, for the distance of an eighth
+// of it: a third of the steps of a join if the cluster has 16 s^3 points.
+inline constexpr double points_of_long_cells = 16;
 
 // Points in one place of a hash table of equal points: expected are 0.25 steps per point or less.
 inline constexpr std::size_t max_equality_steps_per_point = 20;

@@ -15,7 +15,6 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Close_pair_search.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Closest_pair_search.h>
-#include <CGAL/Thick_intersection_d/internal/closest_pair/Points_at.h>
 #include <CGAL/Thick_intersection_d/internal/doors/near_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene_sample.h>
@@ -27,10 +26,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <numeric>
 #include <optional>
 #include <stdexcept>
-#include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -52,14 +49,14 @@ Scene scan_checked_points(const Elements& points)
   return scan_points<ConcurrencyTag>(points, "point", may_need_grid(Scene_sample(points)));
 }
 
-// Reports the pairs of some points in the plane or in space within a bound. The types are the same
-// for all searches of a kernel, because the slab route takes long to compile.
+// Reports the pairs of points in the plane or in space within a bound. The type of the callback is
+// the same for all searches, because the slab route takes long to compile.
 template <class ConcurrencyTag, class Elements, class NT, class Progress>
-void report_near_points(const Points_at<Elements>& points, const Distance_bound<NT>& bound,
+void report_near_points(const Elements& points, const Distance_bound<NT>& bound,
                         const std::function<bool(std::size_t, std::size_t)>& callback,
                         Progress& progress)
 {
-  Near_pairs_search<ConcurrencyTag, Points_at<Elements>>(points, bound, false)
+  Near_pairs_search<ConcurrencyTag, Elements>(points, bound, false)
     .report_crowded_points(callback, progress);
 }
 
@@ -72,9 +69,9 @@ Position_pair find_closest_pair(const Elements& points, const NamedParameters& n
   const std::uint64_t seed = parameters::choose_parameter(
     parameters::get_parameter(np, internal_np::random_seed), seed_of_process());
   auto progress = make_progress(np, points.size());
-  const auto report_near = [](const auto& some_points, const auto& bound, const auto& callback,
-                              auto& progress_of_search) {
-    report_near_points<ConcurrencyTag>(some_points, bound, callback, progress_of_search);
+  const auto report_near = [&](const auto&, const auto& bound, const auto& callback,
+                               auto& progress_of_search) {
+    report_near_points<ConcurrencyTag>(points, bound, callback, progress_of_search);
   };
   Closest_pair_search<ConcurrencyTag, Elements, decltype(progress), decltype(report_near)> search(
     points, scene, seed, progress, report_near);
@@ -93,10 +90,7 @@ std::optional<Position_pair> find_pair_within(const Elements& points,
   const Scene scene = scan_checked_points<ConcurrencyTag>(points);
   auto progress = make_progress(np, points.size());
   const auto report_near = [&](const auto& callback, auto& progress_of_search) {
-    std::vector<Place> positions(points.size());
-    std::iota(positions.begin(), positions.end(), Place(0));
-    report_near_points<ConcurrencyTag>(Points_at<Elements>(points, positions), bound, callback,
-                                       progress_of_search);
+    report_near_points<ConcurrencyTag>(points, bound, callback, progress_of_search);
   };
   const Close_pair_search<ConcurrencyTag, Elements, decltype(progress), decltype(report_near)>
     search(points, squared_bound, scene, progress, report_near);

@@ -1,22 +1,19 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
-//
 // SPDX-License-Identifier: LGPL-3.0-or-later
-
-#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CLOSEST_PAIR_CELLS_H
-#define CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CLOSEST_PAIR_CELLS_H
 
 // The randomized incremental algorithm. It inserts points in random order into cells about as large
 // as the distance of the closest pair so far. It compares each point with the points in the cells
 // around. When the distance shrinks, it makes the cells anew. The k-th point is in the closest pair
 // of the first k points with probability 2/k, and new cells take O(k) time. So the expected time is
 // linear for any points that know neither the order nor the keys of the hash. [Golin, Raman,
-// Schwarz, Smid: Simple randomized algorithms for closest pair problems, 1995] The steps are
-// counted, so the search takes O(n) time, to the end or not.
+// Schwarz, Smid: Simple randomized algorithms for closest pair problems, 1995]
+
+#ifndef THICK_INTERSECTION_BENCHMARK_METHODS_INCREMENTAL_CELLS_H
+#define THICK_INTERSECTION_BENCHMARK_METHODS_INCREMENTAL_CELLS_H
 
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Hashed_cells.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Pair_minimum.h>
-#include <CGAL/Thick_intersection_d/internal/closest_pair/tuning.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 
@@ -29,22 +26,23 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Thick_intersection_d {
-namespace internal {
+namespace thick_benchmark {
 
-// `Dimension` is the dimension of the points, or 0 if it is known at run time only.
+namespace internal = CGAL::Thick_intersection_d::internal;
+using internal::Place;
+
 template <int Dimension, class Elements>
-class Closest_pair_cells
+class Incremental_cells
 {
-  using Minimum = Pair_minimum<Elements>;
+  using Minimum = internal::Pair_minimum<Elements>;
+  using Cells = internal::Hashed_cells<Dimension>;
 
 public:
   // Takes the points of the scene at `positions`.
-  Closest_pair_cells(const Elements& points, std::vector<Place> positions, const Scene& scene,
-                     std::uint64_t seed)
-    : points_(points), positions_(std::move(positions)), dimension_(scene.dimension()),
-      error_(scene.error), seed_(seed), slot_bits_(hash_table_bits(positions_.size())),
+  Incremental_cells(const Elements& points, std::vector<Place> positions,
+                    const internal::Scene& scene, std::uint64_t seed)
+    : points_(points), positions_(std::move(positions)), error_(scene.error), seed_(seed),
+      slot_bits_(internal::hash_table_bits(positions_.size())),
       heads_(std::size_t(1) << slot_bits_), next_(positions_.size())
   {
     std::mt19937_64 random(seed);
@@ -53,10 +51,8 @@ public:
   }
 
   // Offers the closest pairs to `minimum`. Returns false if it cannot go on, because points are
-  // equal, because doubles are too coarse for the distance, or after too many steps. Each point is
-  // one step of progress.
-  template <class Progress>
-  bool search(Minimum& minimum, Progress& progress)
+  // equal or doubles are too coarse for the distance.
+  bool search(Minimum& minimum)
   {
     if(positions_.size() >= 2)
       minimum.offer(positions_[0], positions_[1]);
@@ -66,19 +62,13 @@ public:
     // the cells.
     for(std::size_t k = 0; k < positions_.size(); ++k) {
       const auto& p = points_[positions_[k]];
-      cells_.for_each_cell_around(p, [&](std::uint64_t hash) {
-        for(Place other = heads_[slot(hash)]; other != 0; other = next_[other - 1]) {
+      around_.for_each_cell_around(p, [&](std::uint64_t hash) {
+        for(Place other = heads_[slot(hash)]; other != 0; other = next_[other - 1])
           minimum.offer(positions_[k], positions_[other - 1]);
-          ++step_count_;
-        }
       });
       if(minimum.reach() < reach_ && !refine(minimum, k))
         return false;
-      if(step_count_ > max_cell_steps_per_point * positions_.size())
-        return false;
       insert(k);
-      if(!progress.advance(1))
-        return true;
     }
     return true;
   }
@@ -87,13 +77,13 @@ private:
   // Makes cells that fit the distance, and inserts the first `count` points.
   bool refine(const Minimum& minimum, std::size_t count)
   {
-    if(!minimum.has_tight_reach() || !Hashed_cells<Dimension>::fits(minimum.reach(), error_))
+    if(!minimum.has_tight_reach() || !Cells::fits(minimum.reach(), error_))
       return false;
     reach_ = minimum.reach();
     const double padded_reach
       = std::nextafter(reach_ + error_, std::numeric_limits<double>::infinity());
-    cells_ = Hashed_cells<Dimension>(dimension_, padded_reach, 2 * reach_, seed_);
-    step_count_ += heads_.size();
+    around_ = Cells(padded_reach, 2 * reach_, seed_);
+    home_ = Cells(0, 2 * reach_, seed_);
     std::fill(heads_.begin(), heads_.end(), 0);
     for(std::size_t k = 0; k < count; ++k)
       insert(k);
@@ -102,7 +92,7 @@ private:
 
   void insert(std::size_t k)
   {
-    Place& head = heads_[slot(cells_.cell_of(points_[positions_[k]]))];
+    Place& head = heads_[slot(home_.first_cell_around(points_[positions_[k]]).first)];
     next_[k] = head;
     head = static_cast<Place>(k) + 1;
   }
@@ -111,19 +101,16 @@ private:
 
   const Elements& points_;
   std::vector<Place> positions_; // in the order of insertion
-  int dimension_;
   double error_;
   std::uint64_t seed_; // of the hash
   double reach_ = 0;
-  std::size_t step_count_ = 0; // offers, and slots that were cleared
-  Hashed_cells<Dimension> cells_;
+  Cells around_ = Cells(0, 1, 0); // the cells that points within the distance are in
+  Cells home_ = Cells(0, 1, 0);   // the cell of a point
   int slot_bits_;
   std::vector<Place> heads_; // by slot: 1 + the last point in cells of this slot, or 0
   std::vector<Place> next_;  // by point: 1 + the point before it in the slot, or 0
 };
 
-} // namespace internal
-} // namespace Thick_intersection_d
-} // namespace CGAL
+} // namespace thick_benchmark
 
-#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CLOSEST_PAIR_CELLS_H
+#endif // THICK_INTERSECTION_BENCHMARK_METHODS_INCREMENTAL_CELLS_H
