@@ -136,7 +136,14 @@ Test hull_test(const std::vector<Numbers>& numbers, bool are_integers)
   std::vector<Hull_vectors<Integer>> hulls;
   for(const Numbers& c : numbers)
     hulls.push_back(hull_of<Maker, Integer>(c, are_integers));
-  return [hulls](std::size_t i, std::size_t j) { return do_hulls_intersect(hulls[i], hulls[j]); };
+  // Each kernel asks again about the same pairs.
+  std::vector<signed char> known(hulls.size() * hulls.size(), -1);
+  return [hulls, known](std::size_t i, std::size_t j) mutable {
+    signed char& answer = known[i * hulls.size() + j];
+    if(answer < 0)
+      answer = do_hulls_intersect(hulls[i], hulls[j]);
+    return answer != 0;
+  };
 }
 
 // By an oracle that takes degenerate objects as the sets that they are.
