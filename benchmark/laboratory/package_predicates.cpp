@@ -37,7 +37,7 @@ auto by_traits()
 template <class Objects>
 auto test_by_tier(const Objects& objects, Arithmetic_tier tier)
 {
-  using Counts = CGAL::Thick_intersection_d::internal::Atomic_decision_counts;
+  using Counts = CGAL::Thick_intersection_d::internal::Shared_decision_counts;
   const auto counts = std::make_shared<Counts>();
   Traits_of<Objects> traits(objects);
   traits.decide_by(tier, *counts);

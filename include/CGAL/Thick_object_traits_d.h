@@ -70,7 +70,7 @@ class Thick_object_traits_d
     std::declval<const Object&>()))>;
   static constexpr int dimension_ = std::is_same_v<Box, Bbox_2> ? 2 : 3;
   using Extents = std::array<double, dimension_>;
-  using Counts = Thick_intersection_d::internal::Atomic_decision_counts;
+  using Counts = Thick_intersection_d::internal::Shared_decision_counts;
 
   static_assert(!Thick_intersection_d::internal::Is_hypersphere<Object>::value,
                 "do_intersect() takes circles and spheres as curves and surfaces: "

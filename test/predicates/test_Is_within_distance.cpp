@@ -242,7 +242,7 @@ void check_last_question(const Plain_point<Number>& q, bool is_within, Arithmeti
   const internal::Is_within_distance<Plain_point<Number>> test(bound, scene,
                                                                Arithmetic_tier::FILTERED_EXACT);
   internal::Decision_counts counts;
-  BOOST_CHECK_EQUAL(test.decide(points[0], points[1], counts), is_within);
+  BOOST_CHECK_EQUAL(test.decide_undecided(points[0], points[1], counts), is_within);
   BOOST_CHECK_EQUAL(total(counts), 1u);
   BOOST_CHECK_EQUAL(counts[decided_by], 1u);
 }

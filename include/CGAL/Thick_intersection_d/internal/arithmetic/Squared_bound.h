@@ -91,7 +91,7 @@ public:
   double reach() const { return reach_; }
 
   // Whether a squared distance is within the bound. Degree 2 in the coordinates and r.
-  bool holds_for(const Exact& squared_distance) const
+  CGAL_RARELY_CALLED bool holds_for(const Exact& squared_distance) const
   {
     if(unbounded_)
       return true;

@@ -78,7 +78,7 @@ bool report_object_pairs(const Elements& objects, const Sets& sets, Callback& ca
     Scene_profile found(scan_objects(objects), test_degree<Object>());
     if(const std::optional<Arithmetic_tier> forced = profile.forced_tier())
       found.force_tier(*forced);
-    Atomic_decision_counts counts;
+    Shared_decision_counts counts;
     traits.decide_by(least_tier_of(found), counts);
     const bool is_complete = report_objects<ConcurrencyTag>(objects, sets, traits, callback, np);
     found.set_counts(counts.total());

@@ -126,7 +126,7 @@ bool is_within_reach(const NT& x, const NT& y, double reach)
 
 // Returns |pq|^2 without error. Degree 2.
 template <class Point>
-auto exact_squared_distance(const Point& p, const Point& q, int dimension)
+CGAL_RARELY_CALLED auto exact_squared_distance(const Point& p, const Point& q, int dimension)
 {
   using Exact = Exact_number_t<Coordinate_t<Point>>;
   Exact sum(0);
@@ -143,8 +143,8 @@ void throw_wrong_dimension(const char* name, std::size_t position, int dimension
 {
   std::string message(name);
   message.append(" ").append(std::to_string(position));
-  message.append(" has dimension ").append(std::to_string(dimension));
-  message.append(" instead of ").append(std::to_string(expected)).append(".");
+  message.append(" has dimension ").append(std::to_string(std::size_t(dimension)));
+  message.append(" instead of ").append(std::to_string(std::size_t(expected))).append(".");
   throw std::invalid_argument(message);
 }
 
@@ -152,7 +152,7 @@ void throw_wrong_dimension(const char* name, std::size_t position, int dimension
 void throw_not_finite(const char* name, std::size_t position, int axis)
 {
   std::string message("Coordinate ");
-  message.append(std::to_string(axis)).append(" of ").append(name).append(" ");
+  message.append(std::to_string(std::size_t(axis))).append(" of ").append(name).append(" ");
   message.append(std::to_string(position)).append(" is NaN or infinite.");
   throw std::invalid_argument(message);
 }

@@ -124,10 +124,8 @@ private:
           error = (std::max)(error, x.second - x.first);
         store(position, axis, x.first);
       }
-      if(!is_good) {
-        first_bad_ = position;
-        break;
-      }
+      if(!is_good)
+        first_bad_ = (std::min)(first_bad_, position);
     }
     std::copy_n(box.begin(), box_.size(), box_.begin()); // none if there are no points
     error_ = error;
@@ -149,14 +147,12 @@ Scene scan_points(const Elements& points, const char* name, bool finds_grid, con
 {
   const int dimension = points.size() == 0 ? 0 : points[0].dimension();
   Scene_scan all(dimension, finds_grid);
-  std::vector<Scene_scan> scans(block_count<ConcurrencyTag>(), all);
-  for_each_numbered_block<ConcurrencyTag>(
-    scans.size(), points.size(), [&](std::size_t block, std::size_t first, std::size_t last) {
-      check_denormals(); // in each thread that takes part
-      scans[block].add(points, first, last, store);
-    });
-  for(const Scene_scan& scan : scans)
-    all.add(scan);
+  Per_thread<ConcurrencyTag, Scene_scan> scans(all);
+  for_each_block<ConcurrencyTag>(points.size(), [&](std::size_t first, std::size_t last) {
+    check_denormals(); // in each thread that takes part
+    scans.local().add(points, first, last, store);
+  });
+  scans.for_each([&](const Scene_scan& scan) { all.add(scan); });
   if(all.first_bad() < points.size())
     check_point(points[all.first_bad()], dimension, name, all.first_bad());
   return all.scene(points.size());

@@ -16,7 +16,6 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <mutex>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -29,12 +28,9 @@ constexpr std::size_t arithmetic_tier_count
 class Decision_counts
 {
 public:
-  void add(Arithmetic_tier tier, std::uint64_t count = 1) { of(tier) += count; }
-
-  void add(const Decision_counts& other)
+  void add(Arithmetic_tier tier, std::uint64_t count = 1)
   {
-    for(std::size_t tier = 0; tier < counts_.size(); ++tier)
-      counts_[tier] += other.counts_[tier];
+    counts_[static_cast<std::size_t>(tier)] += count;
   }
 
   std::uint64_t operator[](Arithmetic_tier tier) const
@@ -43,38 +39,25 @@ public:
   }
 
 private:
-  std::uint64_t& of(Arithmetic_tier tier) { return counts_[static_cast<std::size_t>(tier)]; }
-
   std::array<std::uint64_t, arithmetic_tier_count> counts_ = {};
 };
 
-// The sum of the counts of all threads.
+// Counts that all threads add to.
 class Shared_decision_counts
 {
 public:
-  void add(const Decision_counts& counts)
+  void add(Arithmetic_tier tier, std::uint64_t count = 1)
   {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    counts_.add(counts);
+    counts_[static_cast<std::size_t>(tier)].fetch_add(count, std::memory_order_relaxed);
+  }
+
+  void add(const Decision_counts& other)
+  {
+    for(std::size_t tier = 0; tier < counts_.size(); ++tier)
+      add(static_cast<Arithmetic_tier>(tier), other[static_cast<Arithmetic_tier>(tier)]);
   }
 
   // Call this when no thread adds counts any more.
-  const Decision_counts& total() const { return counts_; }
-
-private:
-  std::mutex mutex_;
-  Decision_counts counts_;
-};
-
-// Counts that all threads add to, one pair at a time.
-class Atomic_decision_counts
-{
-public:
-  void add(Arithmetic_tier tier)
-  {
-    counts_[static_cast<std::size_t>(tier)].fetch_add(1, std::memory_order_relaxed);
-  }
-
   Decision_counts total() const
   {
     Decision_counts total;

@@ -83,9 +83,16 @@ public:
   bool operator()(const Point& p, const Point& q) const
   {
     Decision_counts counts;
-    const bool is_within = decide(p, q, counts);
+    std::optional<bool> is_within = decide_by_filter(p, q, counts);
+    if(!is_within && integers_) { // so the bounds of a coordinate are equal
+      const auto x = [&](int i) { return coordinate_bounds(p, i).first; };
+      const auto y = [&](int i) { return coordinate_bounds(q, i).first; };
+      is_within = decide_near_tie(x, y, dimension_, counts);
+    }
+    if(!is_within)
+      is_within = decide_exactly(p, q, counts);
     publish(counts);
-    return is_within;
+    return *is_within;
   }
 
   // Whether two points are within the bound along one axis: |p_i - q_i| <= r.
@@ -129,25 +136,12 @@ public:
     return is_within;
   }
 
-  // All questions, in this order. It asks the filter also if doubles were asked before, because the
-  // bounds of these coordinates are often closer than the error of the scene.
-  bool decide(const Point& p, const Point& q, Decision_counts& counts) const
+  // The last question, for points that the first two questions left undecided. It asks the filter
+  // again, because the bounds of these coordinates are often closer than the error of the scene.
+  bool decide_undecided(const Point& p, const Point& q, Decision_counts& counts) const
   {
-    const Gap s = squared_distance_bounds(p, q, dimension_or<Point>(dimension_));
-    if(s.sup <= filter_.inside) {
-      counts.add(Arithmetic_tier::DOUBLE);
-      return true;
-    }
-    if(s.inf > filter_.outside)
-      return false;
-    if(integers_) { // so the bounds of a coordinate are equal
-      const auto x = [&](int i) { return coordinate_bounds(p, i).first; };
-      const auto y = [&](int i) { return coordinate_bounds(q, i).first; };
-      if(const std::optional<bool> is_within = decide_near_tie(x, y, dimension_, counts))
-        return *is_within;
-    }
-    counts.add(Arithmetic_tier::FILTERED_EXACT);
-    return bound_.holds_for(exact_squared_distance(p, q, dimension_));
+    const std::optional<bool> is_within = decide_by_filter(p, q, counts);
+    return is_within ? *is_within : decide_exactly(p, q, counts);
   }
 
   // Adds counts to the counts that all threads share, if there are such counts.
@@ -158,6 +152,25 @@ public:
   }
 
 private:
+  std::optional<bool> decide_by_filter(const Point& p, const Point& q,
+                                       Decision_counts& counts) const
+  {
+    const Gap s = squared_distance_bounds(p, q, dimension_or<Point>(dimension_));
+    if(s.sup <= filter_.inside) {
+      counts.add(Arithmetic_tier::DOUBLE);
+      return true;
+    }
+    if(s.inf > filter_.outside)
+      return false;
+    return std::nullopt;
+  }
+
+  bool decide_exactly(const Point& p, const Point& q, Decision_counts& counts) const
+  {
+    counts.add(Arithmetic_tier::FILTERED_EXACT);
+    return bound_.holds_for(exact_squared_distance(p, q, dimension_));
+  }
+
   // Prepares integers for near ties of doubles, on the grid of the scene or on the finest one.
   void take_integers(Arithmetic_tier tier, const std::optional<int>& grid_exponent, int axis_count)
   {

@@ -149,26 +149,28 @@ private:
     }
     if(s > near_.filter.outside)
       return false;
-    std::array<double, Dimension> x_of_axes, y_of_axes;
+    std::array<double, Dimension> x_of_p, y_of_q;
     for(int axis = 0; axis < Dimension; ++axis) {
-      x_of_axes[axis] = x(axis);
-      y_of_axes[axis] = y(axis);
+      x_of_p[axis] = x(axis);
+      y_of_q[axis] = y(axis);
     }
-    return decide_near_tie(x_of_axes, y_of_axes, p, q, counts);
+    return decide_near_tie(x_of_p, y_of_q, p, q, counts);
   }
 
   // Decides about a near tie. This does not depend on where the doubles come from, so it is
-  // compiled once. What was scaled may have underflowed.
-  bool decide_near_tie(const std::array<double, Dimension>& x,
-                       const std::array<double, Dimension>& y, Place p, Place q,
-                       Decision_counts& counts) const
+  // compiled once. Scaled doubles are read again, because they may have underflowed.
+  bool decide_near_tie(std::array<double, Dimension>& x, std::array<double, Dimension>& y, Place p,
+                       Place q, Decision_counts& counts) const
   {
-    if(near_.scale == 1)
-      if(const std::optional<bool> is
-         = is_within_.decide_near_tie([&](int axis) { return x[axis]; },
-                                      [&](int axis) { return y[axis]; }, Dimension, counts))
-        return *is;
-    return is_within_.decide(points_[place_of(p)], points_[place_of(q)], counts);
+    if(near_.scale != 1) {
+      x = doubles_.template at<Dimension>(place_of(p));
+      y = doubles_.template at<Dimension>(place_of(q));
+    }
+    if(const std::optional<bool> is
+       = is_within_.decide_near_tie([&](int axis) { return x[axis]; },
+                                    [&](int axis) { return y[axis]; }, Dimension, counts))
+      return *is;
+    return is_within_.decide_undecided(points_[place_of(p)], points_[place_of(q)], counts);
   }
 
   const Elements& points_;
