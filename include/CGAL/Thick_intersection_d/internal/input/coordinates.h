@@ -9,7 +9,10 @@
 // double bounds of their differences, exact squared distances. The package reads coordinates by
 // these functions only.
 
+#include <CGAL/assertions.h>
+
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 
@@ -25,9 +28,13 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
+// The compiler leaves the precondition of cartesian() out, if it knows that it holds. No other code
+// of a search has preconditions, so their exceptions are not compiled either.
 template <class Point>
 decltype(auto) coordinate(const Point& p, int i)
 {
+  if constexpr(dimension_or<Point>(0) != 0)
+    CGAL_assume(0 <= i && i < dimension_or<Point>(0));
   return p.cartesian(i);
 }
 
