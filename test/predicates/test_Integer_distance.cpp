@@ -180,14 +180,15 @@ BOOST_AUTO_TEST_CASE(points_that_are_not_on_the_grid_are_left_to_exact_numbers)
   for(const double r : {1., 0x1p-900, 0x1p900}) {
     const double tiny = 1e-30 * r;
     check_decision(r, {0, 0}, {r, 0}, true);
-    check_decision(r, {0, 0}, {r, tiny}, std::nullopt);       // by one subtraction
-    check_decision(r, {0, tiny}, {r, -r / 2}, std::nullopt);  // by integers
+    check_decision(r, {0, tiny}, {r, 2 * tiny}, std::nullopt); // by one subtraction
+    check_decision(r, {0, 0}, {r, tiny}, std::nullopt);        // by integers
+    check_decision(r, {0, tiny}, {r, -r / 2}, std::nullopt);
     check_decision(r, {0, -tiny}, {r, tiny}, std::nullopt);
-    check_decision(r, {0, tiny}, {r, tiny}, true);            // they differ along one axis only
+    check_decision(r, {0, tiny}, {r, tiny}, true);             // they differ along one axis only
     check_decision(r, {tiny, 0}, {r, 0}, std::nullopt);
     check_decision(r, {0, tiny}, {2 * r, -tiny}, false);
   }
-  check_decision(0x1p900, {0, 0}, {0x1p900, 0x1p-1000}, std::nullopt); // steps underflow
+  check_decision(0x1p900, {0, 0x1p-1000}, {0x1p900, 0x1p-999}, std::nullopt); // steps underflow
 }
 
 // As their grid is finer than that of the point that is closer to the origin.
