@@ -183,7 +183,7 @@ public:
     return Thick_intersection_d::internal::bounding_box(object);
   }
   static constexpr bool do_boxes_decide
-    = Thick_intersection_d::internal::Is_box_of_doubles<Object>::value;
+    = Thick_intersection_d::internal::is_box_of_doubles<Object>();
 
   // From now on, the intersection test takes `tier` as the first arithmetic after the filter, and
   // counts which arithmetic decides.

@@ -7,8 +7,6 @@
 #include "support/number_boxes.h"
 #include "support/pairs.h"
 
-#include <CGAL/Arithmetic_tier.h>
-
 #include <CGAL/Thick_intersection_d/internal/boxes/Box_order.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Box_sweep.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
@@ -112,22 +110,6 @@ void sweep_once(const Objects& objects, Callback& callback, const Check& check)
   internal::Box_sweep<Test, decltype(report)> sweep(test, report);
   sweep.between(order.run(0), order.run(0));
   check(sweep);
-}
-
-// Pairs of equal boxes are found in rows, and those of the last boxes one by one.
-BOOST_AUTO_TEST_CASE(pairs_that_lanes_decide_are_counted_once)
-{
-  const auto ignore = [](std::size_t, std::size_t) {};
-  for(const std::size_t size : {2, 9, 30, 200}) {
-    const auto check_count = [](std::uint64_t expected) {
-      return [expected](const auto& sweep) {
-        BOOST_CHECK_EQUAL(sweep.counts()[CGAL::Arithmetic_tier::DOUBLE], expected);
-      };
-    };
-    const Number_boxes boxes = equal_boxes(size);
-    sweep_once(Number_objects(boxes, 2), ignore, check_count(size * (size - 1) / 2));
-    sweep_once(Half_of_the_objects(boxes), ignore, check_count(0));
-  }
 }
 
 BOOST_AUTO_TEST_CASE(a_sweep_stops_when_the_report_says_so)

@@ -71,6 +71,8 @@ inline Pairs all_meeting_pairs(const Number_boxes& boxes, int dimension,
 class Number_objects
 {
 public:
+  using Box_filter = void;
+
   Number_objects(const Number_boxes& boxes, int dimension, bool are_exact = true)
     : boxes_(boxes), dimension_(dimension), are_exact_(are_exact)
   {}
@@ -82,6 +84,7 @@ public:
     return [this, position](int axis) { return boxes_[position][axis]; };
   }
   bool are_exact() const { return are_exact_; }
+  void ask_for(std::size_t) const {}
   bool do_intersect(std::size_t i, std::size_t j) const
   {
     asked_.emplace_back((std::min)(i, j), (std::max)(i, j));

@@ -9,11 +9,8 @@
 // those that lanes left undecided, and the report gets the rest. It knows neither where the runs
 // come from nor what makes a pair.
 
-#include <CGAL/Arithmetic_tier.h>
-
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
 
@@ -30,8 +27,8 @@ namespace internal {
 //   Run                                 sorted boxes in columns, with positions and block()
 //   collect_between(a, b, found, flush) finds the pairs that are not certainly no pairs, by lanes
 //   ask_for(a, b, pair)                 may ask for the memory that is_pair() will read
-//   is_pair(a, b, pair, counts)         decides about a found pair; called if lanes left any
-//                                       found pair undecided
+//   are_undecided(a, b)                 whether found pairs need is_pair()
+//   is_pair(a, b, pair)                 decides about a found pair
 //
 // `Report` takes two positions, returns false to stop, and has is_stopped().
 template <class Test, class Report>
@@ -50,9 +47,6 @@ public:
   }
 
   bool is_stopped() const { return is_stopped_; }
-
-  // How many pairs each arithmetic has decided so far.
-  const Decision_counts& counts() const { return counts_; }
 
   // Reports the pairs of a box of one run and a box of the other.
   void between(const Run& run, const Run& b)
@@ -74,15 +68,13 @@ private:
   {
     const Place count = std::exchange(found_.count, 0);
     const Place row_count = std::exchange(found_.row_count, 0);
-    const bool is_any_undecided = std::exchange(found_.is_any_undecided, false);
-    is_stopped_ = report_.is_stopped();
-    if(!is_stopped_ && is_any_undecided)
+    if(report_.is_stopped())
+      is_stopped_ = true;
+    else if(test_.are_undecided(a, b))
       is_stopped_ = !decide_rows(a, b, row_count)
                     || !report_pairs(a, b, remove_others(a, b, count));
-    else if(!is_stopped_) {
-      counts_.add(Arithmetic_tier::DOUBLE, count + lanes * row_count);
+    else
       is_stopped_ = !report_rows(a, b, row_count) || !report_pairs(a, b, count);
-    }
     return !is_stopped_;
   }
 
@@ -94,7 +86,7 @@ private:
       if(c + prefetch_distance < count)
         test_.ask_for(a, b, found_.pairs[c + prefetch_distance]);
       found_.pairs[pair_count] = found_.pairs[c];
-      pair_count += test_.is_pair(a, b, found_.pairs[c], counts_);
+      pair_count += test_.is_pair(a, b, found_.pairs[c]);
     }
     return pair_count;
   }
@@ -131,8 +123,7 @@ private:
     for(Place r = 0; r < row_count; ++r)
       for(Place lane = 0; lane < lanes; ++lane) {
         const Found_pair pair = {found_.rows[r].i, found_.rows[r].j + lane};
-        if(test_.is_pair(a, b, pair, counts_)
-           && !report_pair(a.positions[pair.i], b.positions[pair.j]))
+        if(test_.is_pair(a, b, pair) && !report_pair(a.positions[pair.i], b.positions[pair.j]))
           return false;
       }
     return true;
@@ -149,7 +140,6 @@ private:
   Place block_index_ = 0;
   Place block_count_ = 1;
   bool is_stopped_ = false;
-  Decision_counts counts_;
   Found_pairs found_;
 };
 

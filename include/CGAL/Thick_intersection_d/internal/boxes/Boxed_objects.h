@@ -13,7 +13,6 @@
 #include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Box_run.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Flush.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
@@ -29,36 +28,6 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// For objects of which boxes tell no more than that they meet.
-struct No_box_filter
-{
-  template <std::size_t Axes>
-  static Uncertain<bool> do_intersect(const std::array<Interval, Axes>&,
-                                      const std::array<Interval, Axes>&)
-  {
-    return Uncertain<bool>::indeterminate();
-  }
-};
-
-template <class Objects, class = void>
-struct Box_filter_of
-{
-  using type = No_box_filter;
-};
-template <class Objects>
-struct Box_filter_of<Objects, std::void_t<typename Objects::Box_filter>>
-{
-  using type = typename Objects::Box_filter;
-};
-
-// Whether the memory of objects can be asked for ahead of do_intersect().
-template <class Objects, class = void>
-struct Has_memory_to_ask_for : std::false_type {};
-template <class Objects>
-struct Has_memory_to_ask_for<
-  Objects, std::void_t<decltype(std::declval<const Objects&>().ask_for(std::size_t()))>>
-  : std::true_type {};
-
 // `Objects` has
 //
 //   size(), dimension()
@@ -67,15 +36,18 @@ struct Has_memory_to_ask_for<
 //   are_exact()                whether two objects intersect iff their intervals meet along all
 //                              axes
 //   do_intersect(i, j)         asked about pairs whose boxes meet
-//   ask_for(i)                 if there is one, asks for the memory that do_intersect() will read
-//   Box_filter                 if there is one, decides about most of these pairs by their boxes,
-//                              as Ball_box_filter does
+//   Box_filter                 decides about most of these pairs by their boxes, as Ball_box_filter
+//                              does; or void
+//   ask_for(i)                 may ask for the memory that do_intersect() will read; not called if
+//                              there is a filter
 //
 // Boxes have `Axes` of the axes. If there are more axes, the intervals along the others are read
 // when a pair has met along those of the boxes.
 template <int Axes, class Objects>
 class Boxed_objects
 {
+  using Box_filter = typename Objects::Box_filter;
+
 public:
   using Box = Piece_box<Axes>;
   using Run = Box_run<Axes>;
@@ -104,38 +76,34 @@ public:
   template <class Function>
   void collect_between(const Run& a, const Run& b, Found_pairs& found, const Function& flush) const
   {
-    const bool are_undecided = !(are_exact_ && dimension() <= Axes)
-                               || (a.has_copies && b.has_copies);
-    found.is_any_undecided = are_undecided;
-    const auto flush_and_reset = [&] {
-      const bool goes_on = flush();
-      found.is_any_undecided = are_undecided;
-      return goes_on;
-    };
-    with_lanes([&](auto set) { set.collect_meeting(a, b, found, Flush(flush_and_reset)); });
+    with_lanes([&](auto set) { set.collect_meeting(a, b, found, Flush(flush)); });
   }
 
-  // A filter of boxes decides most pairs without the objects.
-  void ask_for([[maybe_unused]] const Run& a, [[maybe_unused]] const Run& b,
-               [[maybe_unused]] Found_pair pair) const
+  // Whether lanes tell that boxes meet, but not whether they are a pair.
+  bool are_undecided(const Run& a, const Run& b) const
   {
-    if constexpr(Has_memory_to_ask_for<Objects>::value
-                 && std::is_same_v<typename Box_filter_of<Objects>::type, No_box_filter>) {
+    return !(are_exact_ && dimension() <= Axes) || (a.has_copies && b.has_copies);
+  }
+
+  void ask_for(const Run& a, const Run& b, Found_pair pair) const
+  {
+    if constexpr(std::is_void_v<Box_filter>) {
       objects_.ask_for(a.positions[pair.i]);
       objects_.ask_for(b.positions[pair.j]);
     }
   }
 
-  bool is_pair(const Run& a, const Run& b, Found_pair pair, Decision_counts&) const
+  bool is_pair(const Run& a, const Run& b, Found_pair pair) const
   {
     if((a.sides[pair.i] & b.sides[pair.j]) != 0)
       return false;
-    if(dimension() == Axes) {
-      const Uncertain<bool> answer
-        = Box_filter_of<Objects>::type::do_intersect(box_at(a, pair.i), box_at(b, pair.j));
-      if(is_certain(answer))
-        return get_certain(answer);
-    }
+    if constexpr(!std::is_void_v<Box_filter>)
+      if(dimension() == Axes) {
+        const Uncertain<bool> answer
+          = Box_filter::do_intersect(box_at(a, pair.i), box_at(b, pair.j));
+        if(is_certain(answer))
+          return get_certain(answer);
+      }
     return do_intersect(a.positions[pair.i], b.positions[pair.j]);
   }
 

@@ -42,6 +42,7 @@ class Mesh_triangles
 public:
   using Face = Mesh_face<Mesh>;
   using Faces = std::vector<Face>;
+  using Box_filter = void;
   static constexpr int static_dimension = 3;
 
   Mesh_triangles(const Mesh& mesh, const Point_map& point_map) : mesh_(mesh), point_map_(point_map)

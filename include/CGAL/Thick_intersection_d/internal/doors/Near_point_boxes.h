@@ -28,6 +28,7 @@ class Near_point_boxes
   using Point = typename Elements::value_type;
 
 public:
+  using Box_filter = void;
   static constexpr int static_dimension = dimension_or<Point>(0);
 
   Near_point_boxes(const Elements& points, const Is_within_distance<Point>& is_within)
@@ -47,6 +48,7 @@ public:
   }
 
   bool are_exact() const { return false; }
+  void ask_for(std::size_t) const {}
   bool do_intersect(std::size_t i, std::size_t j) const
   {
     return is_within_(points_[i], points_[j]);

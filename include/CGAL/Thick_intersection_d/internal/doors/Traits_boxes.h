@@ -9,7 +9,6 @@
 
 #include <CGAL/Dimension.h>
 
-#include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
@@ -62,7 +61,7 @@ struct Has_boxes<Traits, std::void_t<decltype(Traits::do_boxes_decide)>> : std::
 template <class Traits>
 struct Box_filter_of_traits
 {
-  using type = No_box_filter;
+  using type = void;
 };
 
 template <class Elements, class Traits>

@@ -33,7 +33,7 @@ template <class Point>
 struct Box_filter_of_traits<Thick_ball_traits_d<Point>>
 {
   using type = std::conditional_t<is_held_by_double_v<Coordinate_t<Point>>, Ball_box_filter,
-                                  No_box_filter>;
+                                  void>;
 };
 
 // Two balls of one radius intersect if their centers are within twice the radius.

@@ -15,7 +15,6 @@
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
-#include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
 #include <algorithm>
@@ -95,14 +94,6 @@ bool report_meeting_boxes(const Objects& objects, const Sets& sets, Callback& ca
     Pair_reporter<Callback> report(callback);
     return search(report);
   }
-}
-
-// The same without progress.
-template <class ConcurrencyTag, class Objects, class Sets, class Callback>
-bool report_meeting_boxes(const Objects& objects, const Sets& sets, Callback& callback)
-{
-  Unwatched_progress progress;
-  return report_meeting_boxes<ConcurrencyTag>(objects, sets, callback, progress);
 }
 
 } // namespace internal

@@ -15,6 +15,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Meeting_boxes.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
 #include <cstddef>
@@ -97,30 +98,25 @@ constexpr bool check_box_search()
   return check_concurrency<ConcurrencyTag>() && takes_boxes;
 }
 
-// Reports the pairs of boxes. Returns false iff the search was stopped.
-template <class ConcurrencyTag, class Sets, class First, class Second, class Traits, class Callback>
-bool report_numbered_boxes(const First& first, const Second& second, const Traits& traits,
-                           const Box_rules& rules, Callback& callback)
-{
-  check_denormals();
-  using Boxes = Numbered_boxes<First, Second, Traits>;
-  const Boxes boxes(first, second, traits);
-  using Meeting = Meeting_boxes<Static_dimension<Traits>::value, Boxes>;
-  const Meeting meeting(boxes, rules.are_closed);
-  Box_reporter<Boxes, Meeting, Sets, Callback> report(boxes, meeting, rules.is_complete, callback);
-  Sets sets = {};
-  if constexpr(Sets::are_two)
-    sets.first_size = boxes.first_size();
-  return report_meeting_boxes<ConcurrencyTag>(meeting, sets, report);
-}
-
 // Checks the boxes, and reports the pairs. Returns false iff the search was stopped.
 template <class ConcurrencyTag, class Sets, class First, class Second, class Traits, class Callback>
 bool report_box_pairs(const First& first, const Second& second, const Traits& traits,
                       const Box_rules& rules, Callback& callback)
 {
-  if constexpr(check_box_search<ConcurrencyTag, First, Second, Callback>())
-    return report_numbered_boxes<ConcurrencyTag, Sets>(first, second, traits, rules, callback);
+  if constexpr(check_box_search<ConcurrencyTag, First, Second, Callback>()) {
+    check_denormals();
+    using Boxes = Numbered_boxes<First, Second, Traits>;
+    const Boxes boxes(first, second, traits);
+    using Meeting = Meeting_boxes<Static_dimension<Traits>::value, Boxes>;
+    const Meeting meeting(boxes, rules.are_closed);
+    Box_reporter<Boxes, Meeting, Sets, Callback> report(boxes, meeting, rules.is_complete,
+                                                        callback);
+    Sets sets = {};
+    if constexpr(Sets::are_two)
+      sets.first_size = boxes.first_size();
+    Unwatched_progress progress;
+    return report_meeting_boxes<ConcurrencyTag>(meeting, sets, report, progress);
+  }
   else
     return false;
 }

@@ -11,10 +11,6 @@
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Circle_2.h>
-#include <CGAL/Iso_cuboid_3.h>
-#include <CGAL/Iso_rectangle_2.h>
-#include <CGAL/Point_2.h>
-#include <CGAL/Point_3.h>
 #include <CGAL/Sphere_3.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
@@ -39,27 +35,15 @@ struct Is_hypersphere<Circle_2<K>> : std::true_type {};
 template <class K>
 struct Is_hypersphere<Sphere_3<K>> : std::true_type {};
 
-// Whether the bounding box of an object is the object.
+// Returns whether the bounding box of an object is the object.
 template <class Object>
-struct Is_box_of_doubles : std::false_type {};
-template <class K>
-struct Is_box_of_doubles<Point_2<K>> : std::bool_constant<is_held_by_double_v<typename K::FT>>
-{};
-template <class K>
-struct Is_box_of_doubles<Point_3<K>> : std::bool_constant<is_held_by_double_v<typename K::FT>>
-{};
-template <class K>
-struct Is_box_of_doubles<Iso_rectangle_2<K>>
-  : std::bool_constant<is_held_by_double_v<typename K::FT>>
-{};
-template <class K>
-struct Is_box_of_doubles<Iso_cuboid_3<K>>
-  : std::bool_constant<is_held_by_double_v<typename K::FT>>
-{};
-template <>
-struct Is_box_of_doubles<Bbox_2> : std::true_type {};
-template <>
-struct Is_box_of_doubles<Bbox_3> : std::true_type {};
+constexpr bool is_box_of_doubles()
+{
+  if constexpr(Vertex_count<Object>::value == 1 || is_iso_box_v<Object>)
+    return has_double_vertices_v<Object>;
+  else
+    return std::is_same_v<Object, Bbox_2> || std::is_same_v<Object, Bbox_3>;
+}
 
 // Throws if the box of an object is not finite. That of an empty Bbox begins behind its end.
 template <class Object>

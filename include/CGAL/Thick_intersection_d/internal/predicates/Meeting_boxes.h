@@ -43,6 +43,7 @@ template <int Dimension, class Boxes>
 class Meeting_boxes
 {
 public:
+  using Box_filter = void;
   static constexpr int static_dimension = Dimension;
 
   Meeting_boxes(const Boxes& boxes, bool are_closed)
@@ -69,6 +70,8 @@ public:
       return interval;
     };
   }
+
+  void ask_for(std::size_t) const {}
 
   bool do_intersect(std::size_t i, std::size_t j) const
   {

@@ -32,7 +32,6 @@ struct Found_pairs
 
   Place count = 0;
   Place row_count = 0;
-  bool is_any_undecided = false; // whether the filter left a pair undecided
   std::array<Found_pair, capacity + lanes> pairs; // `lanes` more before a look at count
   std::array<Found_pair, row_capacity> rows;
 };
