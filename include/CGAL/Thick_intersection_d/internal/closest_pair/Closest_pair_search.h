@@ -36,6 +36,8 @@
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 
+#include <boost/config.hpp> // BOOST_NOINLINE
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -43,7 +45,6 @@
 #include <limits>
 #include <optional>
 #include <random>
-#include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -73,7 +74,7 @@ public:
     minimum_.offer(0, 1);
     const bool is_found
       = for_plane_and_space<Point>(scene_.dimension(), [&](auto dimension) {
-          return search<decltype(dimension)::value>();
+          return search_all<decltype(dimension)::value>();
         }, [] { return false; });
     if(!is_found && !progress_.is_cancelled())
       search_by_coordinates();
@@ -83,28 +84,38 @@ public:
 private:
   // Offers the closest pairs. Returns false if points are equal or doubles are too coarse.
   template <int Dimension>
-  bool search()
+  bool search_all()
   {
-    std::vector<Some_positions> samples; // each of the one before it
-    samples.emplace_back(points_.size());
-    std::size_t steps = 2 * points_.size();
-    for(; samples.back().size() > small_size; steps += 2 * samples.back().size())
-      samples.emplace_back(samples.back(), random_);
-    progress_.restart(steps);
-    offer_all(samples.back());
-    // Invariant: the closest pairs of the last sample have been offered. Few pairs of the sample
-    // before it are within their distance: 8^2 pairs, if pairs were independent.
-    for(samples.pop_back(); !samples.empty() && !progress_.is_cancelled(); samples.pop_back()) {
-      if(!minimum_.has_tight_reach()
-         || !Hashed_cells<Dimension>::fits(minimum_.reach(), scene_.error))
-        return false;
-      if(!join<Dimension>(samples.back()))
-        return report_all();
-    }
-    return true;
+    progress_.restart(2 * points_.size() + 2 * points_.size() / 7); // a 7th are in all samples
+    return search<Dimension>(Some_positions(points_.size()))
+           || (!progress_.is_cancelled() && can_join<Dimension>() && report_all());
   }
 
-  void offer_all(const Some_positions& sample)
+  // Offers the closest pairs of a sample, in expected linear time. Returns false as search_all()
+  // does, or if the points are crowded.
+  //
+  // The same method finds the closest pair of an eighth of the points. Few pairs of all points are
+  // within the distance of this pair: 8^2 pairs, if pairs were independent.
+  template <int Dimension>
+  bool search(const Some_positions& sample)
+  {
+    if(sample.size() <= small_size) {
+      offer_all(sample);
+      return true;
+    }
+    return search<Dimension>(Some_positions(sample, random_)) && can_join<Dimension>()
+           && join<Dimension>(sample);
+  }
+
+  // Whether cells can be about as large as the distance of the closest pair so far.
+  template <int Dimension>
+  bool can_join() const
+  {
+    return minimum_.has_tight_reach()
+           && Hashed_cells<Dimension>::fits(minimum_.reach(), scene_.error);
+  }
+
+  BOOST_NOINLINE void offer_all(const Some_positions& sample)
   {
     for(std::size_t i = 0; i < sample.size() && progress_.advance(1); ++i)
       for(std::size_t j = i + 1; j < sample.size(); ++j)
@@ -129,8 +140,11 @@ private:
     return is_complete;
   }
 
-  // Has pairs of crowded points reported, and offers them. Returns false as search() does.
+  // Has pairs of crowded points reported, and offers them. Returns false as search_all() does.
   CGAL_RARELY_CALLED bool report_all() { return report_as_near() || report_nearer(); }
+
+  // How many pairs were reported.
+  enum class Reported { NONE, FEW, TOO_MANY };
 
   // Offers the pairs that are as near as the closest pair so far. Returns false if there are too
   // many of them.
@@ -141,15 +155,16 @@ private:
       return false;
     progress_.restart(2 * points_.size());
     if(!are_ties_integers(reach) || is_wide(reach)) // a longer bound leaves ties to the minimum
-      return offer_reported(within_distance(Exact(reach * (1 + 0x1p-40))), false);
+      return offer_reported(within_distance(Exact(reach * (1 + 0x1p-40))), false)
+             != Reported::TOO_MANY;
     // Closer pairs are few, and if there are any, they make all others no matter. Otherwise nothing
     // is left but pairs that are as close.
     const Distance_bound<Exact> bound = within_squared_distance(minimum_.exact_square());
     const Position_pair pair = minimum_.pair();
-    const bool are_few = offer_reported(bound.open(), false);
-    if(!are_few || minimum_.pair() != pair || progress_.is_cancelled())
-      return are_few;
-    return offer_reported(bound, true);
+    const Reported closer = offer_reported(bound.open(), false);
+    if(closer == Reported::TOO_MANY || minimum_.pair() != pair || progress_.is_cancelled())
+      return closer != Reported::TOO_MANY;
+    return offer_reported(bound, true) != Reported::TOO_MANY;
   }
 
   // Whether doubles or integers decide all pairs at the distance.
@@ -182,13 +197,11 @@ private:
     // no double is as large.
     while(high - low > 1 && !minimum_.is_zero()) {
       const int middle = low + (high - low) / 2;
-      const Exact distance(std::ldexp(1., middle));
       progress_.restart(points_.size());
-      const bool are_few = offer_reported(within_distance(distance), false);
-      if(progress_.is_cancelled()
-         || (are_few && minimum_.exact_square() <= Exact(distance * distance)))
+      const Reported nearer = offer_reported(within_distance(Exact(std::ldexp(1., middle))), false);
+      if(nearer == Reported::FEW || progress_.is_cancelled())
         return true;
-      (are_few ? low : high) = middle;
+      (nearer == Reported::NONE ? low : high) = middle;
     }
     if(low < max_exponent)
       return false;
@@ -203,8 +216,8 @@ private:
     Step_counter counter;
   };
 
-  // Offers the pairs within the bound, up to a number of pairs. Returns false if there are more.
-  bool offer_reported(const Distance_bound<Exact>& bound, bool are_ties)
+  // Offers the pairs within the bound, up to a number of pairs.
+  BOOST_NOINLINE Reported offer_reported(const Distance_bound<Exact>& bound, bool are_ties)
   {
     Step_budget budget(max_near_pairs_per_point * points_.size());
     Per_thread<ConcurrencyTag, Offers> offers(Offers{minimum_, Step_counter(budget)});
@@ -217,7 +230,9 @@ private:
       return own.counter.step();
     }, progress_);
     offers.for_each([&](const Offers& own) { minimum_.offer_pair_of(own.minimum); });
-    return !budget.is_exceeded();
+    if(budget.is_exceeded())
+      return Reported::TOO_MANY;
+    return budget.is_used() ? Reported::FEW : Reported::NONE;
   }
 
   // Offers the closest pairs by what needs no distance beforehand.

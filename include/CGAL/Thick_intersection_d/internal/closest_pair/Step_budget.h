@@ -21,7 +21,10 @@ namespace internal {
 class Step_budget
 {
 public:
-  explicit Step_budget(std::size_t steps) : left_(steps) {}
+  explicit Step_budget(std::size_t steps) : steps_(steps), left_(steps) {}
+
+  // Whether a task needed steps.
+  bool is_used() const { return left_.load(std::memory_order_relaxed) != steps_; }
 
   // Whether a task needed more steps than there were.
   bool is_exceeded() const { return is_exceeded_.load(std::memory_order_relaxed); }
@@ -42,6 +45,7 @@ public:
 private:
   static constexpr std::size_t batch_size = 4096;
 
+  const std::size_t steps_;
   std::atomic<std::size_t> left_;
   std::atomic<bool> is_exceeded_ = false;
 };

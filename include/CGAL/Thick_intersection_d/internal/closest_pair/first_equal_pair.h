@@ -97,11 +97,11 @@ private:
   // The order of the tree.
   struct Less
   {
-    bool operator()(std::size_t i, std::size_t j) const
+    CGAL_RARELY_CALLED bool operator()(std::size_t i, std::size_t j) const
     {
       for(int axis = 0; axis < search.dimension_; ++axis)
-        if(search.key(i, axis) != search.key(j, axis))
-          return search.key(i, axis) < search.key(j, axis);
+        if(const std::uint64_t x = search.key(i, axis), y = search.key(j, axis); x != y)
+          return x < y;
       return false;
     }
 
