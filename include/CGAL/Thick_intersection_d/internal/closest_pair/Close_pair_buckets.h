@@ -29,7 +29,6 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/radix_sort.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Cell_table.h>
-#include <CGAL/Thick_intersection_d/internal/closest_pair/Strip_numbering.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/packing.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>

@@ -36,7 +36,6 @@
 
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Axis_orders.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Cell_table.h>
-#include <CGAL/Thick_intersection_d/internal/closest_pair/Strip_numbering.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/packing.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/tuning.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
