@@ -14,14 +14,6 @@ BOOST_AUTO_TEST_SUITE(positions)
 
 namespace internal = CGAL::Thick_intersection_d::internal;
 
-BOOST_AUTO_TEST_CASE(all_positions_are_the_first_numbers)
-{
-  const internal::All_positions all(1000);
-  BOOST_CHECK_EQUAL(all.size(), 1000u);
-  for(std::size_t i = 0; i < all.size(); ++i)
-    BOOST_CHECK_EQUAL(all[i], i);
-}
-
 BOOST_AUTO_TEST_CASE(more_points_than_positions_are_refused)
 {
   BOOST_CHECK_NO_THROW(internal::check_size(0));

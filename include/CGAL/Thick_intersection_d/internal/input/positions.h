@@ -27,18 +27,6 @@ inline constexpr Place max_place = (std::numeric_limits<Place>::max)();
 // Two positions, the smaller position first.
 using Position_pair = std::pair<std::size_t, std::size_t>;
 
-// The positions 0, 1, ..., size - 1, without a list of them.
-class All_positions
-{
-public:
-  explicit All_positions(std::size_t size) : size_(size) {}
-  std::size_t size() const { return size_; }
-  Place operator[](std::size_t i) const { return static_cast<Place>(i); }
-
-private:
-  std::size_t size_;
-};
-
 // Throws if there are too many points for places. One place is taken: it stands for no point.
 inline void check_size(std::size_t size)
 {
