@@ -159,6 +159,49 @@ BOOST_AUTO_TEST_CASE(points_that_are_made_for_a_seed_take_a_few_reports)
   }
 }
 
+// Claims that too many pairs are within each distance above a limit.
+struct Flooding_reports
+{
+  double limit;
+  int& count;
+
+  template <class Elements, class Bound, class Callback, class Progress>
+  void operator()(const Elements& points, const Bound& bound, const Callback& callback,
+                  Progress& progress) const
+  {
+    ++count;
+    if(internal::Squared_bound<Exact_of<Point>>(bound).reach() > limit)
+      while(callback(0, 1)) {}
+    else
+      Report_near_points()(points, bound, callback, progress);
+  }
+};
+
+// Bisection finds a distance that some pairs are within, at either end of the doubles. A sample
+// hardly has both points of the pair that is closer than all others.
+BOOST_AUTO_TEST_CASE(closest_pairs_are_found_though_too_many_are_nearly_as_close)
+{
+  for(const double scale : {1., 1e-300, 1e-18, 1e300}) {
+    Points scene = moved_lattice(2, 0.1);
+    scene.push_back({scene[77][0] + 0.01, scene[77][1]});
+    const auto points = make_points<Maker<2>>(moved(scene, scale, 0));
+    const Pair closest = closest_by_division(points);
+    const Elements_of<Point> elements(points);
+    const double distance = std::hypot(points[closest.first].x() - points[closest.second].x(),
+                                       points[closest.first].y() - points[closest.second].y());
+    for(const double factor : {2., 3.9}) {
+      int count = 0;
+      const Flooding_reports report_near = {factor * distance, count};
+      internal::Unwatched_progress progress;
+      BOOST_CHECK((internal::Closest_pair_search<CGAL::Sequential_tag, Elements_of<Point>,
+                                                 internal::Unwatched_progress, Flooding_reports>(
+                     elements, scene_of(elements), 1, progress, report_near).find()) == closest);
+      BOOST_CHECK_GT(count, 2);
+      BOOST_CHECK_LE(count, 13);
+    }
+  }
+}
+
 // They are more than 2^1023 apart: every other point of a lattice.
 BOOST_AUTO_TEST_CASE(points_that_are_as_far_apart_as_doubles_are_compared)
 {

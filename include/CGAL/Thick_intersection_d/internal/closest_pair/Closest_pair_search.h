@@ -36,6 +36,8 @@
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 
+#include <CGAL/assertions.h>
+
 #include <boost/config.hpp> // BOOST_NOINLINE
 
 #include <algorithm>
@@ -188,7 +190,7 @@ private:
 
   // Offers the closest pairs if too many pairs are as near as the closest pair so far. Finds out
   // how near there are few, by bisection. If no pair is within 2^e, then few are within 2^(e+1),
-  // because a ball of that radius holds O(1) points.
+  // because a ball of that radius holds O(1) points. Returns false if points are equal.
   bool report_nearer()
   {
     int low = std::ilogb(std::numeric_limits<double>::denorm_min()) - 1;
@@ -203,8 +205,9 @@ private:
         return true;
       (nearer == Reported::NONE ? low : high) = middle;
     }
-    if(low < max_exponent)
+    if(minimum_.is_zero())
       return false;
+    CGAL_assertion(low == max_exponent);
     offer_all(Some_positions(points_.size())); // a few points, all of them that far apart
     return true;
   }
