@@ -15,7 +15,7 @@
 //
 // 1. Let fl(|x - y|) be the result of one rounded subtraction. If it is above the reach, then
 //    |x - y| is above the reach, because rounding is monotone and fixes the reach (Lemma M,
-//    doc/arithmetic.md). Otherwise let T = |x - y| / 2^e.
+//    doc/proofs.md). Otherwise let T = |x - y| / 2^e.
 // 2. If x and y are on the grid and U < 2^53, then (U + 1) 2^e is a double beyond the reach, so
 //    T <= U, again by Lemma M. So |x - y| has at most 53 bits. The subtraction was exact, and the
 //    product with 2^-e is exact.
