@@ -25,6 +25,7 @@
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <type_traits>
@@ -158,19 +159,34 @@ private:
   }
 
   // Decides about a near tie. This does not depend on where the doubles come from, so it is
-  // compiled once. Scaled doubles are read again, because they may have underflowed.
+  // compiled once.
   bool decide_near_tie(std::array<double, Dimension>& x, std::array<double, Dimension>& y, Place p,
                        Place q, Decision_counts& counts) const
   {
-    if(near_.scale != 1) {
-      x = doubles_.template at<Dimension>(place_of(p));
-      y = doubles_.template at<Dimension>(place_of(q));
-    }
+    if(near_.scale != 1)
+      take_back_scale(x, y, p, q);
     if(const std::optional<bool> is
        = is_within_.decide_near_tie([&](int axis) { return x[axis]; },
                                     [&](int axis) { return y[axis]; }, Dimension, counts))
       return *is;
     return is_within_.decide_undecided(points_[place_of(p)], points_[place_of(q)], counts);
+  }
+
+  // Sets the scaled doubles of two points to their doubles. They are read again if one of them may
+  // have underflowed: those of both, because runs may have the axes in another order.
+  void take_back_scale(std::array<double, Dimension>& x, std::array<double, Dimension>& y, Place p,
+                       Place q) const
+  {
+    bool are_normal = true;
+    for(int axis = 0; axis < Dimension; ++axis) {
+      are_normal = are_normal && std::isnormal(x[axis]) && std::isnormal(y[axis]);
+      x[axis] /= near_.scale;
+      y[axis] /= near_.scale;
+    }
+    if(!are_normal) {
+      x = doubles_.template at<Dimension>(place_of(p));
+      y = doubles_.template at<Dimension>(place_of(q));
+    }
   }
 
   const Elements& points_;
