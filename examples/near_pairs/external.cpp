@@ -20,7 +20,8 @@ namespace near_pairs {
 namespace {
 
 // What is left of the memory that the user gives, without what the program has, and what the
-// streams will have.
+// streams will have. The program's own differs from run to run, so the least that it names has one
+// mebibyte to spare: who takes it at its word is not refused again.
 std::size_t bytes_for_search(const Options& options)
 {
   const double mebibyte = 1 << 20;
@@ -28,7 +29,7 @@ std::size_t bytes_for_search(const Options& options)
   const double least = 4 * mebibyte; // of the library
   if(static_cast<double>(options.memory) < own + least)
     throw Error("--memory: the program itself takes "
-                + std::to_string(static_cast<int>((own + least) / mebibyte) + 1) + "M");
+                + std::to_string(static_cast<int>((own + least) / mebibyte) + 2) + "M");
   return options.memory - static_cast<std::size_t>(own);
 }
 
