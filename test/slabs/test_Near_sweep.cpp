@@ -39,13 +39,13 @@ struct Near_along_axis_0
 
   const internal::Near_question<double>& question() const { return near; }
 
-  void ask_for(const Run&, const Run&, internal::Found_pair) const {}
+  void ask_for(internal::Place) const {}
 
-  bool is_pair(const Run& a, const Run& b, internal::Found_pair pair,
+  bool is_pair(const Run&, const Run&, internal::Found_pair, internal::Found_pair at,
                internal::Decision_counts& counts) const
   {
     counts.add(CGAL::Arithmetic_tier::INT64);
-    return (a.positions[pair.i] + b.positions[pair.j]) % 2 == 0;
+    return (at.i + at.j) % 2 == 0;
   }
 };
 

@@ -50,8 +50,9 @@ struct Undecided_points
   }
 
   const internal::Near_question<double>& question() const { return near; }
-  void ask_for(const Run&, const Run&, internal::Found_pair) const {}
-  bool is_pair(const Run&, const Run&, internal::Found_pair, internal::Decision_counts&) const
+  void ask_for(internal::Place) const {}
+  bool is_pair(const Run&, const Run&, internal::Found_pair, internal::Found_pair,
+               internal::Decision_counts&) const
   {
     ++count;
     return false;

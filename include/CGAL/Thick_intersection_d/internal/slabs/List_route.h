@@ -11,7 +11,6 @@
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_sweep.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Numbered_test.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_lists.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_route.h>
@@ -103,11 +102,8 @@ private:
   BOOST_NOINLINE void sweep_slabs(const Slabs<Point>& slabs, Place first, Place last, Bins& bins,
                                   Report& report, Progress& progress) const
   {
-    using Lists = Slab_lists<Report>;
-    using Sweep = Near_sweep<Numbered_test<Test, Lists>, Lists>;
-    Lists lists(report);
-    const Numbered_test<Test, Lists> test(test_, lists);
-    Sweep near_sweep(test, lists);
+    Slab_lists<Report> lists(report);
+    Near_sweep<Test, Slab_lists<Report>> near_sweep(test_, lists);
     Slab_sweep<Point> sweep(reach_, near_sweep);
     const auto number = [&](Strips<Point>& slab) { lists.number(slab); };
     Slab_window<Point, decltype(number)> window(slabs, reach_, first == 0 ? 0 : first - 1, tuning_,

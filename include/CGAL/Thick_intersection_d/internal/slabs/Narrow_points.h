@@ -64,18 +64,17 @@ public:
 
   const Near_question<std::int32_t>& question() const { return scale_.question(); }
 
-  void ask_for(const Run& a, const Run& b, Found_pair pair) const
-  {
-    if(!scale_.is_exact()) {
-      points_.ask_for(a.positions[pair.i]);
-      points_.ask_for(b.positions[pair.j]);
-    }
-  }
-
-  bool is_pair(const Run& a, const Run& b, Found_pair pair, Decision_counts& counts) const
+  void ask_for(Place position) const
   {
     if(!scale_.is_exact())
-      return points_.is_pair(a.positions[pair.i], b.positions[pair.j], counts);
+      points_.ask_for_doubles(position);
+  }
+
+  bool is_pair(const Run& a, const Run& b, Found_pair pair, Found_pair at,
+               Decision_counts& counts) const
+  {
+    if(!scale_.is_exact())
+      return points_.is_pair(at, counts);
     std::uint64_t square = 0;
     for(int axis = 0; axis < Dimension; ++axis) {
       const std::int64_t gap = std::int64_t(a.x[axis][pair.i]) - b.x[axis][pair.j];

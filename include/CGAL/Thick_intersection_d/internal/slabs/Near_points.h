@@ -102,24 +102,27 @@ public:
   }
 
   // What is_pair() reads of the runs is in the cache.
-  void ask_for(const Run&, const Run&, Found_pair) const {}
+  void ask_for(Place) const {}
 
-  bool is_pair(const Run& a, const Run& b, Found_pair pair, Decision_counts& counts) const
+  // Decides about two points of runs, which are at the positions `at`.
+  bool is_pair(const Run& a, const Run& b, Found_pair pair, Found_pair at,
+               Decision_counts& counts) const
   {
     return decide([&](int axis) { return a.x[axis][pair.i]; },
-                  [&](int axis) { return b.x[axis][pair.j]; }, a.positions[pair.i],
-                  b.positions[pair.j], counts);
+                  [&](int axis) { return b.x[axis][pair.j]; }, at.i, at.j, counts);
   }
 
-  // The same of points at positions, which 32-bit integers leave undecided (Narrow_points.h).
-  void ask_for([[maybe_unused]] Place number) const
+  // Asks for the memory that is_pair() of positions reads.
+  void ask_for_doubles([[maybe_unused]] Place number) const
   {
     if constexpr(!have_numbers<Elements>) // it takes longer to find the point than to read it
       doubles_.ask_for(number);
   }
-  CGAL_RARELY_CALLED bool is_pair(Place a, Place b, Decision_counts& counts) const
+
+  // The same of points at positions, which 32-bit integers leave undecided (Narrow_points.h).
+  CGAL_RARELY_CALLED bool is_pair(Found_pair at, Decision_counts& counts) const
   {
-    const Place p = place_of(a), q = place_of(b);
+    const Place p = place_of(at.i), q = place_of(at.j);
     return decide([&](int axis) { return coordinate(p, axis); },
                   [&](int axis) { return coordinate(q, axis); }, p, q, counts);
   }

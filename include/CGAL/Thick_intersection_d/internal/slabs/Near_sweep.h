@@ -14,6 +14,7 @@
 #include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Run_sweep.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
 
 #include <boost/config.hpp> // BOOST_NOINLINE
 
@@ -37,10 +38,13 @@ inline constexpr bool
 //
 //   Run                         sorted points in columns, with positions and block()
 //   question()                  the question that lanes ask
-//   ask_for(a, b, pair)         may ask for the memory that is_pair() will read
-//   is_pair(a, b, pair, counts) decides about a pair that lanes left undecided
+//   ask_for(i)                  may ask for the memory that is_pair() reads of the point at i
+//   is_pair(a, b, pair, at, counts)  decides about a pair that lanes left undecided
 //
-// `Report` takes two positions, returns false to stop, and has is_stopped().
+// where `at` has the positions of the points, and `pair` their places in the runs.
+//
+// `Report` takes two positions, returns false to stop, and has is_stopped(). One that takes many
+// pairs at once may have numbered the points of the runs: position(number) has their positions.
 template <class Test, class Report>
 class Near_sweep final : public Run_sweep<typename Test::Run>
 {
@@ -88,12 +92,28 @@ private:
   {
     for(Place c = 0; c < count; ++c) {
       if(c + prefetch_distance < count)
-        test_.ask_for(a, b, found_.undecided[c + prefetch_distance]);
-      if(test_.is_pair(a, b, found_.undecided[c], counts_)
-         && !report_pair(a.positions[found_.undecided[c].i], b.positions[found_.undecided[c].j]))
+        ask_for(positions(a, b, found_.undecided[c + prefetch_distance]));
+      const Found_pair pair = found_.undecided[c];
+      if(test_.is_pair(a, b, pair, positions(a, b, pair), counts_)
+         && !report_pair(a.positions[pair.i], b.positions[pair.j]))
         return false;
     }
     return true;
+  }
+
+  void ask_for(Found_pair at) const
+  {
+    test_.ask_for(at.i);
+    test_.ask_for(at.j);
+  }
+
+  Found_pair positions(const Run& a, const Run& b, Found_pair pair) const
+  {
+    const Place i = a.positions[pair.i], j = b.positions[pair.j];
+    if constexpr(takes_found_pairs<Report>)
+      return {report_.position(i), report_.position(j)};
+    else
+      return {i, j};
   }
 
   bool report_pair(Place i, Place j) { return i < j ? report_(i, j) : report_(j, i); }
