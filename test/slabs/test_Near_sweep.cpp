@@ -15,7 +15,7 @@
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_sweep.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_question.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
 
 #include <boost/test/unit_test.hpp>

@@ -13,7 +13,7 @@
 #include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_question.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_pairs.h>
 
 #include <algorithm>
 #include <array>

@@ -13,7 +13,6 @@
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Flush.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_pairs.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_question.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/instruction_set.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/lanes_plain.h>

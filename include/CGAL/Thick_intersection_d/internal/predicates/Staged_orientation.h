@@ -24,7 +24,6 @@
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/determinant_signs.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/grid_steps.h>
-#include <CGAL/Thick_intersection_d/internal/arithmetic/rounding.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/wide_integers.h>
 
 #include <boost/config.hpp> // BOOST_FORCEINLINE, BOOST_NOINLINE
@@ -39,6 +38,16 @@
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
+
+// Whether the processor rounds to nearest in the present thread. Takes two additions, where a call
+// of std::fegetround() would take as long as a few comparisons of points. Compilers must not
+// compute them ahead of time.
+inline bool rounds_to_nearest()
+{
+  const volatile double least = 0x1p-60;
+  const double x = least;
+  return 1 + x == 1 - x;
+}
 
 // `Dimension` is that of the points, 2 or 3. An object of this class is for one question about two
 // objects, which have `Size` vertices. It remembers which arithmetic was needed.

@@ -11,7 +11,6 @@
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Flush.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_pairs.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_question.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/with_lanes.h>
 

@@ -15,7 +15,6 @@
 #include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Strips.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Short_list.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/short_lists.h>
 
 #include <boost/config.hpp> // BOOST_LIKELY, BOOST_NOINLINE

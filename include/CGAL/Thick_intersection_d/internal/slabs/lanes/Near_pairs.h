@@ -5,17 +5,31 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_NEAR_PAIRS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_NEAR_PAIRS_H
 
-// Near pairs of points that lanes have found, and that Near_sweep decides and reports.
+// The question that lanes ask about two points, and the near pairs that they have found, which
+// Near_sweep decides and reports.
 
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
 
 #include <array>
+#include <type_traits>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
+
+// What sums of squares of differences are computed in.
+template <class Number>
+using Real_of = std::conditional_t<std::is_same_v<Number, double>, double, float>;
+
+template <class Number>
+struct Near_question
+{
+  Number reach;            // along axis 0
+  Real_of<Number> inside;  // a computed squared distance up to it is certainly within the bound
+  Real_of<Number> outside; // and one above it is certainly beyond
+};
 
 struct Near_pairs
 {

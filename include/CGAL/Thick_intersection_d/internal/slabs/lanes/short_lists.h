@@ -9,7 +9,6 @@
 // instruction set has a file of its own.
 
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Short_list.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/instruction_set.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/short_lists_avx512.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/short_lists_plain.h>

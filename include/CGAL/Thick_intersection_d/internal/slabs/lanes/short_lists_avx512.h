@@ -8,7 +8,6 @@
 // Short lists in ascending order, by sorting networks with AVX-512. Two registers hold a list.
 
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Short_list.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/short_lists_plain.h>
 
 #if defined(__GNUC__) && defined(__x86_64__)

@@ -5,17 +5,26 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_SHORT_LISTS_PLAIN_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_SHORT_LISTS_PLAIN_H
 
-// Short lists in ascending order, by plain loops.
+// Short lists of distinct positions, and their order by plain loops.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/sort_distinct.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Short_list.h>
 
 #include <algorithm>
+#include <array>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
+
+// The room for positions fills two cache lines. Most points of scenes with 20 neighbors per point
+// have no more.
+struct alignas(64) Short_list
+{
+  static constexpr Place capacity = 32;
+
+  std::array<Place, capacity> positions;
+};
 
 struct Short_lists_plain
 {
