@@ -107,16 +107,14 @@ BOOST_AUTO_TEST_CASE(lower_bounds_are_stored_once_each)
   }
 }
 
-// The scene without its grid, which can be read later.
-BOOST_AUTO_TEST_CASE(the_grid_is_found_at_once_or_later)
+BOOST_AUTO_TEST_CASE(the_grid_is_found_if_it_is_asked_for)
 {
   const auto points = plain_points({{0.5, 4, 1e-9}, {-1, 8, 1e-9}, {0, 2.25, 1e-9}});
   const internal::Scene with = scene_of(points);
   const internal::Scene without
     = internal::scan_points<CGAL::Sequential_tag>(points, "point", false);
-  BOOST_CHECK(with.is_grid_known && with.grid_exponent == -2);
-  BOOST_CHECK(!without.is_grid_known && !without.grid_exponent);
-  BOOST_CHECK_EQUAL(internal::grid_exponent_of(points, without), -2);
+  BOOST_CHECK(with.grid_exponent == -2);
+  BOOST_CHECK(!without.grid_exponent);
   BOOST_CHECK_EQUAL(without.size, with.size);
   BOOST_CHECK_EQUAL(without.error, 0);
   for(std::size_t axis = 0; axis < 3; ++axis) {
@@ -125,7 +123,6 @@ BOOST_AUTO_TEST_CASE(the_grid_is_found_at_once_or_later)
   }
 }
 
-// It is known that numbers that are no doubles have none.
 BOOST_AUTO_TEST_CASE(other_numbers_have_no_grid)
 {
   using Rational = CGAL::Exact_rational;
@@ -134,7 +131,7 @@ BOOST_AUTO_TEST_CASE(other_numbers_have_no_grid)
   for(const bool finds_grid : {true, false}) {
     const internal::Scene scene
       = internal::scan_points<CGAL::Sequential_tag>(points, "point", finds_grid);
-    BOOST_CHECK(scene.is_grid_known && !scene.grid_exponent);
+    BOOST_CHECK(!scene.grid_exponent);
     BOOST_CHECK_GT(scene.error, 0);
   }
 }

@@ -41,7 +41,8 @@ struct Report_near_points
   void operator()(const Elements& points, const Bound& bound, const Callback& callback,
                   Progress& progress) const
   {
-    internal::report_near_points<CGAL::Sequential_tag>(points, bound, callback, progress);
+    internal::report_near_points<CGAL::Sequential_tag>(points, scene_of(points), bound, callback,
+                                                       progress);
   }
 };
 

@@ -42,6 +42,13 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
+// Returns the tier for near ties of the scene. Integers decide those that they can.
+inline Arithmetic_tier near_tie_tier(double reach, const Scene& scene)
+{
+  return (std::min)(first_exact_tier(reach, scene.grid_exponent, scene.extended_axis_count()),
+                    Arithmetic_tier::INT128);
+}
+
 // `report_near(callback, progress)` calls callback(i, j) for the close pairs, until it returns
 // false.
 template <class ConcurrencyTag, class Elements, class Progress, class Report_near>
@@ -57,10 +64,7 @@ public:
                     Progress& progress, const Report_near& report_near)
     : points_(points), scene_(scene),
       is_zero_within_(bound.holds_for(Exact(0))), is_zero_(bound.is_zero()),
-      is_within_(bound, scene,
-                 (std::min)(first_exact_tier(bound.reach(), scene.grid_exponent,
-                                             scene.extended_axis_count()),
-                            Arithmetic_tier::INT128)),
+      is_within_(bound, scene, near_tie_tier(bound.reach(), scene)),
       progress_(progress), report_near_(report_near)
   {}
 

@@ -14,11 +14,9 @@
 //   [L]  Computational geometry: closest pair and close pair. Slides of a lecture on algorithms,
 //        without name or date.
 
-#include <CGAL/Arithmetic_tier.h>
 #include <CGAL/Distance_bound.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
-#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_tier.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Cell_join.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Closest_pair_divide.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Hashed_cells.h>
@@ -32,7 +30,6 @@
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
-#include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 
@@ -45,7 +42,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <random>
 
 namespace CGAL {
@@ -156,7 +152,7 @@ private:
     if(!(reach <= max_reach))
       return false;
     progress_.restart(2 * points_.size());
-    if(!are_ties_integers(reach) || is_wide(reach)) // a longer bound leaves ties to the minimum
+    if(scene_.error != 0 || is_wide(reach)) // a longer bound leaves ties to the minimum
       return offer_reported(within_distance(Exact(reach * (1 + 0x1p-40))), false)
              != Reported::TOO_MANY;
     // Closer pairs are few, and if there are any, they make all others no matter. Otherwise nothing
@@ -167,15 +163,6 @@ private:
     if(closer == Reported::TOO_MANY || minimum_.pair() != pair || progress_.is_cancelled())
       return closer != Reported::TOO_MANY;
     return offer_reported(bound, true) != Reported::TOO_MANY;
-  }
-
-  // Whether doubles or integers decide all pairs at the distance.
-  bool are_ties_integers(double reach) const
-  {
-    const std::optional<int> grid_exponent
-      = scene_.is_grid_known ? scene_.grid_exponent : grid_exponent_of(points_, scene_);
-    return first_exact_tier(reach, grid_exponent, scene_.extended_axis_count())
-           != Arithmetic_tier::FILTERED_EXACT;
   }
 
   // Whether slabs may have to be cut again and again. In other scenes a search of near pairs takes

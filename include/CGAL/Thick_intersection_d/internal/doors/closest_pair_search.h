@@ -15,13 +15,20 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Close_pair_search.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Closest_pair_search.h>
-#include <CGAL/Thick_intersection_d/internal/doors/near_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/input/Point_doubles.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene_sample.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Is_within_distance.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
+#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Near_points.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slab_route.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -49,15 +56,31 @@ Scene scan_checked_points(const Elements& points)
   return scan_points<ConcurrencyTag>(points, "point", may_need_grid(Scene_sample(points)));
 }
 
-// Reports the pairs of points in the plane or in space within a bound. The type of the callback is
+// Reports the pairs of points of a scene in the plane or in space within a bound. There may be as
+// many near ties as pairs, so coordinates are not rounded to 32 bits. The type of the callback is
 // the same for all searches, because the slab route takes long to compile.
 template <class ConcurrencyTag, class Elements, class NT, class Progress>
-void report_near_points(const Elements& points, const Distance_bound<NT>& bound,
+CGAL_RARELY_CALLED
+void report_near_points(const Elements& points, const Scene& scene,
+                        const Distance_bound<NT>& bound,
                         const std::function<bool(std::size_t, std::size_t)>& callback,
                         Progress& progress)
 {
-  Near_pairs_search<ConcurrencyTag, Elements>(points, bound, false)
-    .report_crowded_points(callback, progress);
+  using Point = typename Elements::value_type;
+  const Squared_bound<Exact_number_t<Coordinate_t<Point>>> squared_bound(bound);
+  const Is_within_distance<Point> is_within(
+    squared_bound, scene, near_tie_tier(squared_bound.reach(), scene));
+  Doubles<Elements> doubles(points);
+  if constexpr(!is_held_by_double_v<Coordinate_t<Point>>)
+    for(std::size_t i = 0; i < points.size(); ++i)
+      for(int axis = 0; axis < scene.dimension(); ++axis)
+        doubles.set(i, axis, coordinate_bounds(points[i], axis).first);
+  for_plane_and_space<Point>(scene.dimension(), [&](auto dimension) {
+    const Near_points<dimension, Elements> near(points, scene, doubles, is_within);
+    Pair_reporter<decltype(callback)> report(callback);
+    const Slab_route<ConcurrencyTag, Near_points<dimension, Elements>> route(near);
+    return route.search(One_set(), report, progress);
+  }, [] { return false; });
 }
 
 template <class ConcurrencyTag, class Elements, class NamedParameters>
@@ -71,7 +94,7 @@ Position_pair find_closest_pair(const Elements& points, const NamedParameters& n
   auto progress = make_progress(np, points.size());
   const auto report_near = [&](const auto&, const auto& bound, const auto& callback,
                                auto& progress_of_search) {
-    report_near_points<ConcurrencyTag>(points, bound, callback, progress_of_search);
+    report_near_points<ConcurrencyTag>(points, scene, bound, callback, progress_of_search);
   };
   Closest_pair_search<ConcurrencyTag, Elements, decltype(progress), decltype(report_near)> search(
     points, scene, seed, progress, report_near);
@@ -90,7 +113,7 @@ std::optional<Position_pair> find_pair_within(const Elements& points,
   const Scene scene = scan_checked_points<ConcurrencyTag>(points);
   auto progress = make_progress(np, points.size());
   const auto report_near = [&](const auto& callback, auto& progress_of_search) {
-    report_near_points<ConcurrencyTag>(points, bound, callback, progress_of_search);
+    report_near_points<ConcurrencyTag>(points, scene, bound, callback, progress_of_search);
   };
   const Close_pair_search<ConcurrencyTag, Elements, decltype(progress), decltype(report_near)>
     search(points, squared_bound, scene, progress, report_near);

@@ -48,7 +48,6 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -114,17 +113,6 @@ public:
     return are_finite_doubles() && (scene_.dimension() == 2 || scene_.dimension() == 3);
   }
 
-  // As report(), of one set of points that take the slab route, as a part of a larger search. There
-  // may be as many near ties as pairs, so coordinates are not rounded.
-  template <class Callback, class Progress>
-  bool report_crowded_points(Callback& callback, Progress& progress)
-  {
-    const Is_within_distance<Point> is_within = make_predicate(nullptr);
-    return with_dimension([&](auto dimension) {
-      return report_by_slabs_of(near_points<dimension>(is_within), One_set(), callback, progress);
-    });
-  }
-
 private:
   // Whether doubles may compute all squared distances up to the bound without error.
   bool may_grid_decide_all() const
@@ -157,8 +145,11 @@ private:
   bool report_by_slabs(const Is_within_distance<Point>& is_within, const Sets& sets,
                        Callback& callback, Progress& progress)
   {
-    return with_dimension([&](auto dimension) {
-      const auto points = near_points<dimension>(is_within);
+    for(int axis = 0; axis < scene_.dimension(); ++axis)
+      if(!scene_.is_extended_along(axis))
+        doubles_.share(axis, scene_.box[static_cast<std::size_t>(axis)].low);
+    return for_plane_and_space<Point>(scene_.dimension(), [&](auto dimension) {
+      const Near_points<dimension, Elements> points(points_, scene_, doubles_, is_within);
       const Narrow_scale<dimension> scale = narrow_scale<dimension>(points, is_within);
       profile_.set_coordinates(scale.is_usable() ? 32 : 64,
                                scale.is_usable() && !scale.is_exact());
@@ -166,29 +157,7 @@ private:
         return report_by_slabs_of(Narrow_points<dimension, decltype(points)>(points, scale), sets,
                                   callback, progress);
       return report_by_slabs_of(points, sets, callback, progress);
-    });
-  }
-
-  // Returns task(dimension) with the constant that is the dimension of the points, 2 or 3.
-  template <class Task>
-  bool with_dimension(const Task& task) const
-  {
-    if constexpr(dimension_or<Point>(3) == 3)
-      if(scene_.dimension() == 3)
-        return task(std::integral_constant<int, 3>());
-    if constexpr(dimension_or<Point>(2) == 2)
-      return task(std::integral_constant<int, 2>());
-    else
-      return false; // no other dimension takes slabs
-  }
-
-  template <int Dimension>
-  Near_points<Dimension, Elements> near_points(const Is_within_distance<Point>& is_within)
-  {
-    for(int axis = 0; axis < Dimension; ++axis)
-      if(!scene_.is_extended_along(axis))
-        doubles_.share(axis, scene_.box[static_cast<std::size_t>(axis)].low);
-    return {points_, scene_, doubles_, is_within};
+    }, [] { return false; }); // no other dimension takes slabs
   }
 
   // Returns a scale without ties, or one that leaves few of them; none if there are many.

@@ -29,9 +29,8 @@ struct Scene
   double error = 0;
 
   // The exponent of the coarsest grid 2^e Z that holds all coordinates along the axes along which
-  // the points differ. There is a grid if and only if the error is zero; it may not be known.
+  // the points differ. None if the error is not zero, or if the scan did not look for the grid.
   std::optional<int> grid_exponent;
-  bool is_grid_known = true;
 
   int dimension() const { return static_cast<int>(box.size()); }
 

@@ -95,8 +95,6 @@ public:
       scene.error = std::nextafter(error_, std::numeric_limits<double>::infinity()); // was rounded
     else if(finds_grid_)
       scene.grid_exponent = scene.exponent_of(grids_);
-    else
-      scene.is_grid_known = false;
     return scene;
   }
 
@@ -162,19 +160,6 @@ template <class ConcurrencyTag, class Elements>
 Scene scan_points(const Elements& points, const char* name, bool finds_grid = true)
 {
   return scan_points<ConcurrencyTag>(points, name, finds_grid, [](std::size_t, int, double) {});
-}
-
-// Returns the exponent of the grid of points that have been scanned without it.
-template <class Elements>
-int grid_exponent_of(const Elements& points, const Scene& scene)
-{
-  using Point = typename Elements::value_type;
-  const int dimension = dimension_or<Point>(scene.dimension());
-  auto grids = values_of_axes<Point>(std::vector<Double_grid>(scene.box.size()));
-  for(std::size_t position = 0; position < points.size(); ++position)
-    for(int axis = 0; axis < dimension; ++axis)
-      grids[axis].add(coordinate_bounds(points[position], axis).first);
-  return scene.exponent_of({grids.begin(), grids.end()});
 }
 
 } // namespace internal
