@@ -10,7 +10,6 @@
 
 #include <cmath>
 #include <limits>
-#include <random>
 
 BOOST_AUTO_TEST_SUITE(Closest_pair_search)
 
@@ -139,8 +138,7 @@ BOOST_AUTO_TEST_CASE(wide_scenes_of_ties_are_searched_once)
 // The points that a search with a seed looks at first are far apart, and the others are not.
 Points made_for_a_seed(int dimension, std::size_t size, std::uint64_t seed, double scale)
 {
-  std::mt19937_64 random(seed);
-  const internal::Some_positions drawn(internal::Some_positions(size), random);
+  const internal::Some_positions drawn(internal::Some_positions(size), seed);
   Points points = moved(uniform_points(dimension, size, 0, 1, 8), scale, 0);
   for(std::size_t i = 0; i < drawn.size(); ++i)
     points[drawn[i]] = Coordinates(static_cast<std::size_t>(dimension),

@@ -28,6 +28,16 @@ inline std::uint64_t seed_of_process()
   return seed;
 }
 
+// Moves the seed on, and returns 64 bits of it, mixed: SplitMix64. [Steele, Lea, Flood: Fast
+// splittable pseudorandom number generators, 2014]
+inline std::uint64_t random_word(std::uint64_t& seed)
+{
+  std::uint64_t x = seed += 0x9e3779b97f4a7c15;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
+  return x ^ (x >> 31);
+}
+
 // A random function of sequences of integers. Which sequences collide depends on the keys, and the
 // keys on the seed. So an input that does not know the seed has few collisions, whatever it is.
 //
@@ -52,9 +62,9 @@ public:
   {
     if constexpr(Length == 0)
       keys_.resize(static_cast<std::size_t>(length));
-    factor_ = next_key(seed) | 1;
+    factor_ = random_word(seed) | 1;
     for(std::uint64_t& key : keys_)
-      key = next_key(seed);
+      key = random_word(seed);
   }
 
   // Returns the sum so far and the number at a place of the sequence. The first sum is 0.
@@ -68,16 +78,6 @@ public:
   std::uint64_t finish(std::uint64_t sum) const { return (sum ^ (sum >> 32)) * factor_; }
 
 private:
-  // SplitMix64: moves the seed on, and mixes it. [Steele, Lea, Flood: Fast splittable pseudorandom
-  // number generators, 2014]
-  static std::uint64_t next_key(std::uint64_t& seed)
-  {
-    std::uint64_t x = seed += 0x9e3779b97f4a7c15;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
-    return x ^ (x >> 31);
-  }
-
   std::uint64_t factor_ = 1;
   std::conditional_t<Length == 0, std::vector<std::uint64_t>, std::array<std::uint64_t, Length>>
     keys_{};

@@ -17,6 +17,7 @@
 #include <CGAL/Distance_bound.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Cell_join.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Closest_pair_divide.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Hashed_cells.h>
@@ -42,7 +43,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <random>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -61,7 +61,7 @@ public:
   // Takes the points of the scene, at least two.
   Closest_pair_search(const Elements& points, const Scene& scene, std::uint64_t seed,
                       Progress& progress, const Report_near& report_near)
-    : points_(points), scene_(scene), random_(seed), progress_(progress),
+    : points_(points), scene_(scene), seed_(seed), progress_(progress),
       report_near_(report_near), minimum_(points, scene)
   {}
 
@@ -101,7 +101,7 @@ private:
       offer_all(sample);
       return true;
     }
-    return search<Dimension>(Some_positions(sample, random_)) && can_join<Dimension>()
+    return search<Dimension>(Some_positions(sample, seed_)) && can_join<Dimension>()
            && join<Dimension>(sample);
   }
 
@@ -126,7 +126,7 @@ private:
   {
     const double distance = (std::min)(minimum_.reach(), (std::numeric_limits<double>::max)());
     const Cell_join<ConcurrencyTag, Dimension, Elements> join_cells(
-      points_, distance, join_cell_side(scene_, sample.size(), distance), random_());
+      points_, distance, join_cell_side(scene_, sample.size(), distance), random_word(seed_));
     Per_thread<ConcurrencyTag, Minimum> minima(minimum_);
     const bool is_complete = join_cells(sample, max_join_steps(sample.size()), [&] {
       return [&own = minima.local()](std::size_t i, std::size_t j) {
@@ -231,7 +231,7 @@ private:
     if constexpr(is_held_by_double_v<Coordinate_t<Point>>)
       if(minimum_.is_zero()) {
         progress_.restart(points_.size());
-        First_equal_pair<Elements> equal_points(points_, scene_.dimension(), random_());
+        First_equal_pair<Elements> equal_points(points_, scene_.dimension(), random_word(seed_));
         if(const auto pair = equal_points.find(progress_))
           minimum_.offer(pair->first, pair->second);
         return;
@@ -245,7 +245,7 @@ private:
 
   const Elements& points_;
   const Scene& scene_;
-  std::mt19937_64 random_;
+  std::uint64_t seed_; // of what is drawn next
   Progress& progress_;
   const Report_near& report_near_;
   Minimum minimum_;

@@ -7,13 +7,14 @@
 
 // The positions of some points: of the first ones, or of a random sample.
 
+#include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/tuning.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
-#include <random>
 #include <vector>
 
 namespace CGAL {
@@ -27,10 +28,10 @@ public:
   explicit Some_positions(std::size_t size) : size_(size) {}
 
   // Draws each point of another sample with a probability of 1/8.
-  Some_positions(const Some_positions& sample, std::mt19937_64& random)
+  Some_positions(const Some_positions& sample, std::uint64_t& seed)
   {
-    for(std::size_t i = random() % max_sample_step; i < sample.size();
-        i += 1 + random() % max_sample_step)
+    for(std::size_t i = random_word(seed) % max_sample_step; i < sample.size();
+        i += 1 + random_word(seed) % max_sample_step)
       positions_.push_back(sample[i]);
     size_ = positions_.size();
   }
