@@ -139,14 +139,14 @@ private:
   }
 
   // Has pairs of crowded points reported, and offers them. Returns false as search_all() does.
-  CGAL_RARELY_CALLED bool report_all() { return report_as_near() || report_nearer(); }
+  bool report_all() { return report_as_near() || report_nearer(); }
 
   // How many pairs were reported.
   enum class Reported { NONE, FEW, TOO_MANY };
 
   // Offers the pairs that are as near as the closest pair so far. Returns false if there are too
   // many of them.
-  bool report_as_near()
+  CGAL_RARELY_CALLED bool report_as_near()
   {
     const double reach = minimum_.reach();
     if(!(reach <= max_reach))
@@ -178,7 +178,7 @@ private:
   // Offers the closest pairs if too many pairs are as near as the closest pair so far. Finds out
   // how near there are few, by bisection. If no pair is within 2^e, then few are within 2^(e+1),
   // because a ball of that radius holds O(1) points. Returns false if points are equal.
-  bool report_nearer()
+  CGAL_RARELY_CALLED bool report_nearer()
   {
     int low = std::ilogb(std::numeric_limits<double>::denorm_min()) - 1;
     int high = (std::min)(std::ilogb(minimum_.reach()), max_exponent) + 1;
@@ -207,7 +207,7 @@ private:
   };
 
   // Offers the pairs within the bound, up to a number of pairs.
-  BOOST_NOINLINE Reported offer_reported(const Distance_bound<Exact>& bound, bool are_ties)
+  CGAL_RARELY_CALLED Reported offer_reported(const Distance_bound<Exact>& bound, bool are_ties)
   {
     Step_budget budget(max_near_pairs_per_point * points_.size());
     Per_thread<ConcurrencyTag, Offers> offers(Offers{minimum_, Step_counter(budget)});
@@ -226,7 +226,7 @@ private:
   }
 
   // Offers the closest pairs by what needs no distance beforehand.
-  void search_by_coordinates()
+  CGAL_RARELY_CALLED void search_by_coordinates()
   {
     if constexpr(is_held_by_double_v<Coordinate_t<Point>>)
       if(minimum_.is_zero()) {

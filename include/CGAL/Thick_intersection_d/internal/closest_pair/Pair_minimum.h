@@ -20,6 +20,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Twofold_distance.h>
 
@@ -99,7 +100,7 @@ public:
   }
 
   // The square of the distance.
-  const Exact& exact_square() const
+  CGAL_RARELY_CALLED const Exact& exact_square() const
   {
     if(!exact_square_)
       exact_square_ = exact_squared_distance(points_[pair_.first], points_[pair_.second],
@@ -130,29 +131,35 @@ private:
       return;
     const Position_pair candidate = std::minmax(i, j);
     if(!has_pair_)
-      replace(candidate, square, std::nullopt);
+      replace(candidate, square);
     else if(is_exact_) {
       if(square.inf < filter_.outside || candidate < pair_)
-        replace(candidate, square, std::nullopt);
+        replace(candidate, square);
     }
     else if(square.sup <= filter_.inside)
-      replace(candidate, square, std::nullopt);
+      replace(candidate, square);
     else if(candidate != pair_)
-      offer_exactly(candidate, square);
+      offer_near_tie(candidate, square);
   }
 
-  // Not inline: it is for near ties.
-  BOOST_NOINLINE void offer_exactly(const Position_pair& candidate, const Gap& square)
+  BOOST_NOINLINE void offer_near_tie(const Position_pair& candidate, const Gap& square)
   {
     if(const auto order = compare_by_doubles(candidate)) {
       if(*order < 0 || (*order == 0 && candidate < pair_))
-        replace(candidate, square, std::nullopt);
-      return;
+        replace(candidate, square);
     }
+    else
+      offer_exactly(candidate, square);
+  }
+
+  CGAL_RARELY_CALLED void offer_exactly(const Position_pair& candidate, const Gap& square)
+  {
     Exact exact = exact_squared_distance(points_[candidate.first], points_[candidate.second],
                                          dimension_);
-    if(exact < exact_square() || (candidate < pair_ && exact == exact_square()))
-      replace(candidate, square, std::move(exact));
+    if(exact < exact_square() || (candidate < pair_ && exact == exact_square())) {
+      replace(candidate, square);
+      exact_square_ = std::move(exact);
+    }
   }
 
   // Compares the distance of a near tie with that of the pair. Returns nothing if only exact
@@ -216,7 +223,7 @@ private:
 
   // Chooses the scale for the pair, and returns the bounds of its squared distance at this scale.
   // If its points are equal, any other distance has a square beyond min_safe_threshold.
-  Gap choose_scale()
+  CGAL_RARELY_CALLED Gap choose_scale()
   {
     double size = 0;
     for(int axis = 0; axis < dimension_; ++axis)
@@ -232,12 +239,12 @@ private:
   static bool is_plain(double square) { return square >= 0x1p-900 && square <= 0x1p1000; }
 
   // Takes a pair. Its computed squared distance is between the doubles of `square`.
-  void replace(const Position_pair& pair, Gap square, std::optional<Exact> exact)
+  BOOST_NOINLINE void replace(const Position_pair& pair, Gap square)
   {
     const double error = relative_error(dimension_);
     has_pair_ = true;
     pair_ = pair;
-    exact_square_ = std::move(exact);
+    exact_square_.reset();
     twofold_.reset();
     if(scale_exponent_ != 0 || !is_plain(square.sup))
       square = choose_scale();

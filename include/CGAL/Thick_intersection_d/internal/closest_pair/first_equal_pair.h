@@ -14,6 +14,8 @@
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 
+#include <boost/config.hpp> // BOOST_NOINLINE
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -43,7 +45,7 @@ public:
   // in the hash table, which is not to be expected of a random seed. The search may be cancelled.
   // Each point is one step of progress.
   template <class Progress>
-  std::optional<Position_pair> find(Progress& progress)
+  BOOST_NOINLINE std::optional<Position_pair> find(Progress& progress)
   {
     // Invariant: the slots or the tree hold the first point of each set of equal points before i.
     std::optional<Position_pair> first;
