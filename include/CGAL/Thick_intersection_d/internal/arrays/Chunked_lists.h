@@ -11,8 +11,7 @@
 // memory hold many chunks, because each block costs an allocation.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
-
-#include <boost/config.hpp> // BOOST_NOINLINE
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -23,12 +22,15 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// A copy shares the items of the original. So copy lists only while they are empty.
 template <class Item, std::size_t chunk_size>
 class Chunked_lists
 {
 public:
-  explicit Chunked_lists(std::size_t list_count = 0) : lists_(list_count) {}
+  explicit Chunked_lists(std::size_t list_count) : lists_(list_count) {}
+
+  // A copy has as many lists, which are empty.
+  Chunked_lists(const Chunked_lists& other) : Chunked_lists(other.lists_.size()) {}
+  Chunked_lists& operator=(const Chunked_lists&) = delete;
 
   // Throws if memory runs out, and leaves all lists as they were.
   void append(std::size_t list, const Item& item)
@@ -70,8 +72,7 @@ private:
     Item* end = nullptr;  // of the last chunk
   };
 
-  // Not inline, so that loops that append stay short.
-  BOOST_NOINLINE void extend(List& list)
+  CGAL_RARELY_CALLED void extend(List& list)
   {
     if(chunks_left_ == 0) {
       const std::size_t size = (std::min)(2 * block_size_, max_block_size);
@@ -87,7 +88,7 @@ private:
   }
 
   std::vector<List> lists_;
-  std::vector<std::shared_ptr<Item[]>> blocks_;
+  std::vector<std::unique_ptr<Item[]>> blocks_;
   std::size_t block_size_ = 1;  // of the last block, in chunks
   std::size_t chunks_left_ = 0; // in the last block
 };

@@ -26,6 +26,7 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/Chunked_lists.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Hashed_cells.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Some_positions.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Step_budget.h>
@@ -36,6 +37,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 
 #include <algorithm>
 #include <array>
@@ -61,6 +63,7 @@ inline constexpr bool are_joined_v
 // uniform, few pairs are in a common cell. Cells are long enough for points to enter few of them.
 // They are not so long that one cell would hold a cluster, or many pairs of a cluster of all
 // points.
+CGAL_RARELY_CALLED
 inline double join_cell_side(const Scene& scene, std::size_t size, double distance)
 {
   const double dimension = scene.dimension();
@@ -137,10 +140,9 @@ private:
                                           Progress& progress) const
   {
     const std::size_t count = is_parallel_v<ConcurrencyTag> ? max_entry_block_count : 1;
-    std::vector<Cell_entry_lists> blocks(count);
+    std::vector<Cell_entry_lists> blocks(count, Cell_entry_lists(list_count));
     for_each_numbered_block<ConcurrencyTag>(
       count, sample.size(), [&](std::size_t block, std::size_t first, std::size_t last) {
-        blocks[block] = Cell_entry_lists(list_count);
         enter(sample, first, last, list_count, blocks[block], progress);
       });
     return blocks;
@@ -198,7 +200,7 @@ private:
       std::uint32_t next;
     };
     std::vector<std::uint32_t> heads; // 1 + the index of a link, or 0
-    std::vector<Link> links;
+    Buffer<Link> links;
   };
 
   // Visits the pairs of a list that are in a common cell. Returns false iff the visitor stops, or
@@ -212,9 +214,8 @@ private:
       size += block.size(list);
     const std::uint64_t slot_count = std::uint64_t(1) << hash_table_bits(size);
     table.heads.assign(slot_count, 0);
-    table.links.resize(size);
     std::uint32_t* const heads = table.heads.data();
-    typename Bucket_table::Link* const links = table.links.data();
+    typename Bucket_table::Link* const links = table.links.require(size);
     std::uint32_t count = 0;
 
     const auto visit_and_add = [&](const Cell_entry& entry) {

@@ -22,6 +22,7 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/radix_sort.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 
 #include <boost/config.hpp>
 
@@ -47,7 +48,7 @@ public:
     return reach > 0 && error <= reach / 2;
   }
 
-  Hashed_cells(double width, double side, std::uint64_t seed)
+  CGAL_RARELY_CALLED Hashed_cells(double width, double side, std::uint64_t seed)
     : width_(width), hash_(Dimension, seed)
   {
     constexpr double max_double = (std::numeric_limits<double>::max)();

@@ -176,7 +176,7 @@ private:
     return std::nullopt;
   }
 
-  Twofold_distance twofold_distance(const Position_pair& pair) const
+  BOOST_NOINLINE Twofold_distance twofold_distance(const Position_pair& pair) const
   {
     const auto coordinate_of = [&](std::size_t position) {
       return [&point = points_[position]](int axis) {
