@@ -114,7 +114,10 @@ public:
     std::size_t list_count = 1; // a power of two
     while(sample.size() / list_count > entries_per_list && list_count < max_list_count)
       list_count *= 2;
-    const std::vector<Cell_entry_lists> blocks = enter_all(sample, list_count, progress);
+    All_lists all_lists{Cell_entry_lists(list_count)};
+    for_each_block<ConcurrencyTag>(sample.size(), [&](std::size_t first, std::size_t last) {
+      enter(sample, first, last, list_count, all_lists.local(), progress);
+    });
 
     Step_budget budget(max_steps);
     std::atomic<bool> go_on = !progress.is_cancelled();
@@ -123,7 +126,7 @@ public:
       Bucket_table table;
       Step_counter counter(budget);
       for(std::size_t list = first; list != last && go_on.load(std::memory_order_relaxed); ++list)
-        if(!join(blocks, list, table, counter, visitor)
+        if(!join(all_lists, list, table, counter, visitor)
            || !progress.advance(sample.size() * (list + 1) / list_count
                                 - sample.size() * list / list_count))
           go_on.store(false, std::memory_order_relaxed);
@@ -134,19 +137,8 @@ public:
 private:
   static constexpr std::size_t batch_size = 512;
 
-  // Enters all points. In parallel, enters several blocks of points at the same time.
-  template <class Progress>
-  std::vector<Cell_entry_lists> enter_all(const Some_positions& sample, std::size_t list_count,
-                                          Progress& progress) const
-  {
-    const std::size_t count = is_parallel_v<ConcurrencyTag> ? max_entry_block_count : 1;
-    std::vector<Cell_entry_lists> blocks(count, Cell_entry_lists(list_count));
-    for_each_numbered_block<ConcurrencyTag>(
-      count, sample.size(), [&](std::size_t block, std::size_t first, std::size_t last) {
-        enter(sample, first, last, list_count, blocks[block], progress);
-      });
-    return blocks;
-  }
+  // The entries that each thread makes.
+  using All_lists = Per_thread<ConcurrencyTag, Cell_entry_lists>;
 
   // Appends the entries of the points [first, last) of the sample. Most of them have one cell. So
   // the first cells of a batch of points come first, without branches, and then the other cells.
@@ -206,12 +198,11 @@ private:
   // Visits the pairs of a list that are in a common cell. Returns false iff the visitor stops, or
   // no steps are left.
   template <class Visitor>
-  static bool join(const std::vector<Cell_entry_lists>& blocks, std::size_t list,
-                   Bucket_table& table, Step_counter& counter, Visitor& visitor)
+  static bool join(All_lists& all_lists, std::size_t list, Bucket_table& table,
+                   Step_counter& counter, Visitor& visitor)
   {
     std::size_t size = 0;
-    for(const Cell_entry_lists& block : blocks)
-      size += block.size(list);
+    all_lists.for_each([&](const Cell_entry_lists& lists) { size += lists.size(list); });
     const std::uint64_t slot_count = std::uint64_t(1) << hash_table_bits(size);
     table.heads.assign(slot_count, 0);
     std::uint32_t* const heads = table.heads.data();
@@ -229,10 +220,11 @@ private:
       head = ++count;
       return true;
     };
-    for(const Cell_entry_lists& block : blocks)
-      if(!block.for_each(list, visit_and_add))
-        return false;
-    return true;
+    bool go_on = true;
+    all_lists.for_each([&](const Cell_entry_lists& lists) {
+      go_on = go_on && lists.for_each(list, visit_and_add);
+    });
+    return go_on;
   }
 
   const Elements& points_;

@@ -49,6 +49,8 @@ public:
     : points_(points), dimension_(scene.dimension()), grid_exponent_(scene.grid_exponent)
   {}
 
+  CGAL_RARELY_CALLED Pair_minimum(const Pair_minimum&) = default;
+
   bool has_pair() const { return has_pair_; }
   const Position_pair& pair() const { return pair_; }
 

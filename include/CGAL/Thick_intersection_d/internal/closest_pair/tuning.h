@@ -60,10 +60,6 @@ inline constexpr std::size_t max_equality_steps_per_point = 20;
 inline constexpr std::size_t entries_per_list = 4096;
 inline constexpr std::size_t max_list_count = 2048;
 
-// In parallel, this many blocks of points are entered into lists of their own: more than threads,
-// so that these finish at about the same time.
-inline constexpr std::size_t max_entry_block_count = 16;
-
 // The first look for a close pair takes this part of the points, the first ones of the range: where
 // cells are heavy, these points will do. With a 16th, to find that there is no close pair takes
 // 1.44 times as long in the plane, 1.91 times in space.
