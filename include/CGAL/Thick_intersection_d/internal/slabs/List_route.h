@@ -10,6 +10,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_sweep.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_lists.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
@@ -21,8 +22,6 @@
 #include <CGAL/Thick_intersection_d/internal/slabs/tuning.h>
 
 #include <CGAL/assertions.h> // CGAL_unreachable
-
-#include <boost/config.hpp> // BOOST_NOINLINE
 
 #include <cstddef>
 
@@ -99,8 +98,9 @@ private:
   // another block, whose thread makes its lists. So it is swept with these slabs once more, but not
   // with itself. Slabs are two reaches high, so further slabs are beyond reach.
   template <class Bins, class Report, class Progress>
-  BOOST_NOINLINE void sweep_slabs(const Slabs<Point>& slabs, Place first, Place last, Bins& bins,
-                                  Report& report, Progress& progress) const
+  CGAL_RARELY_CALLED
+  void sweep_slabs(const Slabs<Point>& slabs, Place first, Place last, Bins& bins, Report& report,
+                   Progress& progress) const
   {
     Slab_lists<Report> lists(report);
     Near_sweep<Test, Slab_lists<Report>> near_sweep(test_, lists);
@@ -117,28 +117,11 @@ private:
         lists.drop();
       }
       else {
-        sweep_slab(*window.front(), nearby, sweep, near_sweep, report, progress);
+        route_.sweep_slab(*window.front(), nearby, sweep, near_sweep, report, progress);
         lists.finish(bins);
       }
     }
     test_.publish(near_sweep.counts());
-  }
-
-  // Sweeps a slab with the slabs nearby, in blocks if there are very many candidates. The search
-  // can stop after each block.
-  template <class Report, class Progress>
-  void sweep_slab(const Strips<Point>& slab, const Slabs_nearby& nearby, Slab_sweep<Point>& sweep,
-                  typename Slab_sweep<Point>::Sweep_of_runs& blocks, Report& report,
-                  Progress& progress) const
-  {
-    const std::size_t count = route_.sweep_block_count(slab, nearby);
-    for(std::size_t block = 0; block < count && !report.is_stopped(); ++block) {
-      blocks.take_block(static_cast<Place>(block), static_cast<Place>(count));
-      sweep.between(slab, nearby);
-      const std::size_t finished = slab.size() * (block + 1) / count - slab.size() * block / count;
-      if(!report.is_stopped() && !progress.advance(finished))
-        report.stop();
-    }
   }
 
   const Test& test_;

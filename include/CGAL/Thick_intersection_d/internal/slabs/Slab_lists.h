@@ -46,7 +46,7 @@ public:
 
   // Adds a slab behind those in the window. Its points get numbers instead of positions.
   template <class Point>
-  void number(Strips<Point>& slab)
+  BOOST_NOINLINE void number(Strips<Point>& slab)
   {
     const Place size = slab.place_count();
     const Place first = find_room(size);
@@ -88,7 +88,7 @@ public:
   // Removes the first slab from the window, and hands its lists to `bins` (List_bins.h), in
   // ascending order.
   template <class Bins>
-  void finish(Bins& bins)
+  BOOST_NOINLINE void finish(Bins& bins)
   {
     const Numbers slab = window_.front();
     take_further_neighbors(slab);

@@ -13,6 +13,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_sweep.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
@@ -85,18 +86,16 @@ public:
     return !report.is_stopped();
   }
 
-  // Returns in how many blocks to sweep a slab with the slabs nearby. Each block looks at all
-  // points of the slabs, for their borders. So it has more candidates than points.
-  Place sweep_block_count(const Strips<Point>& slab, const Slabs_nearby& nearby) const
+  // Sweeps a slab with the slabs nearby, in blocks if there are very many candidates. The search
+  // can stop after each block.
+  template <class Report, class Progress>
+  void sweep_slab(const Strips<Point>& slab, const Slabs_nearby& nearby, Slab_sweep<Point>& sweep,
+                  typename Slab_sweep<Point>::Sweep_of_runs& blocks, Report& report,
+                  Progress& progress) const
   {
-    double candidates = 0;
-    double size = 0;
-    for(const Strips<Point>* other : nearby) {
-      candidates += std::sqrt(slab.candidates() * other->candidates());
-      size += slab.size() + other->size();
-    }
-    const double count = candidates / (std::max)(tuning_.candidates_per_block, size);
-    return static_cast<Place>((std::min)(count, max_block_count)) + 1;
+    const Place count = sweep_block_count(slab, nearby);
+    for(Place block = 0; block != count && !report.is_stopped(); ++block)
+      sweep_block(slab, nearby, block, count, sweep, blocks, report, progress);
   }
 
 private:
@@ -118,8 +117,8 @@ private:
 
   // Sweeps each of the slabs [first, last) with itself and with the slabs within reach behind it.
   template <class Report, class Progress>
-  BOOST_NOINLINE void sweep_slabs(const Slabs<Point>& slabs, Place first, Place last,
-                                  Report& report, Progress& progress) const
+  CGAL_RARELY_CALLED void sweep_slabs(const Slabs<Point>& slabs, Place first, Place last,
+                                      Report& report, Progress& progress) const
   {
     Window window(slabs, reach_, first, tuning_);
     Near_sweep<Test, Report> near_sweep(test_, report);
@@ -127,26 +126,17 @@ private:
     Slabs_nearby nearby;
     for(; window.slab() < last && !report.is_stopped(); window.pop()) {
       window.find_within_reach(window.front()->interval(axis).high, nearby);
-      sweep_slab(*window.front(), nearby, sweep, report, progress);
+      if constexpr(is_parallel_v<ConcurrencyTag>)
+        if(const Place count = sweep_block_count(*window.front(), nearby); count > 1) {
+          sweep_in_blocks(*window.front(), nearby, count, report, progress);
+          continue;
+        }
+      sweep_slab(*window.front(), nearby, sweep, near_sweep, report, progress);
     }
     test_.publish(near_sweep.counts());
   }
 
-  // Sweeps a slab with the slabs nearby, in blocks if there are very many candidates.
-  template <class Report, class Progress>
-  void sweep_slab(const Strips<Point>& slab, const Slabs_nearby& nearby, Slab_sweep<Point>& sweep,
-                  Report& report, Progress& progress) const
-  {
-    const Place count = sweep_block_count(slab, nearby);
-    if(count == 1) {
-      sweep.between(slab, nearby);
-      advance(progress, slab.size(), report);
-    }
-    else
-      sweep_in_blocks(slab, nearby, count, report, progress);
-  }
-
-  // Threads may sweep the blocks at the same time. The search can stop after each block.
+  // As sweep_slab(), in blocks that threads may sweep at the same time.
   template <class Report, class Progress>
   BOOST_NOINLINE void sweep_in_blocks(const Strips<Point>& slab, const Slabs_nearby& nearby,
                                       Place count, Report& report, Progress& progress) const
@@ -154,13 +144,35 @@ private:
     for_each_block<ConcurrencyTag>(count, [&](std::size_t block, std::size_t last) {
       Near_sweep<Test, Report> near_sweep(test_, report);
       Slab_sweep<Point> sweep_of_block(reach_, near_sweep);
-      for(; block != last && !report.is_stopped(); ++block) {
-        near_sweep.take_block(static_cast<Place>(block), count);
-        sweep_of_block.between(slab, nearby);
-        advance(progress, slab.size() * (block + 1) / count - slab.size() * block / count, report);
-      }
+      for(; block != last && !report.is_stopped(); ++block)
+        sweep_block(slab, nearby, block, count, sweep_of_block, near_sweep, report, progress);
       test_.publish(near_sweep.counts());
     });
+  }
+
+  // Returns in how many blocks to sweep a slab with the slabs nearby. Each block looks at all
+  // points of the slabs, for their borders. So it has more candidates than points.
+  Place sweep_block_count(const Strips<Point>& slab, const Slabs_nearby& nearby) const
+  {
+    double candidates = 0;
+    double size = 0;
+    for(const Strips<Point>* other : nearby) {
+      candidates += std::sqrt(slab.candidates() * other->candidates());
+      size += slab.size() + other->size();
+    }
+    const double count = candidates / (std::max)(tuning_.candidates_per_block, size);
+    return static_cast<Place>((std::min)(count, max_block_count)) + 1;
+  }
+
+  template <class Report, class Progress>
+  static void sweep_block(const Strips<Point>& slab, const Slabs_nearby& nearby, std::size_t block,
+                          std::size_t count, Slab_sweep<Point>& sweep,
+                          typename Slab_sweep<Point>::Sweep_of_runs& blocks, Report& report,
+                          Progress& progress)
+  {
+    blocks.take_block(static_cast<Place>(block), static_cast<Place>(count));
+    sweep.between(slab, nearby);
+    advance(progress, slab.size() * (block + 1) / count - slab.size() * block / count, report);
   }
 
   template <class Progress, class Report>
