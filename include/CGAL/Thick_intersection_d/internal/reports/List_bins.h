@@ -12,8 +12,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
-
-#include <boost/config.hpp> // BOOST_NOINLINE
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -24,7 +23,6 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// A copy shares the lists of the original. So copy bins only while they are empty.
 class List_bins
 {
 public:
@@ -41,6 +39,10 @@ public:
 
   // Makes bins for `size` points.
   explicit List_bins(std::size_t size) : bins_((size + bin_size - 1) / bin_size) {}
+
+  // A copy has as many bins, which are empty.
+  List_bins(const List_bins& other) : bins_(other.bins_.size()) {}
+  List_bins& operator=(const List_bins&) = delete;
 
   // Returns the number of neighbors in a bin.
   std::size_t size(std::size_t bin) const { return bins_[bin].size; }
@@ -124,9 +126,9 @@ private:
     return part + 1;
   }
 
-  // Not inline, so that loops that append stay short. Large blocks of memory hold many chunks,
+  // Large blocks of memory hold many chunks,
   // because each block costs an allocation.
-  BOOST_NOINLINE void extend(Bin& bin)
+  CGAL_RARELY_CALLED void extend(Bin& bin)
   {
     if(chunks_left_ == 0) {
       const std::size_t size = (std::min)(2 * block_size_, max_block_size);
@@ -144,7 +146,7 @@ private:
   }
 
   std::vector<Bin> bins_;
-  std::vector<std::shared_ptr<Position[]>> blocks_;
+  std::vector<std::unique_ptr<Position[]>> blocks_;
   std::size_t block_size_ = 1;  // of the last block, in chunks
   std::size_t chunks_left_ = 0; // in the last block
 };

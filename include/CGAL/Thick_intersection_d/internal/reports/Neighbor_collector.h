@@ -19,6 +19,7 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/machine/huge_pages.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/reports/List_bins.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Neighbor_bins.h>
 
@@ -39,7 +40,7 @@ class Neighbor_collector
   using Positions = std::vector<Position>;
 
 public:
-  explicit Neighbor_collector(std::size_t size)
+  CGAL_RARELY_CALLED explicit Neighbor_collector(std::size_t size)
     : size_(size), pairs_(Neighbor_bins(size)), lists_(List_bins(size))
   {}
 
@@ -110,7 +111,7 @@ private:
 
   // Returns for each bin the number of neighbors in all bins before it, and then the total number.
   template <class Bins>
-  std::vector<std::size_t> begins_of_all_bins(All_bins<Bins>& all_bins)
+  CGAL_RARELY_CALLED std::vector<std::size_t> begins_of_all_bins(All_bins<Bins>& all_bins)
   {
     std::vector<std::size_t> begins(bin_count<Bins>() + 1, 0);
     all_bins.for_each([&](const Bins& bins) {
