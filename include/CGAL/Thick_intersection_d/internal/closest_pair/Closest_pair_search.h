@@ -36,8 +36,6 @@
 
 #include <CGAL/assertions.h>
 
-#include <boost/config.hpp> // BOOST_NOINLINE
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -67,7 +65,7 @@ public:
 
   // Returns the closest pair. If the search is cancelled, returns the closest of the pairs that it
   // has seen so far. (0, 1) is the first of these pairs.
-  Position_pair find()
+  CGAL_RARELY_CALLED Position_pair find()
   {
     minimum_.offer(0, 1);
     const bool is_found
@@ -95,7 +93,7 @@ private:
   // The same method finds the closest pair of an eighth of the points. Few pairs of all points are
   // within the distance of this pair: 8^2 pairs, if pairs were independent.
   template <int Dimension>
-  bool search(const Some_positions& sample)
+  CGAL_RARELY_CALLED bool search(const Some_positions& sample)
   {
     if(sample.size() <= small_size) {
       offer_all(sample);
@@ -113,7 +111,7 @@ private:
            && Hashed_cells<Dimension>::fits(minimum_.reach(), scene_.error);
   }
 
-  BOOST_NOINLINE void offer_all(const Some_positions& sample)
+  CGAL_RARELY_CALLED void offer_all(const Some_positions& sample)
   {
     for(std::size_t i = 0; i < sample.size() && progress_.advance(1); ++i)
       for(std::size_t j = i + 1; j < sample.size(); ++j)
@@ -122,7 +120,7 @@ private:
 
   // Joins the points of a sample in cells. Returns false if the cells are crowded.
   template <int Dimension>
-  bool join(const Some_positions& sample)
+  CGAL_RARELY_CALLED bool join(const Some_positions& sample)
   {
     const double distance = (std::min)(minimum_.reach(), (std::numeric_limits<double>::max)());
     const Cell_join<ConcurrencyTag, Dimension, Elements> join_cells(

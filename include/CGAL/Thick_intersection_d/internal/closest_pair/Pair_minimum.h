@@ -189,14 +189,13 @@ private:
                             scale_);
   }
 
-  // Not inline: few scenes need it.
-  BOOST_NOINLINE void offer_at_scale(std::size_t i, std::size_t j)
+  CGAL_RARELY_CALLED void offer_at_scale(std::size_t i, std::size_t j)
   {
     offer_between(i, j, scaled_square_bounds(i, j));
   }
 
   // As squared_distance_bounds(), of differences times the scale.
-  Gap scaled_square_bounds(std::size_t i, std::size_t j) const
+  CGAL_RARELY_CALLED Gap scaled_square_bounds(std::size_t i, std::size_t j) const
   {
     Gap sum = {0, 0};
     for(int axis = 0; axis < dimension_; ++axis) {
@@ -241,7 +240,7 @@ private:
   static bool is_plain(double square) { return square >= 0x1p-900 && square <= 0x1p1000; }
 
   // Takes a pair. Its computed squared distance is between the doubles of `square`.
-  BOOST_NOINLINE void replace(const Position_pair& pair, Gap square)
+  CGAL_RARELY_CALLED void replace(const Position_pair& pair, Gap square)
   {
     const double error = relative_error(dimension_);
     has_pair_ = true;

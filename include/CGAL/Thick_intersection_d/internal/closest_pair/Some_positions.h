@@ -11,6 +11,8 @@
 #include <CGAL/Thick_intersection_d/internal/closest_pair/tuning.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 
+#include <boost/config.hpp> // BOOST_NOINLINE
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -28,7 +30,7 @@ public:
   explicit Some_positions(std::size_t size) : size_(size) {}
 
   // Draws each point of another sample with a probability of 1/8.
-  Some_positions(const Some_positions& sample, std::uint64_t& seed)
+  BOOST_NOINLINE Some_positions(const Some_positions& sample, std::uint64_t& seed)
   {
     for(std::size_t i = random_word(seed) % max_sample_step; i < sample.size();
         i += 1 + random_word(seed) % max_sample_step)

@@ -84,6 +84,7 @@ void report_near_points(const Elements& points, const Scene& scene,
 }
 
 template <class ConcurrencyTag, class Elements, class NamedParameters>
+CGAL_RARELY_CALLED
 Position_pair find_closest_pair(const Elements& points, const NamedParameters& np)
 {
   const Scene scene = scan_checked_points<ConcurrencyTag>(points);
