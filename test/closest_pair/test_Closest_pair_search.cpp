@@ -32,7 +32,7 @@ BOOST_AUTO_TEST_CASE(first_point_may_be_far_out)
   const Pair pair
     = internal::Closest_pair_search<CGAL::Sequential_tag, Counted_points<Point>,
                                     internal::Unwatched_progress, Report_near_points>(
-        counted, scene, 1, progress, Report_near_points()).find();
+        counted, scene, 1, progress, Report_near_points{scene}).find();
   BOOST_CHECK(pair == closest_by_division(points));
   BOOST_CHECK_LE(looks, 20 * points.size());
 }
@@ -56,7 +56,7 @@ BOOST_AUTO_TEST_CASE(cancelled_search_looks_at_few_points_more)
     using Counted = Counted_points<Point>;
     Progress progress(cancel, points.size());
     internal::Closest_pair_search<CGAL::Sequential_tag, Counted, Progress, Report_near_points>(
-      counted, scene, 1, progress, Report_near_points()).find();
+      counted, scene, 1, progress, Report_near_points{scene}).find();
     BOOST_CHECK_LE(looks - before, 4000u);
     const auto report_near = [](const auto&, auto&) {};
     for(const auto& bound : {zero, tiny}) {
@@ -71,6 +71,7 @@ BOOST_AUTO_TEST_CASE(cancelled_search_looks_at_few_points_more)
 // Counts how many searches were left to it.
 struct Counted_reports
 {
+  const internal::Scene& scene; // of the points
   int& count;
 
   template <class Elements, class Bound, class Callback, class Progress>
@@ -78,7 +79,7 @@ struct Counted_reports
                   Progress& progress) const
   {
     ++count;
-    Report_near_points()(points, bound, callback, progress);
+    Report_near_points{scene}(points, bound, callback, progress);
   }
 };
 
@@ -89,12 +90,13 @@ int reports_of_closest_pair(const Points& scene)
   const auto points = make_points<Maker<Dimension>>(scene);
   using Elements = Elements_of<typename Maker<Dimension>::Point>;
   const Elements elements(points);
+  const internal::Scene scene_of_points = scene_of(elements);
   int count = 0;
-  const Counted_reports report_near = {count};
+  const Counted_reports report_near = {scene_of_points, count};
   internal::Unwatched_progress progress;
   const Pair pair = internal::Closest_pair_search<CGAL::Sequential_tag, Elements,
                                                   internal::Unwatched_progress, Counted_reports>(
-    elements, scene_of(elements), 1, progress, report_near).find();
+    elements, scene_of_points, 1, progress, report_near).find();
   check_pair("search", closest_by_division(points), pair);
   return count;
 }
@@ -160,6 +162,7 @@ BOOST_AUTO_TEST_CASE(points_that_are_made_for_a_seed_take_a_few_reports)
 // Claims that too many pairs are within each distance above a limit.
 struct Flooding_reports
 {
+  const internal::Scene& scene; // of the points
   double limit;
   int& count;
 
@@ -171,7 +174,7 @@ struct Flooding_reports
     if(internal::Squared_bound<Exact_of<Point>>(bound).reach() > limit)
       while(callback(0, 1)) {}
     else
-      Report_near_points()(points, bound, callback, progress);
+      Report_near_points{scene}(points, bound, callback, progress);
   }
 };
 
@@ -185,15 +188,16 @@ BOOST_AUTO_TEST_CASE(closest_pairs_are_found_though_too_many_are_nearly_as_close
     const auto points = make_points<Maker<2>>(moved(scene, scale, 0));
     const Pair closest = closest_by_division(points);
     const Elements_of<Point> elements(points);
+    const internal::Scene scene_of_points = scene_of(elements);
     const double distance = std::hypot(points[closest.first].x() - points[closest.second].x(),
                                        points[closest.first].y() - points[closest.second].y());
     for(const double factor : {2., 3.9}) {
       int count = 0;
-      const Flooding_reports report_near = {factor * distance, count};
+      const Flooding_reports report_near = {scene_of_points, factor * distance, count};
       internal::Unwatched_progress progress;
       BOOST_CHECK((internal::Closest_pair_search<CGAL::Sequential_tag, Elements_of<Point>,
                                                  internal::Unwatched_progress, Flooding_reports>(
-                     elements, scene_of(elements), 1, progress, report_near).find()) == closest);
+                     elements, scene_of_points, 1, progress, report_near).find()) == closest);
       BOOST_CHECK_GT(count, 2);
       BOOST_CHECK_LE(count, 13);
     }

@@ -37,12 +37,13 @@ internal::Scene scene_of(const Elements& elements)
 // What the searches report near pairs by.
 struct Report_near_points
 {
+  const internal::Scene& scene; // of the points
+
   template <class Elements, class Bound, class Callback, class Progress>
   void operator()(const Elements& points, const Bound& bound, const Callback& callback,
                   Progress& progress) const
   {
-    internal::report_near_points<CGAL::Sequential_tag>(points, scene_of(points), bound, callback,
-                                                       progress);
+    internal::report_near_points<CGAL::Sequential_tag>(points, scene, bound, callback, progress);
   }
 };
 

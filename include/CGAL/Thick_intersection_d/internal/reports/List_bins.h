@@ -126,8 +126,7 @@ private:
     return part + 1;
   }
 
-  // Large blocks of memory hold many chunks,
-  // because each block costs an allocation.
+  // Large blocks of memory hold many chunks, because each block costs an allocation.
   CGAL_RARELY_CALLED void extend(Bin& bin)
   {
     if(chunks_left_ == 0) {
