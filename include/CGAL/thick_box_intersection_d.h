@@ -10,7 +10,7 @@
 #include <CGAL/tags.h>
 
 #include <CGAL/Thick_intersection_d/internal/doors/box_ranges_search.h>
-#include <CGAL/Thick_intersection_d/internal/input/Box_members.h>
+#include <CGAL/Thick_intersection_d/internal/input/Numbered_boxes.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
 #include <cstddef>

@@ -7,7 +7,6 @@
 
 #include <CGAL/Remote_error.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/Communicator.h>
-#include <CGAL/Thick_intersection_d/internal/distributed/agree_on.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/run_together.h>
 
 #include <boost/test/unit_test.hpp>

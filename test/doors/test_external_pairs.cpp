@@ -15,12 +15,9 @@
 #include <CGAL/Thick_intersection_d/internal/doors/external_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/external/Chunk_store.h>
 #include <CGAL/Thick_intersection_d/internal/external/External_parts.h>
-#include <CGAL/Thick_intersection_d/internal/external/Part_limits.h>
-#include <CGAL/Thick_intersection_d/internal/external/Scratch_file.h>
 #include <CGAL/Thick_intersection_d/internal/external/Searched_points.h>
-#include <CGAL/Thick_intersection_d/internal/external/Stored_point.h>
 #include <CGAL/Thick_intersection_d/internal/external/Stored_points.h>
-#include <CGAL/Thick_intersection_d/internal/external/Stripes.h>
+#include <CGAL/Thick_intersection_d/internal/external/Tile_writer.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 

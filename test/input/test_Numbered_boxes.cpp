@@ -5,7 +5,6 @@
 
 #include <CGAL/Exact_rational.h>
 
-#include <CGAL/Thick_intersection_d/internal/input/Box_members.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_boxes.h>
 
 #include <boost/test/unit_test.hpp>

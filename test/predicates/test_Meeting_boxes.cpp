@@ -3,7 +3,6 @@
 
 // Closed and half-open boxes, as intervals of doubles and by their exact ends.
 
-#include <CGAL/Thick_intersection_d/internal/input/Box_members.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_boxes.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Meeting_boxes.h>
 

@@ -11,12 +11,10 @@
 
 #include <CGAL/Thick_intersection_d/internal/distributed/Communicator.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/exchange_bytes.h>
-#include <CGAL/Thick_intersection_d/internal/distributed/gather_all.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/run_together.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Bisection.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Cell_counts.h>
-#include <CGAL/Thick_intersection_d/internal/parts/Near_boxes.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_box.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_points.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Point_sample.h>

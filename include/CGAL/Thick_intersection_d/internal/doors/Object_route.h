@@ -7,19 +7,154 @@
 
 // Chooses the route of objects by their traits.
 
-#include <CGAL/Thick_intersection_d/internal/doors/Traits_boxes.h>
+#include <CGAL/Dimension.h>
+
 #include <CGAL/Thick_intersection_d/internal/doors/box_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/doors/recursive_search.h>
+#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 
+#include <atomic>
+#include <cmath>
 #include <cstddef>
+#include <memory>
+#include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <utility>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
+
+// Whether traits give the interval of an object along an axis.
+template <class Traits, class = void>
+struct Has_intervals : std::false_type {};
+template <class Traits>
+struct Has_intervals<Traits,
+                     std::void_t<decltype(std::declval<const Traits&>().interval_d_object())>>
+  : std::true_type {};
+
+// Whether traits compare objects along axes, as the recursive route needs.
+template <class Traits, class = void>
+struct Has_close_predicate : std::false_type {};
+template <class Traits>
+struct Has_close_predicate<
+  Traits, std::void_t<decltype(std::declval<const Traits&>().is_close_along_axis_d_object())>>
+  : std::true_type {};
+
+// The dimension of objects, or 0 if only the traits object knows it.
+template <class Traits, class = void>
+struct Object_dimension : std::integral_constant<int, 0> {};
+template <class Traits>
+struct Object_dimension<Traits, std::void_t<decltype(Traits::Dimension::value)>>
+  : std::integral_constant<int, Traits::Dimension::value>
+{};
+
+// Whether traits make boxes of all intervals at once, and ask no more about boxes that meet, as
+// those of kernel objects do. Their boxes are finite if check() has not thrown.
+template <class Traits, class = void>
+struct Has_boxes : std::false_type {};
+template <class Traits>
+struct Has_boxes<Traits, std::void_t<decltype(Traits::do_boxes_decide)>> : std::true_type {};
+
+// Decides about objects by their boxes. A specialization for some traits may know more.
+template <class Traits>
+struct Box_filter_of_traits
+{
+  using type = void;
+};
+
+// Objects whose traits give intervals, as the box route reads them.
+template <class Elements, class Traits>
+class Traits_boxes
+{
+public:
+  using Box_filter = typename Box_filter_of_traits<Traits>::type;
+  static constexpr int static_dimension = Object_dimension<Traits>::value;
+
+  Traits_boxes(const Elements& objects, const Traits& traits)
+    : objects_(objects), traits_(traits), interval_(traits.interval_d_object()),
+      do_intersect_(traits.do_intersect_d_object())
+  {}
+
+  std::size_t size() const { return objects_.size(); }
+  int dimension() const { return traits_.dimension(); }
+
+  auto intervals(std::size_t position) const
+  {
+    if constexpr(Has_boxes<Traits>::value)
+      return [box = Traits::box(objects_[position])](int axis) {
+        return Interval{(box.min)(axis), (box.max)(axis)};
+      };
+    else
+      return [this, position](int axis) {
+        const std::pair<double, double> interval = interval_(objects_[position], axis);
+        return Interval{interval.first, interval.second};
+      };
+  }
+
+  bool are_exact() const
+  {
+    if constexpr(Has_boxes<Traits>::value)
+      return Traits::do_boxes_decide && !traits_.is_counting();
+    else
+      return false;
+  }
+
+  // Asks for the memory of an object, if the range holds it.
+  void ask_for([[maybe_unused]] std::size_t position) const
+  {
+    if constexpr(std::is_lvalue_reference_v<decltype(objects_[position])>)
+      for(std::size_t line = 0; line * cache_line_size < sizeof(objects_[position]); ++line)
+        prefetch_to_read(std::addressof(objects_[position]), line);
+  }
+
+  bool do_intersect(std::size_t i, std::size_t j) const
+  {
+    if constexpr(Has_boxes<Traits>::value)
+      return do_intersect_.decide(objects_[i], objects_[j]);
+    else
+      return do_intersect_(objects_[i], objects_[j]);
+  }
+
+  // Returns whether all intervals are finite. Throws if an interval is empty or NaN.
+  template <class ConcurrencyTag>
+  bool are_finite() const
+  {
+    if constexpr(Has_boxes<Traits>::value)
+      return true;
+    std::atomic<bool> are_finite = true;
+    check_each<ConcurrencyTag>(size(), [&](std::size_t position) {
+      if(!is_finite(position))
+        are_finite.store(false, std::memory_order_relaxed);
+    });
+    return are_finite;
+  }
+
+private:
+  // Throws if an interval of the object is empty or NaN.
+  bool is_finite(std::size_t position) const
+  {
+    bool is_finite = true;
+    for(int axis = 0; axis < dimension(); ++axis) {
+      const Interval interval = intervals(position)(axis);
+      if(!(interval.low <= interval.high))
+        throw std::invalid_argument("The interval of object " + std::to_string(position)
+                                    + " along axis " + std::to_string(axis)
+                                    + " is empty or NaN.");
+      is_finite = is_finite && std::isfinite(interval.low) && std::isfinite(interval.high);
+    }
+    return is_finite;
+  }
+
+  const Elements& objects_;
+  const Traits& traits_;
+  decltype(std::declval<const Traits&>().interval_d_object()) interval_;
+  decltype(std::declval<const Traits&>().do_intersect_d_object()) do_intersect_;
+};
 
 template <class Traits, class = void>
 struct Has_check : std::false_type {};

@@ -16,7 +16,6 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/Communicator.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/Stop_signal.h>
-#include <CGAL/Thick_intersection_d/internal/distributed/agree_on.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/run_together.h>
 #include <CGAL/Thick_intersection_d/internal/doors/Distributed_points.h>
 #include <CGAL/Thick_intersection_d/internal/doors/near_pairs_search.h>

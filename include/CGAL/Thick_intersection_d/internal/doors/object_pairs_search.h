@@ -5,9 +5,12 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_OBJECT_PAIRS_SEARCH_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_OBJECT_PAIRS_SEARCH_H
 
-// The searches behind thick_self_intersection_d() and thick_intersection_d().
+// The searches behind thick_self_intersection_d() and thick_intersection_d(). A mistake in their
+// arguments gives one sentence when a program is compiled.
 
 #include <CGAL/Arithmetic_tier.h>
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Scene_profile.h>
 #include <CGAL/Thick_object_traits_d.h>
@@ -15,18 +18,106 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/check_denormals.h>
 #include <CGAL/Thick_intersection_d/internal/doors/Object_route.h>
 #include <CGAL/Thick_intersection_d/internal/doors/box_pairs_search.h>
-#include <CGAL/Thick_intersection_d/internal/doors/check_traits.h>
+#include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/input/scan_objects.h>
+#include <CGAL/Thick_intersection_d/internal/input/vertices.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
 
 #include <algorithm>
 #include <optional>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
+
+template <class Object, class = void>
+struct Has_bounding_box
+  : std::bool_constant<std::is_same_v<Object, Bbox_2> || std::is_same_v<Object, Bbox_3>>
+{};
+template <class Object>
+struct Has_bounding_box<Object, std::void_t<decltype(std::declval<const Object&>().bbox())>>
+  : std::true_type {};
+
+// Whether an object is a pair of a point and something else.
+template <class Object, class = void>
+struct Is_ball : std::false_type {};
+template <class Object>
+struct Is_ball<Object, std::void_t<typename Object::second_type>>
+  : Is_point<typename Object::first_type> {};
+
+// Checks the objects of a search without traits.
+template <class Object>
+constexpr bool check_kernel_objects()
+{
+  constexpr bool is_ball = Is_ball<Object>::value || Is_weighted_point<Object>::value;
+  constexpr bool has_box = Has_bounding_box<Object>::value || is_ball;
+  static_assert(!is_ball, "Balls need traits: make them pairs of a center and a radius, and pass "
+                          "Thick_ball_traits_d as geom_traits.");
+  static_assert(has_box, "The elements of the range are to be objects with bbox() and "
+                         "do_intersect(): pass a property map to such objects as point_map, or "
+                         "traits as geom_traits.");
+  return has_box && !is_ball;
+}
+
+struct No_objects {};
+
+// The objects of traits with an intersection test.
+template <class Traits, class = void>
+struct Object_of_traits
+{
+  using type = No_objects;
+};
+template <class Traits>
+struct Object_of_traits<
+  Traits, std::void_t<decltype(std::declval<const Traits&>().do_intersect_d_object()),
+                      typename Traits::Object_d>>
+{
+  using type = typename Traits::Object_d;
+};
+
+template <class Traits, class Object>
+constexpr bool check_traits()
+{
+  using Object_d = typename Object_of_traits<Traits>::type;
+  constexpr bool is_model = !std::is_same_v<Object_d, No_objects>
+                            && (Has_intervals<Traits>::value || Has_close_predicate<Traits>::value);
+  constexpr bool takes_objects = std::is_convertible_v<const Object&, const Object_d&> || !is_model;
+  static_assert(is_model, "geom_traits is to be a model of ThickIntersectionIntervalTraits_d or of "
+                          "ThickIntersectionTraits_d.");
+  static_assert(takes_objects, "The elements of the range are to be of the type Object_d of "
+                               "geom_traits: pass a property map to such objects as point_map.");
+  return is_model && takes_objects;
+}
+
+// Checks the traits of the named parameters. Without any, checks that the default traits will do.
+template <class Object, class NamedParameters>
+constexpr bool check_objects_and_traits()
+{
+  if constexpr(parameters::is_default_parameter<NamedParameters,
+                                                internal_np::geom_traits_t>::value)
+    return check_kernel_objects<Object>();
+  else {
+    using Traits = decltype(parameters::get_parameter_reference(
+      std::declval<const NamedParameters&>(), internal_np::geom_traits));
+    return check_traits<std::decay_t<Traits>, Object>();
+  }
+}
+
+// Checks the objects of a search with a profile. The coordinates of other objects are not known.
+template <class Object, class NamedParameters>
+constexpr bool check_profiled_objects()
+{
+  constexpr bool is_known = Vertex_count<Object>::value != 0 || std::is_same_v<Object, Bbox_2>
+                            || std::is_same_v<Object, Bbox_3>;
+  constexpr bool has_traits
+    = !parameters::is_default_parameter<NamedParameters, internal_np::geom_traits_t>::value;
+  static_assert(is_known && !has_traits,
+                "A Scene_profile is for objects of a kernel or boxes, without geom_traits.");
+  return is_known && !has_traits;
+}
 
 // Returns the traits given as `geom_traits`. Otherwise makes the traits for kernel objects. Only
 // the recursive route needs the extents of objects, which take a pass over them.

@@ -8,7 +8,6 @@
 // Lists of points that are too long for the memory.
 
 #include <CGAL/Thick_intersection_d/internal/external/Chunk_store.h>
-#include <CGAL/Thick_intersection_d/internal/external/Stored_point.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_box.h>

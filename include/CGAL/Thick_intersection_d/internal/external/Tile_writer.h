@@ -8,21 +8,49 @@
 // Cuts points into tiles by a sample, and writes them.
 
 #include <CGAL/Thick_intersection_d/internal/external/Chunk_store.h>
-#include <CGAL/Thick_intersection_d/internal/external/Stored_point.h>
 #include <CGAL/Thick_intersection_d/internal/external/Stored_points.h>
-#include <CGAL/Thick_intersection_d/internal/external/Stripes.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
+
+// Finds the stripe of a number. Numbers in order have stripes in order.
+class Stripes
+{
+public:
+  // `values` are in order. Some of them are below a cut, and some are not, unless all are equal.
+  // `count` is a power of two.
+  Stripes(const std::vector<double>& values, std::size_t count)
+    : cuts_(1, -std::numeric_limits<double>::infinity())
+  {
+    for(std::size_t stripe = 1; stripe < count; ++stripe)
+      cuts_.push_back(values[stripe * values.size() / count]);
+    if(cuts_.back() == values.front())
+      cuts_.back() = values.back();
+  }
+
+  // Returns the last stripe that begins with x or a lesser number. There is no branch: it would be
+  // mispredicted for half of the numbers.
+  std::size_t operator()(double x) const
+  {
+    std::size_t stripe = 0;
+    for(std::size_t step = cuts_.size() / 2; step > 0; step /= 2)
+      stripe += step * (cuts_[stripe + step] <= x); // x is less than cuts_[stripe + 2 * step]
+    return stripe;
+  }
+
+private:
+  std::vector<double> cuts_; // where stripes begin
+};
 
 // Rows of tiles, cut across two axes. The sample decides where to cut and nothing else: every point
 // has one tile, whatever the sample was. A search cuts slabs across the last axis, and strips

@@ -69,6 +69,16 @@ struct Scene
   }
 };
 
+// What one pass over kernel objects finds: where they are, how large they are, and the grid of
+// their coordinates.
+struct Object_scene
+{
+  std::size_t size = 0;
+  std::vector<Interval> box;   // of all objects; empty if there are none
+  std::vector<double> reaches; // along an axis, of points of two objects whose boxes meet
+  std::optional<int> grid_exponent; // if all coordinates are doubles
+};
+
 } // namespace internal
 } // namespace Thick_intersection_d
 } // namespace CGAL

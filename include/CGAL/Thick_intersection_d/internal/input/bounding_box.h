@@ -5,10 +5,12 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_BOUNDING_BOX_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_BOUNDING_BOX_H
 
-// The bounding box of an object.
+// The bounding box of an object, and the check that its vertices are finite.
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Bbox_3.h>
+#include <CGAL/Circle_2.h>
+#include <CGAL/Sphere_3.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
@@ -16,7 +18,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -83,6 +88,49 @@ auto bounding_box(const Object& object)
       box = box + bounding_box_of_vertex<Box>(object, v);
     return box;
   }
+}
+
+template <class Object>
+struct Is_hypersphere : std::false_type {};
+template <class K>
+struct Is_hypersphere<Circle_2<K>> : std::true_type {};
+template <class K>
+struct Is_hypersphere<Sphere_3<K>> : std::true_type {};
+
+// Returns whether the bounding box of an object is the object.
+template <class Object>
+constexpr bool is_box_of_doubles()
+{
+  if constexpr(Vertex_count<Object>::value == 1 || is_iso_box_v<Object>)
+    return has_double_vertices_v<Object>;
+  else
+    return std::is_same_v<Object, Bbox_2> || std::is_same_v<Object, Bbox_3>;
+}
+
+// Throws if the box of an object is not finite. That of an empty Bbox begins behind its end.
+template <class Object>
+void check_bounding_box(const Object& object, std::size_t position)
+{
+  const auto& box = bounding_box(object);
+  for(int i = 0; i < box.dimension(); ++i)
+    if(!(std::isfinite((box.min)(i)) && std::isfinite((box.max)(i))
+         && (box.min)(i) <= (box.max)(i)))
+      throw std::invalid_argument("The bounding box of object " + std::to_string(position)
+                                  + " is empty or not finite.");
+}
+
+// Throws if a coordinate of a vertex is NaN or infinite. The bounding box does not show this,
+// because the minimum of NaN and 1 may be 1.
+template <class Object>
+void check_vertices(const Object& object, std::size_t position)
+{
+  if constexpr(Vertex_count<Object>::value == 0)
+    check_bounding_box(object, position);
+  else
+    for(int v = 0; v < Vertex_count<Object>::value; v += Vertex_step<Object>::value)
+      for(int i = 0; i < vertex_dimension_v<Object>; ++i)
+        if(!are_bounds_of_finite(vertex_bounds(object, v, i)))
+          throw_not_finite("vertex of object", position, i);
 }
 
 } // namespace internal

@@ -13,7 +13,6 @@
 
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
-#include <CGAL/Thick_intersection_d/internal/input/iterators.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 
 #include <type_traits>

@@ -13,7 +13,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
-#include <CGAL/Thick_intersection_d/internal/parts/Byte_reader.h>
+#include <CGAL/Thick_intersection_d/internal/parts/Part_points.h>
 
 #include <array>
 #include <cstddef>

@@ -5,19 +5,48 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_PARTS_PART_POINTS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_PARTS_PART_POINTS_H
 
-// The points of a part, with their ids.
+// The points of a part, with their ids, and the bytes that they are sent as.
 
 #include <CGAL/Thick_intersection_d/internal/machine/huge_pages.h>
-#include <CGAL/Thick_intersection_d/internal/parts/Byte_reader.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
+
+// Numbers are written as they are in memory: all processes of a job are of one program.
+template <class Number>
+void write_bytes(const Number* numbers, std::size_t count, std::vector<char>& bytes)
+{
+  const char* const first = reinterpret_cast<const char*>(numbers);
+  bytes.insert(bytes.end(), first, first + count * sizeof(Number));
+}
+
+class Byte_reader
+{
+public:
+  explicit Byte_reader(const std::vector<char>& bytes)
+    : next_(bytes.data()), end_(bytes.data() + bytes.size())
+  {}
+
+  bool is_at_end() const { return next_ == end_; }
+
+  template <class Number>
+  void read(Number* numbers, std::size_t count)
+  {
+    std::memcpy(numbers, next_, count * sizeof(Number));
+    next_ += count * sizeof(Number);
+  }
+
+private:
+  const char* next_;
+  const char* end_;
+};
 
 // Returns two ids, the lesser one first. There is no branch: it would be mispredicted for half of
 // the pairs, and take a quarter of a search.
