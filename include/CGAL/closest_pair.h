@@ -208,19 +208,19 @@ bool has_close_pair(PointRange&& points, const Distance_bound<NT>& bound,
 
 #ifndef DOXYGEN_RUNNING
 // Bare numbers as bounds: each call that has one stops with a sentence that says so.
-template <class ConcurrencyTag = Sequential_tag, class PointRange, class Number, class... Arguments>
-std::enable_if_t<Thick_intersection_d::internal::is_number_v<Number>,
+template <class ConcurrencyTag = Sequential_tag, class... Arguments>
+std::enable_if_t<Thick_intersection_d::internal::has_bare_number_v<Arguments...>,
                  std::optional<std::pair<std::size_t, std::size_t>>>
-find_close_pair(PointRange&&, const Number&, Arguments&&...)
+find_close_pair(const Arguments&...)
 {
-  Thick_intersection_d::internal::check_bound<Number>();
+  Thick_intersection_d::internal::check_bound<Arguments...>();
   return {};
 }
-template <class ConcurrencyTag = Sequential_tag, class PointRange, class Number, class... Arguments>
-std::enable_if_t<Thick_intersection_d::internal::is_number_v<Number>, bool>
-has_close_pair(PointRange&&, const Number&, Arguments&&...)
+template <class ConcurrencyTag = Sequential_tag, class... Arguments>
+std::enable_if_t<Thick_intersection_d::internal::has_bare_number_v<Arguments...>, bool>
+has_close_pair(const Arguments&...)
 {
-  return Thick_intersection_d::internal::check_bound<Number>();
+  return Thick_intersection_d::internal::check_bound<Arguments...>();
 }
 #endif
 

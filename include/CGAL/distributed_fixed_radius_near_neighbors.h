@@ -260,30 +260,19 @@ Distributed_neighbor_lists distributed_fixed_radius_neighbor_lists(
 
 #ifndef DOXYGEN_RUNNING
 // Bare numbers as bounds: each call that has one stops with a sentence that says so.
-template <class ConcurrencyTag = Sequential_tag, class PointRange, class A, class B,
-          class... Arguments>
-std::enable_if_t<Thick_intersection_d::internal::is_number_v<A>
-                   || Thick_intersection_d::internal::is_number_v<B>, bool>
-distributed_fixed_radius_near_neighbors(MPI_Comm, PointRange&&, const A&, const B&, Arguments&&...)
+template <class ConcurrencyTag = Sequential_tag, class... Arguments>
+std::enable_if_t<Thick_intersection_d::internal::has_bare_number_v<Arguments...>, bool>
+distributed_fixed_radius_near_neighbors(MPI_Comm, const Arguments&...)
 {
-  namespace internal = Thick_intersection_d::internal;
-  return internal::check_bound<std::conditional_t<internal::is_number_v<A>, A, B>>();
+  return Thick_intersection_d::internal::check_bound<Arguments...>();
 }
-template <class ConcurrencyTag = Sequential_tag, class PointRange, class Number, class... Arguments>
-std::enable_if_t<Thick_intersection_d::internal::is_number_v<Number>, Distributed_neighbor_lists>
-distributed_fixed_radius_neighbor_lists(MPI_Comm, PointRange&&, const Number&, Arguments&&...)
+template <class ConcurrencyTag = Sequential_tag, class... Arguments>
+std::enable_if_t<Thick_intersection_d::internal::has_bare_number_v<Arguments...>,
+                 Distributed_neighbor_lists>
+distributed_fixed_radius_neighbor_lists(MPI_Comm, const Arguments&...)
 {
-  Thick_intersection_d::internal::check_bound<Number>();
-  return Distributed_neighbor_lists();
-}
-template <class ConcurrencyTag = Sequential_tag, class PointRangeA, class PointRangeB, class Number,
-          class... Arguments>
-std::enable_if_t<Thick_intersection_d::internal::is_number_v<Number>, Distributed_neighbor_lists>
-distributed_fixed_radius_neighbor_lists(MPI_Comm, PointRangeA&&, PointRangeB&&, const Number&,
-                                        Arguments&&...)
-{
-  Thick_intersection_d::internal::check_bound<Number>();
-  return Distributed_neighbor_lists();
+  Thick_intersection_d::internal::check_bound<Arguments...>();
+  return {};
 }
 #endif
 

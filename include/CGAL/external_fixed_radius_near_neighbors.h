@@ -102,11 +102,11 @@ bool external_fixed_radius_near_neighbors(PointRange&& points, const Distance_bo
 
 #ifndef DOXYGEN_RUNNING
 // Bare numbers as bounds: each call that has one stops with a sentence that says so.
-template <class ConcurrencyTag = Sequential_tag, class PointRange, class Number, class... Arguments>
-std::enable_if_t<Thick_intersection_d::internal::is_number_v<Number>, bool>
-external_fixed_radius_near_neighbors(PointRange&&, const Number&, Arguments&&...)
+template <class ConcurrencyTag = Sequential_tag, class... Arguments>
+std::enable_if_t<Thick_intersection_d::internal::has_bare_number_v<Arguments...>, bool>
+external_fixed_radius_near_neighbors(const Arguments&...)
 {
-  return Thick_intersection_d::internal::check_bound<Number>();
+  return Thick_intersection_d::internal::check_bound<Arguments...>();
 }
 #endif
 

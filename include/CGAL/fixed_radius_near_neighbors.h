@@ -107,7 +107,7 @@ bool fixed_radius_near_neighbors(PointRange&& points, const Distance_bound<NT>& 
   const auto search = [&](const auto& elements, const auto& sets, auto& report) {
     return internal::report_near_pairs<ConcurrencyTag>(elements, sets, bound, report, np);
   };
-  return internal::search_range<ConcurrencyTag>(points, callback, np, search);
+  return internal::search_ranges<ConcurrencyTag>(callback, np, search, points);
 }
 
 /*!
@@ -138,7 +138,7 @@ bool fixed_radius_near_neighbors(PointRange&& points, const Distance_bound<NT>& 
   const auto search = [&](const auto& elements, const auto& sets, auto& report) {
     return internal::report_near_pairs<ConcurrencyTag>(elements, sets, bound, report, profile, np);
   };
-  return internal::search_range<ConcurrencyTag>(points, callback, np, search);
+  return internal::search_ranges<ConcurrencyTag>(callback, np, search, points);
 }
 
 /*!
@@ -172,7 +172,7 @@ bool fixed_radius_near_neighbors(PointRangeA&& points_a, PointRangeB&& points_b,
   const auto search = [&](const auto& elements, const auto& sets, auto& report) {
     return internal::report_near_pairs<ConcurrencyTag>(elements, sets, bound, report, np);
   };
-  return internal::search_two_ranges<ConcurrencyTag>(points_a, points_b, callback, np, search);
+  return internal::search_ranges<ConcurrencyTag>(callback, np, search, points_a, points_b);
 }
 
 /*!
@@ -192,7 +192,7 @@ bool fixed_radius_near_neighbors(PointRangeA&& points_a, PointRangeB&& points_b,
   const auto search = [&](const auto& elements, const auto& sets, auto& report) {
     return internal::report_near_pairs<ConcurrencyTag>(elements, sets, bound, report, profile, np);
   };
-  return internal::search_two_ranges<ConcurrencyTag>(points_a, points_b, callback, np, search);
+  return internal::search_ranges<ConcurrencyTag>(callback, np, search, points_a, points_b);
 }
 
 /*!
@@ -218,7 +218,7 @@ Neighbor_lists fixed_radius_neighbor_lists(PointRange&& points,
                                            const Distance_bound<NT>& bound,
                                            const NamedParameters& np = parameters::default_values())
 {
-  return Thick_intersection_d::internal::collect_neighbors<ConcurrencyTag>(points, bound, np);
+  return Thick_intersection_d::internal::collect_neighbors<ConcurrencyTag>(bound, np, points);
 }
 
 /*!
@@ -242,38 +242,23 @@ Neighbor_lists fixed_radius_neighbor_lists(PointRangeA&& points_a, PointRangeB&&
                                            const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
-  return internal::collect_neighbors<ConcurrencyTag>(points_a, points_b, bound, np);
+  return internal::collect_neighbors<ConcurrencyTag>(bound, np, points_a, points_b);
 }
 
 #ifndef DOXYGEN_RUNNING
 // Bare numbers as bounds: each call that has one stops with a sentence that says so.
-template <class ConcurrencyTag = Sequential_tag, class PointRange, class Number, class... Arguments>
-std::enable_if_t<Thick_intersection_d::internal::is_number_v<Number>, bool>
-fixed_radius_near_neighbors(PointRange&&, const Number&, Arguments&&...)
+template <class ConcurrencyTag = Sequential_tag, class... Arguments>
+std::enable_if_t<Thick_intersection_d::internal::has_bare_number_v<Arguments...>, bool>
+fixed_radius_near_neighbors(const Arguments&...)
 {
-  return Thick_intersection_d::internal::check_bound<Number>();
+  return Thick_intersection_d::internal::check_bound<Arguments...>();
 }
-template <class ConcurrencyTag = Sequential_tag, class PointRangeA, class PointRangeB, class Number,
-          class... Arguments>
-std::enable_if_t<Thick_intersection_d::internal::is_number_v<Number>, bool>
-fixed_radius_near_neighbors(PointRangeA&&, PointRangeB&&, const Number&, Arguments&&...)
+template <class ConcurrencyTag = Sequential_tag, class... Arguments>
+std::enable_if_t<Thick_intersection_d::internal::has_bare_number_v<Arguments...>, Neighbor_lists>
+fixed_radius_neighbor_lists(const Arguments&...)
 {
-  return Thick_intersection_d::internal::check_bound<Number>();
-}
-template <class ConcurrencyTag = Sequential_tag, class PointRange, class Number, class... Arguments>
-std::enable_if_t<Thick_intersection_d::internal::is_number_v<Number>, Neighbor_lists>
-fixed_radius_neighbor_lists(PointRange&&, const Number&, Arguments&&...)
-{
-  Thick_intersection_d::internal::check_bound<Number>();
-  return Neighbor_lists();
-}
-template <class ConcurrencyTag = Sequential_tag, class PointRangeA, class PointRangeB, class Number,
-          class... Arguments>
-std::enable_if_t<Thick_intersection_d::internal::is_number_v<Number>, Neighbor_lists>
-fixed_radius_neighbor_lists(PointRangeA&&, PointRangeB&&, const Number&, Arguments&&...)
-{
-  Thick_intersection_d::internal::check_bound<Number>();
-  return Neighbor_lists();
+  Thick_intersection_d::internal::check_bound<Arguments...>();
+  return {};
 }
 #endif
 

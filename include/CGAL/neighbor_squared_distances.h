@@ -54,7 +54,7 @@ template <class PointRange, class CGAL_NP_TEMPLATE_PARAMETERS>
 auto neighbor_squared_distances(const Neighbor_lists& lists, PointRange&& points,
                                 const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return Thick_intersection_d::internal::compute_neighbor_distances(lists, points, np);
+  return Thick_intersection_d::internal::compute_neighbor_distances(lists, np, points);
 }
 
 /*!
@@ -70,7 +70,7 @@ auto neighbor_squared_distances(const Neighbor_lists& lists, PointRangeA&& point
                                 PointRangeB&& points_b,
                                 const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return Thick_intersection_d::internal::compute_neighbor_distances(lists, points_a, points_b, np);
+  return Thick_intersection_d::internal::compute_neighbor_distances(lists, np, points_a, points_b);
 }
 
 } // namespace CGAL

@@ -113,7 +113,7 @@ bool thick_self_intersection_d(ObjectRange&& objects, Callback&& callback,
   const auto search = [&](const auto& elements, const auto& sets, auto& report) {
     return internal::report_object_pairs<ConcurrencyTag>(elements, sets, report, np);
   };
-  return internal::search_range<ConcurrencyTag>(objects, callback, np, search);
+  return internal::search_ranges<ConcurrencyTag>(callback, np, search, objects);
 }
 
 /*!
@@ -144,7 +144,7 @@ bool thick_self_intersection_d(ObjectRange&& objects, Callback&& callback, Scene
   const auto search = [&](const auto& elements, const auto& sets, auto& report) {
     return internal::report_object_pairs<ConcurrencyTag>(elements, sets, report, profile, np);
   };
-  return internal::search_range<ConcurrencyTag>(objects, callback, np, search);
+  return internal::search_ranges<ConcurrencyTag>(callback, np, search, objects);
 }
 
 /*!
@@ -180,7 +180,7 @@ bool thick_intersection_d(ObjectRangeA&& objects_a, ObjectRangeB&& objects_b,
   const auto search = [&](const auto& elements, const auto& sets, auto& report) {
     return internal::report_object_pairs<ConcurrencyTag>(elements, sets, report, np);
   };
-  return internal::search_two_ranges<ConcurrencyTag>(objects_a, objects_b, callback, np, search);
+  return internal::search_ranges<ConcurrencyTag>(callback, np, search, objects_a, objects_b);
 }
 
 /*!
@@ -205,7 +205,7 @@ bool thick_intersection_d(ObjectRangeA&& objects_a, ObjectRangeB&& objects_b, Ca
   const auto search = [&](const auto& elements, const auto& sets, auto& report) {
     return internal::report_object_pairs<ConcurrencyTag>(elements, sets, report, profile, np);
   };
-  return internal::search_two_ranges<ConcurrencyTag>(objects_a, objects_b, callback, np, search);
+  return internal::search_ranges<ConcurrencyTag>(callback, np, search, objects_a, objects_b);
 }
 
 } // namespace CGAL

@@ -16,6 +16,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/doors/Object_route.h>
+#include <CGAL/Thick_intersection_d/internal/doors/pair_search.h>
 #include <CGAL/Thick_intersection_d/internal/doors/recursive_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
@@ -279,11 +280,12 @@ void check_recursive_route(const Object_sets<Object>& sets, const Object_truth& 
   });
   const Pairs two_sets = collected([&](const Callback& callback) {
     const Callback callback_of_two = sets.callback_of_two_sets(callback);
-    const auto report = [&](const auto& elements, std::size_t size_a) {
-      internal::report_recursively<CGAL::Sequential_tag>(elements, internal::Two_sets{size_a},
-                                                         traits, callback_of_two, np);
+    const auto report = [&](const auto& elements, const auto& sets_of_two) {
+      internal::report_recursively<CGAL::Sequential_tag>(elements, sets_of_two, traits,
+                                                         callback_of_two, np);
     };
-    internal::with_two_ranges(sets.a, sets.b, np, report);
+    internal::with_sets(report, internal::make_elements(sets.a, np),
+                        internal::make_elements(sets.b, np));
   });
   check_found(truth, sets.all.size(), one_set, two_sets, "by recursion");
 }

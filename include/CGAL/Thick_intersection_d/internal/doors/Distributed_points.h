@@ -20,7 +20,6 @@
 #include <CGAL/Thick_intersection_d/internal/parts/Point_sample.h>
 #include <CGAL/Thick_intersection_d/internal/parts/spatial_order.h>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -48,13 +47,12 @@ public:
 
   // Copies the points, set by set, and gives each its id: the number of points of lower ranks in
   // its set, and its position.
-  template <class Elements, std::size_t Set_count>
-  void read(const Elements& elements, const std::array<std::size_t, Set_count>& sizes,
-            int dimension)
+  template <class Elements>
+  void read(const Elements& elements, int set_count, int dimension)
   {
-    run_together(comm_, [&] { sets_.resize(Set_count); });
-    for(std::size_t s = 0; s < Set_count; ++s)
-      sets_[s].own_size = sets_[s].consecutive_size = sizes[s];
+    run_together(comm_, [&] { sets_.resize(static_cast<std::size_t>(set_count)); });
+    sets_.front().own_size = sets_.front().consecutive_size = elements.first().size();
+    sets_.back().own_size = sets_.back().consecutive_size = elements.second().size();
     agree_on_sizes(dimension);
     run_together(comm_, [&] {
       std::size_t position = 0;

@@ -240,7 +240,7 @@ make_distributed_lists(const Communicator& comm, const Elements& elements, const
     return Distributed_neighbor_lists();
   else {
     Phase_clock clock(profile);
-    Distributed_lists lists(comm, sizes_of_sets(elements, sets)[0]);
+    Distributed_lists lists(comm, elements.first().size());
     { // then the points are given up
       const auto points
         = distribute_points<ConcurrencyTag>(comm, elements, sets, bound, profile, clock);

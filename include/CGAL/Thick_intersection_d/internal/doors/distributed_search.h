@@ -19,6 +19,7 @@
 #include <CGAL/Thick_intersection_d/internal/distributed/run_together.h>
 #include <CGAL/Thick_intersection_d/internal/doors/Distributed_points.h>
 #include <CGAL/Thick_intersection_d/internal/doors/near_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/doors/pair_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
@@ -26,9 +27,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Carried_points.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_points.h>
-#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
-#include <array>
 #include <chrono>
 #include <cstddef>
 #include <exception>
@@ -93,22 +92,10 @@ std::string text_of_bound(const Distance_bound<NT>& bound)
   return text.str();
 }
 
-// Returns how many elements each set has.
-template <class Elements>
-std::array<std::size_t, 1> sizes_of_sets(const Elements& elements, One_set)
-{
-  return {elements.size()};
-}
-template <class Elements>
-std::array<std::size_t, 2> sizes_of_sets(const Elements& elements, Two_sets sets)
-{
-  return {sets.first_size, elements.size() - sets.first_size};
-}
-
 // Checks the points and the bound on all processes, and distributes the points, so that each
 // process has its own and those near them. Finishes all phases before the search.
 template <class ConcurrencyTag, class Elements, class Sets, class NT>
-auto distribute_points(const Communicator& comm, const Elements& elements, const Sets& sets,
+auto distribute_points(const Communicator& comm, const Elements& elements, const Sets&,
                        const Distance_bound<NT>& bound, Distributed_profile& profile,
                        Phase_clock& clock)
 {
@@ -123,7 +110,7 @@ auto distribute_points(const Communicator& comm, const Elements& elements, const
   });
   agree_on(comm, "The distance bound", text);
   Distributed_points<Carried_point<Point>> points(comm, reach, profile);
-  points.read(elements, sizes_of_sets(elements, sets), dimension);
+  points.read(elements, Sets::are_two ? 2 : 1, dimension);
   clock.finish(Distributed_phase::CHECK);
   if(profile.distribution() == Point_distribution::BALANCED && comm.size() > 1) {
     points.partition();
@@ -170,14 +157,14 @@ template <class ConcurrencyTag, class Carried, class Sets, class NT, class Repor
 bool report_pairs_here(const std::vector<Part_points<Carried>>& points, const Sets&,
                        const Distance_bound<NT>& bound, Report& report, const NamedParameters& np)
 {
-  const auto first = make_elements(points.front().points, parameters::default_values());
-  if constexpr(Sets::are_two) {
-    const auto second = make_elements(points.back().points, parameters::default_values());
-    const Joined_elements elements(first, second);
-    return report_near_pairs<ConcurrencyTag>(elements, Two_sets{first.size()}, bound, report, np);
-  }
+  const auto search = [&](const auto& elements, const auto& sets) {
+    return report_near_pairs<ConcurrencyTag>(elements, sets, bound, report, np);
+  };
+  using Elements = Numbered_elements<std::vector<Carried>>;
+  if constexpr(Sets::are_two)
+    return with_sets(search, Elements(points.front().points), Elements(points.back().points));
   else
-    return report_near_pairs<ConcurrencyTag>(first, One_set(), bound, report, np);
+    return with_sets(search, Elements(points.front().points));
 }
 
 // Returns search(elements, sets) for the range of each process, or for its two ranges.
@@ -185,16 +172,14 @@ template <class NamedParameters, class Search, class... Ranges>
 auto with_distributed_ranges(const Communicator& comm, const NamedParameters& np,
                              const Search& search, Ranges&... ranges)
 {
-  std::tuple<std::optional<decltype(make_elements(ranges, np))>...> all;
+  std::tuple<std::optional<Elements_of<Ranges, NamedParameters>>...> all;
   run_together(comm, [&] {
     std::apply([&](auto&... elements) { (elements.emplace(make_elements(ranges, np)), ...); }, all);
   });
   if constexpr(sizeof...(Ranges) == 1)
-    return search(*std::get<0>(all), One_set());
-  else {
-    const Joined_elements elements(*std::get<0>(all), *std::get<1>(all));
-    return search(elements, Two_sets{elements.first().size()});
-  }
+    return with_sets(search, *std::get<0>(all));
+  else
+    return with_sets(search, *std::get<0>(all), *std::get<1>(all));
 }
 
 } // namespace internal

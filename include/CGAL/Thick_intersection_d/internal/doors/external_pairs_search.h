@@ -155,19 +155,11 @@ private:
     return go_on_(share_of_writing * beyond / static_cast<double>(size_));
   }
 
+  // The element was counted.
   template <class Element>
   Point stored_point(Element&& element) const
   {
-    if constexpr(!std::is_same_v<Map, No_map>)
-      return read_point(get(map_, element));
-    else
-      return read_point(element);
-  }
-
-  // The point was counted.
-  template <class Given_point>
-  Point read_point(const Given_point& point) const
-  {
+    const auto& point = get(map_, element);
     Point stored;
     stored.id = size_ - 1;
     bool is_finite = true;
@@ -248,9 +240,7 @@ constexpr bool check_external_search()
   if constexpr(!check_range_of_points<ConcurrencyTag, Range, NamedParameters>())
     return false;
   else {
-    using Elements
-      = decltype(make_elements(std::declval<Range&>(), std::declval<const NamedParameters&>()));
-    using Point = typename Elements::value_type;
+    using Point = typename Elements_of<Range, NamedParameters>::value_type;
     constexpr bool is_callback = std::is_invocable_v<Callback&, std::uint64_t, std::uint64_t>;
     static_assert(is_callback, "The callback is to take two positions of the type std::uint64_t.");
     constexpr bool is_stored = is_held_by_double_v<Coordinate_t<Point>>
@@ -271,7 +261,7 @@ bool search_externally(Range& range, const Distance_bound<NT>& bound, const Memo
     const auto& given = parameters::get_parameter(np, internal_np::callback);
     const auto& go_on = parameters::choose_parameter(given, go_on_always);
     using Map = std::decay_t<decltype(element_map(range, np))>;
-    using Point = typename decltype(make_elements(range, np))::value_type;
+    using Point = typename Elements_of<Range, NamedParameters>::value_type;
     using Search = External_search<ConcurrencyTag, dimension_or<Point>(0),
                                    std::remove_const_t<Range>, Map, NT, Callback,
                                    std::decay_t<decltype(go_on)>>;

@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -66,29 +67,18 @@ auto squared_distances_in_lists(const Neighbor_lists& lists, const Points& point
   return distances;
 }
 
-template <class Range, class NamedParameters>
-auto compute_neighbor_distances(const Neighbor_lists& lists, Range& range,
-                                const NamedParameters& np)
+// Of two ranges, the lists are those of the points of the first one.
+template <class NamedParameters, class... Ranges>
+auto compute_neighbor_distances(const Neighbor_lists& lists, const NamedParameters& np,
+                                Ranges&... ranges)
 {
-  if constexpr(check_range_of_points<Sequential_tag, Range, NamedParameters>()) {
-    const auto points = make_elements(range, np);
-    return squared_distances_in_lists(lists, points, points);
+  if constexpr((check_range_of_points<Sequential_tag, Ranges, NamedParameters>() && ...)) {
+    const std::tuple all(make_elements(ranges, np)...);
+    return squared_distances_in_lists(lists, std::get<0>(all),
+                                      std::get<sizeof...(Ranges) - 1>(all));
   }
   else
     return std::vector<double>();
-}
-
-template <class RangeA, class RangeB, class NamedParameters>
-auto compute_neighbor_distances(const Neighbor_lists& lists, RangeA& range_a, RangeB& range_b,
-                                const NamedParameters& np)
-{
-  if constexpr(!check_range_of_points<Sequential_tag, RangeA, NamedParameters>())
-    return std::vector<double>();
-  else if constexpr(!check_range_of_points<Sequential_tag, RangeB, NamedParameters>())
-    return std::vector<double>();
-  else
-    return squared_distances_in_lists(lists, make_elements(range_a, np),
-                                      make_elements(range_b, np));
 }
 
 } // namespace internal

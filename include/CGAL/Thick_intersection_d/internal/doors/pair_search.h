@@ -13,55 +13,50 @@
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
-#include <cstddef>
-#include <utility>
+#include <tuple>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-template <class Range, class NamedParameters>
-using Elements_of_range
-  = decltype(make_elements(std::declval<Range&>(), std::declval<const NamedParameters&>()));
-
-template <class ConcurrencyTag, class RangeA, class RangeB, class Callback, class NamedParameters>
-constexpr bool check_pair_search()
+// Returns task(elements, sets) for the elements of one range, or of two in one numbering.
+template <class Task, class Elements>
+auto with_sets(const Task& task, const Elements& elements)
 {
-  if constexpr(!check_range<ConcurrencyTag, RangeA, NamedParameters>())
-    return false;
-  else if constexpr(!check_range<ConcurrencyTag, RangeB, NamedParameters>())
-    return false;
-  else
-    return check_callback<Callback, Elements_of_range<RangeA, NamedParameters>,
-                          Elements_of_range<RangeB, NamedParameters>>();
+  return task(elements, One_set());
+}
+template <class Task, class First, class Second>
+auto with_sets(const Task& task, const First& first, const Second& second)
+{
+  return task(Joined_elements(first, second), Two_sets{first.size()});
 }
 
-// Returns search(elements, sets, report) for the elements of a range.
-template <class ConcurrencyTag, class Range, class Callback, class NamedParameters, class Search>
-bool search_range(Range& range, Callback& callback, const NamedParameters& np,
-                  const Search& search)
+template <class ConcurrencyTag, class Callback, class NamedParameters, class... Ranges>
+constexpr bool check_pair_search()
 {
-  if constexpr(check_pair_search<ConcurrencyTag, Range, Range, Callback, NamedParameters>()) {
-    const auto elements = make_elements(range, np);
-    auto&& report = pair_output<ConcurrencyTag>(elements, elements, callback);
-    return search(elements, One_set(), report);
+  if constexpr((check_range<ConcurrencyTag, Ranges, NamedParameters>() && ...)) {
+    using Elements = std::tuple<Elements_of<Ranges, NamedParameters>...>;
+    return check_callback<Callback, std::tuple_element_t<0, Elements>,
+                          std::tuple_element_t<sizeof...(Ranges) - 1, Elements>>();
   }
   else
     return false;
 }
 
-// Returns search(elements, sets, report) for the elements of two ranges.
-template <class ConcurrencyTag, class RangeA, class RangeB, class Callback, class NamedParameters,
-          class Search>
-bool search_two_ranges(RangeA& range_a, RangeB& range_b, Callback& callback,
-                       const NamedParameters& np, const Search& search)
+// Returns search(elements, sets, report) for the elements of one range, or of two.
+template <class ConcurrencyTag, class Callback, class NamedParameters, class Search,
+          class... Ranges>
+bool search_ranges(Callback& callback, const NamedParameters& np, const Search& search,
+                   Ranges&... ranges)
 {
-  if constexpr(check_pair_search<ConcurrencyTag, RangeA, RangeB, Callback, NamedParameters>())
-    return with_two_ranges(range_a, range_b, np, [&](const auto& elements, std::size_t size_a) {
+  if constexpr(check_pair_search<ConcurrencyTag, Callback, NamedParameters, Ranges...>()) {
+    const auto search_sets = [&](const auto& elements, const auto& sets) {
       auto&& report
         = pair_output<ConcurrencyTag>(elements.first(), elements.second(), callback);
-      return search(elements, Two_sets{size_a}, report);
-    });
+      return search(elements, sets, report);
+    };
+    return with_sets(search_sets, make_elements(ranges, np)...);
+  }
   else
     return false;
 }

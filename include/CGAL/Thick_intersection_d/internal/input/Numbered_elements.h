@@ -111,7 +111,14 @@ bool holds_element(const Iterator& iterator)
 }
 
 // The identity, for ranges whose elements are the objects themselves.
-struct No_map {};
+struct No_map
+{
+  template <class Element>
+  friend Element&& get(const No_map&, Element&& element)
+  {
+    return std::forward<Element>(element);
+  }
+};
 
 // Iterates over elements in a range-based for loop.
 template <class Elements>
@@ -143,10 +150,8 @@ class Numbered_elements
 
   static decltype(auto) mapped(Reference element, const Map& map)
   {
-    if constexpr(std::is_same_v<Map, No_map>)
-      return static_cast<Reference>(element);
-    else if constexpr(std::is_reference_v<Reference>)
-      return get(map, element);
+    if constexpr(std::is_reference_v<Reference>)
+      return get(map, static_cast<Reference>(element));
     else // a reference into a temporary would dangle
       return std::decay_t<decltype(get(map, element))>(get(map, element));
   }
@@ -167,6 +172,10 @@ public:
       size_ = table_.size();
     }
   }
+
+  // The elements of both sets, where a search of two sets has those of two ranges.
+  const Numbered_elements& first() const { return *this; }
+  const Numbered_elements& second() const { return *this; }
 
   std::size_t size() const { return size_; }
   Element_iterator<Numbered_elements> begin() const { return {*this, 0}; }
@@ -255,15 +264,9 @@ auto make_elements(Range& range, const NamedParameters& np)
   return Numbered_elements<std::remove_const_t<Range>, Map>(range, element_map(range, np));
 }
 
-// Returns task(elements, first_size) for the elements of two ranges in one numbering, and the
-// number of elements of the first range.
-template <class RangeA, class RangeB, class NamedParameters, class Task>
-auto with_two_ranges(RangeA& range_a, RangeB& range_b, const NamedParameters& np, const Task& task)
-{
-  const auto elements_a = make_elements(range_a, np);
-  const auto elements_b = make_elements(range_b, np);
-  return task(Joined_elements(elements_a, elements_b), elements_a.size());
-}
+template <class Range, class NamedParameters>
+using Elements_of
+  = decltype(make_elements(std::declval<Range&>(), std::declval<const NamedParameters&>()));
 
 } // namespace internal
 } // namespace Thick_intersection_d

@@ -32,7 +32,7 @@ constexpr bool check_concurrency()
 
 // The map of the named parameters, which may not fit the range.
 template <class Map, class Element, class = void>
-struct Maps_element : std::is_same<Map, No_map> {};
+struct Maps_element : std::false_type {};
 template <class Map, class Element>
 struct Maps_element<Map, Element,
                     std::void_t<decltype(get(std::declval<const Map&>(), std::declval<Element>()))>>
@@ -90,8 +90,7 @@ constexpr bool check_range_of_points()
   if constexpr(!check_range<ConcurrencyTag, Range, NamedParameters>())
     return false;
   else
-    return check_points<decltype(make_elements(std::declval<Range&>(),
-                                               std::declval<const NamedParameters&>()))>();
+    return check_points<Elements_of<Range, NamedParameters>>();
 }
 
 // Whether a type is that of a number, which a bound is made of. A range is none.
@@ -100,12 +99,16 @@ inline constexpr bool is_number_v
   = std::is_arithmetic_v<T>
     || !std::is_same_v<typename Algebraic_structure_traits<T>::Algebraic_category, Null_tag>;
 
+// Whether one of the arguments is a bare number, as no search takes.
+template <class... Arguments>
+inline constexpr bool has_bare_number_v = (is_number_v<Arguments> || ...);
+
 // Refuses a bare number as a bound.
-template <class Number>
+template <class... Arguments>
 constexpr bool check_bound()
 {
-  static_assert(!is_number_v<Number>, "The bound is to be within_distance(r) or "
-                                      "within_squared_distance(r2), not a bare number.");
+  static_assert(!has_bare_number_v<Arguments...>, "The bound is to be within_distance(r) or "
+                "within_squared_distance(r2), not a bare number.");
   return false;
 }
 
