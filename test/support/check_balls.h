@@ -11,8 +11,9 @@
 #include "parallel_pairs.h"
 #include "point_scene.h"
 
-#include <CGAL/Thick_intersection_d/internal/doors/recursive_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
+#include <CGAL/Thick_intersection_d/internal/recursion/Recursive_route.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
@@ -179,10 +180,11 @@ void check_recursive_route(const std::vector<Ball>& balls, const Pairs& expected
 {
   namespace internal = CGAL::Thick_intersection_d::internal;
   const CGAL::Thick_ball_traits_d<typename Ball::first_type> traits(balls);
-  const auto& np = CGAL::parameters::default_values();
+  const internal::Numbered_elements<std::vector<Ball>> elements(balls);
+  internal::Unwatched_progress progress;
   const Pairs_difference recursive = compare(expected, collected([&](const Report& report) {
-    internal::report_recursively<CGAL::Sequential_tag>(internal::make_elements(balls, np),
-                                                       internal::One_set(), traits, report, np);
+    internal::search_recursively<CGAL::Sequential_tag>(elements, internal::One_set(), traits,
+                                                       report, progress);
   }));
   BOOST_CHECK_MESSAGE(recursive.empty(), "recursive route: " << recursive);
 }

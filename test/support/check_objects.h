@@ -17,8 +17,8 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/doors/Object_route.h>
 #include <CGAL/Thick_intersection_d/internal/doors/pair_search.h>
-#include <CGAL/Thick_intersection_d/internal/doors/recursive_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
+#include <CGAL/Thick_intersection_d/internal/recursion/Recursive_route.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
@@ -274,15 +274,17 @@ void check_recursive_route(const Object_sets<Object>& sets, const Object_truth& 
 {
   const CGAL::Thick_object_traits_d<Object> traits(sets.all);
   const auto& np = CGAL::parameters::default_values();
+  internal::Unwatched_progress progress;
   const Pairs one_set = collected([&](const Callback& callback) {
-    internal::report_recursively<CGAL::Sequential_tag>(internal::make_elements(sets.all, np),
-                                                       internal::One_set(), traits, callback, np);
+    internal::search_recursively<CGAL::Sequential_tag>(internal::make_elements(sets.all, np),
+                                                       internal::One_set(), traits, callback,
+                                                       progress);
   });
   const Pairs two_sets = collected([&](const Callback& callback) {
     const Callback callback_of_two = sets.callback_of_two_sets(callback);
     const auto report = [&](const auto& elements, const auto& sets_of_two) {
-      internal::report_recursively<CGAL::Sequential_tag>(elements, sets_of_two, traits,
-                                                         callback_of_two, np);
+      internal::search_recursively<CGAL::Sequential_tag>(elements, sets_of_two, traits,
+                                                         callback_of_two, progress);
     };
     internal::with_sets(report, internal::make_elements(sets.a, np),
                         internal::make_elements(sets.b, np));

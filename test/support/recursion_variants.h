@@ -100,9 +100,8 @@ void search_by_variant(const Range& objects, const Traits& traits,
 {
   using Elements = internal::Numbered_elements<Range>;
   const Elements elements(objects);
-  const internal::Member_predicates<Elements, Sets, Traits> predicates(elements, sets, traits);
   internal::Unwatched_progress progress;
-  internal::search_recursively<ConcurrencyTag>(predicates, callback, progress, variant);
+  internal::search_recursively<ConcurrencyTag>(elements, sets, traits, callback, progress, variant);
 }
 
 // The pairs of one set, or of two if the size of the first one is given.

@@ -10,10 +10,10 @@
 #include <CGAL/Dimension.h>
 
 #include <CGAL/Thick_intersection_d/internal/doors/box_pairs_search.h>
-#include <CGAL/Thick_intersection_d/internal/doors/recursive_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
+#include <CGAL/Thick_intersection_d/internal/recursion/Recursive_route.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 
 #include <atomic>
@@ -183,17 +183,16 @@ template <class ConcurrencyTag, class Elements, class Sets, class Traits, class 
 bool report_objects(const Elements& objects, const Sets& sets, const Traits& traits,
                     Callback& callback, const NamedParameters& np)
 {
+  auto progress = make_progress(np, objects.size());
   if constexpr(Has_intervals<Traits>::value) {
     const Traits_boxes<Elements, Traits> boxes(objects, traits);
     const bool are_finite
       = boxes.template are_finite<ConcurrencyTag>() && fits_box_route(objects.size());
-    if(are_finite || !Has_close_predicate<Traits>::value) {
-      auto progress = make_progress(np, objects.size());
+    if(are_finite || !Has_close_predicate<Traits>::value)
       return report_meeting_boxes<ConcurrencyTag>(boxes, sets, callback, progress);
-    }
   }
   if constexpr(Has_close_predicate<Traits>::value)
-    return report_recursively<ConcurrencyTag>(objects, sets, traits, callback, np);
+    return search_recursively<ConcurrencyTag>(objects, sets, traits, callback, progress);
   else
     return true;
 }

@@ -39,6 +39,23 @@ constexpr int max_box_axes(int static_dimension)
   return static_dimension == 0 ? 4 : (std::min)(static_dimension, 8);
 }
 
+// Returns search(report) for what reports pairs in one numbering to a callback of positions in each
+// set.
+template <class Sets, class Callback, class Search>
+bool with_reporter([[maybe_unused]] const Sets& sets, Callback& callback, const Search& search)
+{
+  if constexpr(Sets::are_two) {
+    const auto callback_of_two_sets
+      = [&](std::size_t i, std::size_t j) { return callback(i, j - sets.first_size); };
+    Pair_reporter<decltype(callback_of_two_sets)> report(callback_of_two_sets);
+    return search(report);
+  }
+  else {
+    Pair_reporter<Callback> report(callback);
+    return search(report);
+  }
+}
+
 // Reports the pairs of objects by boxes with `Axes` axes.
 template <class ConcurrencyTag, int Axes, class Objects, class Sets, class Report, class Progress>
 bool report_by_boxes(const Objects& objects, const Sets& sets, Report& report,
@@ -84,16 +101,7 @@ bool report_meeting_boxes(const Objects& objects, const Sets& sets, Callback& ca
     if constexpr(dimension < 3)
       return report_by_boxes<ConcurrencyTag, 2>(objects, sets, report, progress);
   };
-  if constexpr(Sets::are_two) {
-    const auto callback_of_two_sets
-      = [&](std::size_t i, std::size_t j) { return callback(i, j - sets.first_size); };
-    Pair_reporter<decltype(callback_of_two_sets)> report(callback_of_two_sets);
-    return search(report);
-  }
-  else {
-    Pair_reporter<Callback> report(callback);
-    return search(report);
-  }
+  return with_reporter(sets, callback, search);
 }
 
 } // namespace internal

@@ -18,7 +18,6 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_tier.h>
 #include <CGAL/Thick_intersection_d/internal/doors/Near_point_boxes.h>
 #include <CGAL/Thick_intersection_d/internal/doors/box_pairs_search.h>
-#include <CGAL/Thick_intersection_d/internal/doors/recursive_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/Point_doubles.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
@@ -31,8 +30,8 @@
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Is_within_distance.h>
+#include <CGAL/Thick_intersection_d/internal/recursion/Recursive_route.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Neighbor_collector.h>
-#include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/List_route.h>
@@ -88,22 +87,19 @@ public:
     if(points_.size() == 0)
       return true;
     const Is_within_distance<Point> is_within = make_predicate(counts);
+    auto progress = make_progress(np, points_.size());
     if constexpr(dimension_or<Point>(2) == 2 || dimension_or<Point>(3) == 3)
-      if(takes_slabs()) {
-        auto progress = make_progress(np, points_.size());
+      if(takes_slabs())
         return report_by_slabs(is_within, sets, callback, progress);
-      }
     if constexpr(dimension_or<Point>(0) != 2 && dimension_or<Point>(0) != 3)
-      if(are_finite_doubles() && scene_.dimension() > 0) {
-        auto progress = make_progress(np, points_.size());
+      if(are_finite_doubles() && scene_.dimension() > 0)
         return report_meeting_boxes<ConcurrencyTag>(Near_point_boxes(points_, is_within), sets,
                                                     callback, progress);
-      }
     if constexpr(are_doubles) // and finite, so there are too many of them
       throw std::length_error("There are too many points: " + std::to_string(points_.size()) + ".");
     else {
       const Thick_point_traits_d<Point> traits(is_within);
-      return report_recursively<ConcurrencyTag>(points_, sets, traits, callback, np);
+      return search_recursively<ConcurrencyTag>(points_, sets, traits, callback, progress);
     }
   }
 
@@ -184,20 +180,12 @@ private:
   static bool report_by_slabs_of(const Points& points, const Sets& sets, Callback& callback,
                                  Progress& progress)
   {
-    const Slab_route<ConcurrencyTag, Points> route(points);
-    if constexpr(Sets::are_two) {
-      const auto callback_of_two_sets
-        = [&](std::size_t i, std::size_t j) { return callback(i, j - sets.first_size); };
-      Pair_reporter<decltype(callback_of_two_sets)> report(callback_of_two_sets);
-      return route.search(sets, report, progress);
-    }
-    else {
-      Pair_reporter<Callback> report(callback);
-      if constexpr(takes_lists<Callback>)
+    return with_reporter(sets, callback, [&](auto& report) {
+      if constexpr(!Sets::are_two && takes_lists<Callback>)
         return List_route<ConcurrencyTag, Points>(points).search(sets, callback, report, progress);
       else
-        return route.search(sets, report, progress);
-    }
+        return Slab_route<ConcurrencyTag, Points>(points).search(sets, report, progress);
+    });
   }
 
   const Elements& points_;

@@ -56,10 +56,10 @@ class Scratch_file
 {
 public:
   // Throws std::system_error if no file can be made in the directory.
-  explicit Scratch_file(const std::filesystem::path& directory)
-    : directory_(directory), path_(make_empty_file(directory))
+  explicit Scratch_file(const std::filesystem::path& directory) : directory_(directory)
   {
     using std::ios_base;
+    make_empty_file();
     if(!file_.open(path_, ios_base::in | ios_base::out | ios_base::binary))
       fail("opened");
     remove_name();
@@ -91,21 +91,21 @@ public:
 
 private:
   // Makes a file that did not exist: another process may look for a name at the same time.
-  static std::filesystem::path make_empty_file(const std::filesystem::path& directory)
+  void make_empty_file()
   {
     const auto start = std::chrono::system_clock::now().time_since_epoch().count();
     for(int attempt = 0; attempt < 1000; ++attempt) {
-      const auto path = directory / ("thick_intersection_d_" + std::to_string(start) + "_"
-                                     + std::to_string(attempt));
+      path_ = directory_ / ("thick_intersection_d_" + std::to_string(start) + "_"
+                            + std::to_string(attempt));
       errno = 0;
-      if(std::FILE* file = std::fopen(path.string().c_str(), "wbx")) {
+      if(std::FILE* file = std::fopen(path_.string().c_str(), "wbx")) {
         std::fclose(file);
-        return path;
+        return;
       }
       if(errno != EEXIST)
         break;
     }
-    throw_error(directory, "made");
+    fail("made");
   }
 
   void remove_name()
@@ -123,13 +123,10 @@ private:
            != std::streampos(std::streamoff(-1));
   }
 
-  [[noreturn]] void fail(const char* what) const { throw_error(directory_, what); }
-
-  [[noreturn]] static void throw_error(const std::filesystem::path& directory, const char* what)
+  [[noreturn]] void fail(const char* what) const
   {
     throw std::system_error(errno == 0 ? EIO : errno, std::generic_category(),
-                            "The scratch file in " + directory.string() + " cannot be "
-                              + what);
+                            "The scratch file in " + directory_.string() + " cannot be " + what);
   }
 
   std::filesystem::path directory_;

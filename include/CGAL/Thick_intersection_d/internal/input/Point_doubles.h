@@ -22,99 +22,82 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// The coordinates of points, if they are doubles: read where they are.
+// The doubles that stand for the coordinates of points. Coordinates that are doubles are read where
+// they are. Of others, lower bounds are computed once, with a column per axis. There are no columns
+// if the dimension is not for the slab route.
 template <class Elements>
-class Held_doubles
+class Doubles
 {
+  static constexpr bool are_held = is_held_by_double_v<Coordinate_t<typename Elements::value_type>>;
+
 public:
-  explicit Held_doubles(const Elements& points) : points_(points) {}
-
-  void set(std::size_t, int, double) {}
-  void share(int, double) {}
-
-  // Asks for the memory of a point.
-  void ask_for([[maybe_unused]] std::size_t position) const
+  explicit Doubles(const Elements& points) : points_(points)
   {
-    if constexpr(std::is_lvalue_reference_v<decltype(points_[position])>)
-      prefetch_to_read(std::addressof(points_[position]));
-  }
-
-  double at(std::size_t position, int axis) const
-  {
-    return static_cast<double>(coordinate(points_[position], axis));
-  }
-
-  template <int Dimension>
-  std::array<double, Dimension> at(std::size_t position) const
-  {
-    const auto& point = points_[position];
-    std::array<double, Dimension> x;
-    for(int axis = 0; axis < Dimension; ++axis)
-      x[axis] = static_cast<double>(coordinate(point, axis));
-    return x;
-  }
-
-private:
-  const Elements& points_;
-};
-
-// Lower bounds of coordinates of other types, computed once, with a column per axis. There are no
-// columns if the dimension is not for the slab route.
-template <class Elements>
-class Copied_doubles
-{
-public:
-  explicit Copied_doubles(const Elements& points)
-  {
-    const int dimension = points.size() == 0 ? 0 : points[0].dimension();
+    const int dimension = are_held || points.size() == 0 ? 0 : points[0].dimension();
     if(dimension == 2 || dimension == 3)
       for(int axis = 0; axis < dimension; ++axis)
         columns_.push_back(make_uninitialized<double>(points.size()));
   }
 
-  void set(std::size_t position, int axis, double x)
+  void set([[maybe_unused]] std::size_t position, [[maybe_unused]] int axis,
+           [[maybe_unused]] double x)
   {
-    if(!columns_.empty())
-      columns_[static_cast<std::size_t>(axis)][position] = x;
+    if constexpr(!are_held)
+      if(!columns_.empty())
+        columns_[static_cast<std::size_t>(axis)][position] = x;
   }
 
-  void ask_for(std::size_t position) const
+  // Asks for the memory of a point.
+  void ask_for([[maybe_unused]] std::size_t position) const
   {
-    for(const auto& column : columns_)
-      if(column)
-        prefetch_to_read(column.get() + position);
+    if constexpr(!are_held) {
+      for(const auto& column : columns_)
+        if(column)
+          prefetch_to_read(column.get() + position);
+    }
+    else if constexpr(std::is_lvalue_reference_v<decltype(points_[position])>)
+      prefetch_to_read(std::addressof(points_[position]));
   }
 
   // Forgets the column of an axis along which all points have the coordinate x.
-  void share(int axis, double x)
+  void share([[maybe_unused]] int axis, [[maybe_unused]] double x)
   {
-    columns_[static_cast<std::size_t>(axis)].reset();
-    shared_[static_cast<std::size_t>(axis)] = x;
+    if constexpr(!are_held) {
+      columns_[static_cast<std::size_t>(axis)].reset();
+      shared_[static_cast<std::size_t>(axis)] = x;
+    }
   }
 
   double at(std::size_t position, int axis) const
   {
-    const auto& column = columns_[static_cast<std::size_t>(axis)];
-    return column ? column[position] : shared_[static_cast<std::size_t>(axis)];
+    if constexpr(are_held)
+      return static_cast<double>(coordinate(points_[position], axis));
+    else {
+      const auto& column = columns_[static_cast<std::size_t>(axis)];
+      return column ? column[position] : shared_[static_cast<std::size_t>(axis)];
+    }
   }
 
   template <int Dimension>
   std::array<double, Dimension> at(std::size_t position) const
   {
     std::array<double, Dimension> x;
-    for(int axis = 0; axis < Dimension; ++axis)
-      x[axis] = at(position, axis);
+    if constexpr(are_held) {
+      const auto& point = points_[position];
+      for(int axis = 0; axis < Dimension; ++axis)
+        x[axis] = static_cast<double>(coordinate(point, axis));
+    }
+    else
+      for(int axis = 0; axis < Dimension; ++axis)
+        x[axis] = at(position, axis);
     return x;
   }
 
 private:
-  std::vector<std::unique_ptr<double[]>> columns_;
+  const Elements& points_;
+  std::vector<std::unique_ptr<double[]>> columns_; // none of doubles that are held
   std::array<double, 3> shared_ = {};
 };
-
-template <class Elements>
-using Doubles = std::conditional_t<is_held_by_double_v<Coordinate_t<typename Elements::value_type>>,
-                                   Held_doubles<Elements>, Copied_doubles<Elements>>;
 
 } // namespace internal
 } // namespace Thick_intersection_d

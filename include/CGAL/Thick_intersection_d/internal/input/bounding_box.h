@@ -33,38 +33,21 @@ namespace internal {
 inline const Bbox_2& bounding_box(const Bbox_2& box) { return box; }
 inline const Bbox_3& bounding_box(const Bbox_3& box) { return box; }
 
+// Whether a box is finite and not empty. An empty Bbox begins behind its end.
 template <class Box>
 bool is_finite_box(const Box& box)
 {
   for(int i = 0; i < box.dimension(); ++i)
-    if(!std::isfinite((box.min)(i)) || !std::isfinite((box.max)(i)))
+    if(!std::isfinite((box.min)(i)) || !std::isfinite((box.max)(i))
+       || (box.min)(i) > (box.max)(i))
       return false;
   return true;
 }
 
-template <class Box, class Point>
-Box bounding_box_of_point(const Point& p)
+// Returns the box of the type Bbox_2 or Bbox_3 with these intervals along the axes.
+template <class Box, class Interval_of_axis>
+Box box_of_intervals(const Interval_of_axis& interval)
 {
-  const auto x = coordinate_bounds(p, 0), y = coordinate_bounds(p, 1);
-  if constexpr(std::is_same_v<Box, Bbox_2>)
-    return Box(x.first, y.first, x.second, y.second);
-  else {
-    const auto z = coordinate_bounds(p, 2);
-    return Box(x.first, y.first, z.first, x.second, y.second, z.second);
-  }
-}
-
-// Extends a box of the type Bbox_2 or Bbox_3 by a vertex. Numbers beyond the doubles count as the
-// largest double: the order of ends does not change, so boxes that meet still meet.
-template <class Box, class Object>
-Box bounding_box_of_vertex(const Object& object, int v)
-{
-  constexpr double largest = (std::numeric_limits<double>::max)();
-  const auto interval = [&](int i) {
-    const std::pair<double, double> x = vertex_bounds(object, v, i);
-    return std::pair((std::clamp)(x.first, -largest, largest),
-                     (std::clamp)(x.second, -largest, largest));
-  };
   const auto x = interval(0), y = interval(1);
   if constexpr(std::is_same_v<Box, Bbox_2>)
     return Box(x.first, y.first, x.second, y.second);
@@ -72,6 +55,25 @@ Box bounding_box_of_vertex(const Object& object, int v)
     const auto z = interval(2);
     return Box(x.first, y.first, z.first, x.second, y.second, z.second);
   }
+}
+
+template <class Box, class Point>
+Box bounding_box_of_point(const Point& p)
+{
+  return box_of_intervals<Box>([&](int i) { return coordinate_bounds(p, i); });
+}
+
+// The same of a vertex of an object. Numbers beyond the doubles count as the
+// largest double: the order of ends does not change, so boxes that meet still meet.
+template <class Box, class Object>
+Box bounding_box_of_vertex(const Object& object, int v)
+{
+  constexpr double largest = (std::numeric_limits<double>::max)();
+  return box_of_intervals<Box>([&](int i) {
+    const std::pair<double, double> x = vertex_bounds(object, v, i);
+    return std::pair((std::clamp)(x.first, -largest, largest),
+                     (std::clamp)(x.second, -largest, largest));
+  });
 }
 
 template <class Object>
@@ -107,25 +109,16 @@ constexpr bool is_box_of_doubles()
     return std::is_same_v<Object, Bbox_2> || std::is_same_v<Object, Bbox_3>;
 }
 
-// Throws if the box of an object is not finite. That of an empty Bbox begins behind its end.
-template <class Object>
-void check_bounding_box(const Object& object, std::size_t position)
-{
-  const auto& box = bounding_box(object);
-  for(int i = 0; i < box.dimension(); ++i)
-    if(!(std::isfinite((box.min)(i)) && std::isfinite((box.max)(i))
-         && (box.min)(i) <= (box.max)(i)))
-      throw std::invalid_argument("The bounding box of object " + std::to_string(position)
-                                  + " is empty or not finite.");
-}
-
 // Throws if a coordinate of a vertex is NaN or infinite. The bounding box does not show this,
 // because the minimum of NaN and 1 may be 1.
 template <class Object>
 void check_vertices(const Object& object, std::size_t position)
 {
-  if constexpr(Vertex_count<Object>::value == 0)
-    check_bounding_box(object, position);
+  if constexpr(Vertex_count<Object>::value == 0) {
+    if(!is_finite_box(bounding_box(object)))
+      throw std::invalid_argument("The bounding box of object " + std::to_string(position)
+                                  + " is empty or not finite.");
+  }
   else
     for(int v = 0; v < Vertex_count<Object>::value; v += Vertex_step<Object>::value)
       for(int i = 0; i < vertex_dimension_v<Object>; ++i)

@@ -232,14 +232,16 @@ private:
   const int last_axis_;
 };
 
-// Reports the intersecting pairs of one set, or between two sets. Returns false iff the search was
-// stopped.
-template <class ConcurrencyTag, class Predicates, class Callback, class Progress,
-          class Variant = Median_and_sweep>
-bool search_recursively(const Predicates& predicates, Callback& callback, Progress& progress,
+// Reports the intersecting pairs of checked objects. Returns false iff the search was stopped.
+template <class ConcurrencyTag, class Elements, class Sets, class Traits, class Callback,
+          class Progress, class Variant = Median_and_sweep>
+bool search_recursively(const Elements& objects, const Sets& sets, const Traits& traits,
+                        Callback& callback, Progress& progress,
                         const Variant& variant = Variant())
 {
+  using Predicates = Member_predicates<Elements, Sets, Traits>;
   using Reporter = Pair_reporter<Callback>;
+  const Predicates predicates(objects, sets, traits);
   Reporter report(callback);
   Recursive_route<ConcurrencyTag, Predicates, Reporter, Progress, Variant> route(
     predicates, report, progress, variant);
