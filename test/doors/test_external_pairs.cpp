@@ -17,7 +17,6 @@
 #include <CGAL/Thick_intersection_d/internal/external/External_parts.h>
 #include <CGAL/Thick_intersection_d/internal/external/Searched_points.h>
 #include <CGAL/Thick_intersection_d/internal/external/Stored_points.h>
-#include <CGAL/Thick_intersection_d/internal/external/Tile_writer.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 

@@ -12,7 +12,6 @@
 //   all_pairs   dimension zero: the alternative of [V03], end of section 2.3.2
 
 #include <CGAL/Thick_intersection_d/internal/recursion/Members.h>
-#include <CGAL/Thick_intersection_d/internal/recursion/sweep.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -23,7 +23,6 @@
 
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/recursion/Members.h>
-#include <CGAL/Thick_intersection_d/internal/recursion/sweep.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
 
 #include <algorithm>
