@@ -19,6 +19,10 @@
 #include <utility>
 
 namespace CGAL {
+
+template <class NT>
+class Distance_bound;
+
 namespace Thick_intersection_d {
 namespace internal {
 
@@ -99,9 +103,16 @@ inline constexpr bool is_number_v
   = std::is_arithmetic_v<T>
     || !std::is_same_v<typename Algebraic_structure_traits<T>::Algebraic_category, Null_tag>;
 
-// Whether one of the arguments is a bare number, as no search takes.
+template <class T>
+inline constexpr bool is_bound_v = false;
+
+template <class NT>
+inline constexpr bool is_bound_v<Distance_bound<NT>> = true;
+
+// Whether one of the arguments is a bare number, and none is a bound.
 template <class... Arguments>
-inline constexpr bool has_bare_number_v = (is_number_v<Arguments> || ...);
+inline constexpr bool has_bare_number_v
+  = (is_number_v<Arguments> || ...) && !(is_bound_v<Arguments> || ...);
 
 // Refuses a bare number as a bound.
 template <class... Arguments>
