@@ -61,7 +61,7 @@ public:
   Sequence_hash(int length, std::uint64_t seed)
   {
     if constexpr(Length == 0)
-      keys_.resize(static_cast<std::size_t>(length));
+      keys_ = std::vector<std::uint64_t>(static_cast<std::size_t>(length));
     factor_ = random_word(seed) | 1;
     for(std::uint64_t& key : keys_)
       key = random_word(seed);

@@ -34,6 +34,13 @@ template <class Report>
 inline constexpr bool
   takes_found_pairs<Report, std::void_t<decltype(&Report::report_pairs)>> = true;
 
+// Whether a report has numbered the points of the runs: position(number) has their positions.
+template <class Report, class = void>
+inline constexpr bool has_positions = false;
+
+template <class Report>
+inline constexpr bool has_positions<Report, std::void_t<decltype(&Report::position)>> = true;
+
 // `Test` decides what a pair is. It has
 //
 //   Run                         sorted points in columns, with positions and block()
@@ -43,8 +50,7 @@ inline constexpr bool
 //
 // where `at` has the positions of the points, and `pair` their places in the runs.
 //
-// `Report` takes two positions, returns false to stop, and has is_stopped(). One that takes many
-// pairs at once may have numbered the points of the runs: position(number) has their positions.
+// `Report` takes two positions, returns false to stop, and has is_stopped().
 template <class Test, class Report>
 class Near_sweep final : public Run_sweep<typename Test::Run>
 {
@@ -110,7 +116,7 @@ private:
   Found_pair positions(const Run& a, const Run& b, Found_pair pair) const
   {
     const Place i = a.positions[pair.i], j = b.positions[pair.j];
-    if constexpr(takes_found_pairs<Report>)
+    if constexpr(has_positions<Report>)
       return {report_.position(i), report_.position(j)};
     else
       return {i, j};
