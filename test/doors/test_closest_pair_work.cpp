@@ -41,7 +41,7 @@ double looks_per_point(const Points& scene)
 
 using Make_scene = std::function<Points(int dimension, std::size_t size)>;
 
-// Uniform points take 2 to 3 looks per point.
+// Uniform points take 1.5 to 3 looks per point.
 void check_work(const std::string& name, const Make_scene& make, double max_looks = 16)
 {
   for(const std::size_t n : {10000, 40000}) {

@@ -22,6 +22,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
+#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Is_within_distance.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
@@ -72,9 +73,11 @@ void report_near_points(const Elements& points, const Scene& scene,
     squared_bound, scene, near_tie_tier(squared_bound.reach(), scene));
   Doubles<Elements> doubles(points);
   if constexpr(!is_held_by_double_v<Coordinate_t<Point>>)
-    for(std::size_t i = 0; i < points.size(); ++i)
-      for(int axis = 0; axis < scene.dimension(); ++axis)
-        doubles.set(i, axis, coordinate_bounds(points[i], axis).first);
+    for_each_block<ConcurrencyTag>(points.size(), [&](std::size_t i, std::size_t last) {
+      for(; i != last; ++i)
+        for(int axis = 0; axis < scene.dimension(); ++axis)
+          doubles.set(i, axis, coordinate_bounds(points[i], axis).first);
+    });
   for_plane_and_space<Point>(scene.dimension(), [&](auto dimension) {
     const Near_points<dimension, Elements> near(points, scene, doubles, is_within);
     Pair_reporter<decltype(callback)> report(callback);
