@@ -123,7 +123,8 @@ bool do_intersect_by_gts(const Object& a, const Object& b)
   read(a, 0);
   read(b, count);
   CGAL::Arithmetic_tier tier = CGAL::Arithmetic_tier::FILTERED_EXACT;
-  return have_common_vertex(vertices) || do_vertices_intersect<Object, Orientation>(vertices, tier);
+  return have_common_vertex<count>(vertices)
+         || do_vertices_intersect<Object, Object, Orientation>(vertices, tier);
 }
 
 Predicate_column shewchuk()

@@ -60,7 +60,9 @@ and 3 in space. Objects whose boxes meet lie in a box of twice the largest exten
 is the reach of each axis. With differences of \f$ b \f$ bits, in steps of the grid, determinants
 have \f$ 2b+1 \f$ and \f$ 3b+3 \f$ bits. Doubles compute 53 bits without error. Integers of 64, 128
 and 192 bits, if \f$ b \le 61 \f$, decide what a filter in doubles leaves undecided. Boxes and
-points are compared, which is of degree 1, and needs doubles only.
+points are compared, which is of degree 1, and needs doubles only. The squared distance of two
+objects is a quotient, which is compared with a bound in degree 4 in the plane and 6 in space, or
+2 for points and balls. Then the reach includes the bound, and integers have up to 128 bits.
 
 `profile_scene()` makes a profile of points, and a search makes one if it is given a profile. A
 profile does not refer to the points. Several threads may read it at once.
@@ -140,7 +142,11 @@ public:
   /// returns whether the profile is of objects, and not of points and a bound.
   bool is_of_objects() const { return are_objects_; }
 
-  /// returns the algebraic degree of the question about a pair: 2 for points, 1 to 3 for objects.
+  /// returns whether distances of the objects are compared with a bound, or the radius of a ball.
+  bool is_of_distances() const { return are_distances_; }
+
+  /// returns the algebraic degree of the question about a pair: 2 for points, 1 to 3 whether
+  /// objects intersect, and 2, 4 or 6 whether they are within a bound.
   int degree() const { return degree_; }
 
   /// returns how many bits a difference of coordinates up to the reach takes, in steps of the grid,
@@ -151,6 +157,8 @@ public:
   /// or the determinants of the test of objects, or infinity if there is no grid.
   double bits() const
   {
+    if(are_distances_ && has_grid())
+      return Thick_intersection_d::internal::distance_bits(reach_, *grid_exponent_, degree_);
     return are_objects_ && has_grid()
              ? Thick_intersection_d::internal::determinant_bits(reaches_, *grid_exponent_, degree_)
              : 2 * difference_bits()
@@ -210,12 +218,16 @@ public:
   /// @}
 #ifndef DOXYGEN_RUNNING
   CGAL_RARELY_CALLED Scene_profile(const Thick_intersection_d::internal::Scene& scene, double reach)
-    : Scene_profile(scene.size, pairs_of(scene.box), reach, scene.grid_exponent)
+    : Scene_profile(scene.size, ends_of(scene.box), reach, scene.grid_exponent)
   {}
   CGAL_RARELY_CALLED
   Scene_profile(const Thick_intersection_d::internal::Object_scene& scene, int degree)
-    : Scene_profile(scene.size, pairs_of(scene.box), scene.reaches, scene.grid_exponent, degree)
-  {}
+    : Scene_profile(scene.size, ends_of(scene.box), scene.reaches, scene.grid_exponent, degree)
+  {
+    if(are_distances_ = scene.has_distances; are_distances_)
+      needed_tier_
+        = Thick_intersection_d::internal::first_distance_tier(reach_, grid_exponent_, degree);
+  }
 
   void set_counts(const Thick_intersection_d::internal::Decision_counts& counts)
   {
@@ -236,15 +248,6 @@ public:
   }
 
 private:
-  static std::vector<std::pair<double, double>>
-  pairs_of(const std::vector<Thick_intersection_d::internal::Interval>& intervals)
-  {
-    std::vector<std::pair<double, double>> pairs(intervals.size());
-    for(std::size_t i = 0; i < pairs.size(); ++i)
-      pairs[i] = {intervals[i].low, intervals[i].high};
-    return pairs;
-  }
-
   std::size_t size_;
   std::vector<std::pair<double, double>> box_;
   double reach_;
@@ -258,6 +261,7 @@ private:
   int degree_ = 2;
   std::vector<double> reaches_; // of objects, along each axis
   bool are_objects_ = false;
+  bool are_distances_ = false; // of objects
 };
 
 /*!

@@ -18,8 +18,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <stdexcept>
-#include <string>
 #include <utility>
 
 namespace CGAL {
@@ -129,11 +127,7 @@ public:
   // infinite.
   void check(const Object_d& ball, std::size_t position) const
   {
-    Thick_intersection_d::internal::check_point(ball.first, dimension_, "object", position);
-    if(!Thick_intersection_d::internal::is_finite_number(ball.second)
-       || !(ball.second >= Number(0)))
-      throw std::invalid_argument("The radius of object " + std::to_string(position)
-                                  + " is negative, NaN or infinite.");
+    Thick_intersection_d::internal::check_ball(ball, dimension_, position);
   }
 #endif
 

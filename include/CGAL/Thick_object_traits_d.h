@@ -13,8 +13,10 @@
 #include <CGAL/Dimension.h>
 
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
+#include <CGAL/Thick_intersection_d/internal/input/kinds.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/do_kernel_objects_intersect.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
 
 #include <algorithm>
@@ -71,7 +73,8 @@ class Thick_object_traits_d
   using Extents = std::array<double, dimension_>;
   using Counts = Thick_intersection_d::internal::Shared_decision_counts;
 
-  static_assert(!Thick_intersection_d::internal::Is_hypersphere<Object>::value,
+  static_assert(!Thick_intersection_d::internal::Kinds<Object>::template is_any<
+                  Thick_intersection_d::internal::Is_hypersphere>,
                 "do_intersect() takes circles and spheres as curves and surfaces: "
                 "use Thick_ball_traits_d.");
 
@@ -172,7 +175,7 @@ public:
   void check(const Object& object, std::size_t position) const
   {
     Thick_intersection_d::internal::settle(object);
-    Thick_intersection_d::internal::check_vertices(object, position);
+    Thick_intersection_d::internal::check_object(object, position);
   }
 
   // For the box route, which asks for whole boxes. If objects are boxes of doubles themselves,
@@ -182,7 +185,8 @@ public:
     return Thick_intersection_d::internal::bounding_box(object);
   }
   static constexpr bool do_boxes_decide
-    = Thick_intersection_d::internal::is_box_of_doubles<Object>();
+    = Thick_intersection_d::internal::Kinds<Object>::template are_all<
+      Thick_intersection_d::internal::Is_box_of_doubles>;
 
   // From now on, the intersection test takes `tier` as the first arithmetic after the filter, and
   // counts which arithmetic decides.
@@ -225,7 +229,7 @@ private:
   {
     for(const Object& object : objects) {
       Thick_intersection_d::internal::settle(object);
-      const Box& box_of_object = box(object);
+      const Box box_of_object = box(object);
       for(int i = 0; i < dimension_; ++i)
         reaches_[i]
           = (std::max)(reaches_[i], (box_of_object.max)(i) - (box_of_object.min)(i));

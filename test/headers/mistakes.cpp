@@ -71,8 +71,8 @@ void make_mistakes()
   // error: The argument is to be a range with forward iterators.
   CGAL::fixed_radius_near_neighbors(7, bound, report);
 
-  // error: The elements of the range are to be points of a kernel of CGAL: pass a property map
-  // to such points as point_map.
+  // error: The elements of the range are to be points or objects of a kernel of CGAL: pass a
+  // property map to such elements as point_map, or a model of ThickDistanceTraits_d as geom_traits.
   CGAL::fixed_radius_near_neighbors(arrays, bound, report);
 
   // error: The elements of the range are to be points of a kernel of CGAL: pass a property map
@@ -84,8 +84,8 @@ void make_mistakes()
     points, bound, report,
     CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Ball>()));
 
-  // error: Weighted points have no distance here: pass a point_map to their points, or balls
-  // to thick_self_intersection_d().
+  // error: Weighted points have no distance here: pass a point_map to their points, or make them
+  // balls: pairs of a center and a radius.
   CGAL::fixed_radius_neighbor_lists(weighted_points, bound);
 
   // error: The bound is to be within_distance(r) or within_squared_distance(r2), not a bare
@@ -104,9 +104,13 @@ void make_mistakes()
   // number.
   CGAL::external_fixed_radius_near_neighbors(points, 1L, budget, report);
 
-  // error: Balls need traits: make them pairs of a center and a radius, and pass
-  // Thick_ball_traits_d as geom_traits.
-  CGAL::thick_self_intersection_d(balls, report);
+  // error: A weighted point is no ball: make it a pair of a center and a radius.
+  CGAL::thick_self_intersection_d(weighted_points, report);
+
+  // error: The ranges hold objects of two types: geom_traits is to have intervals of both, and
+  // do_intersect_d_object() is to take one of each.
+  CGAL::thick_intersection_d(
+    points, boxes, report, CGAL::parameters::geom_traits(CGAL::Thick_object_traits_d<Point>()));
 
   // error: do_intersect() takes circles and spheres as curves and surfaces: use
   // Thick_ball_traits_d.

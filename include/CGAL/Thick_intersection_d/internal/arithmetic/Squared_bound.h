@@ -99,6 +99,22 @@ public:
     return open_ ? scaled < numerator_ : scaled <= numerator_;
   }
 
+  // Whether a squared distance is within (r + s)^2. It is a quotient x = n / d, where d > 0.
+  //
+  // This is so iff x - r^2 - s^2 is at most 2rs, which is not negative. So its square decides, if
+  // it is positive.
+  CGAL_RARELY_CALLED bool holds_for(const Exact& n, const Exact& d, const Exact& s) const
+  {
+    if(unbounded_)
+      return true;
+    const Exact excess(n * denominator_ - d * numerator_ - d * denominator_ * s * s);
+    if(excess < Exact(0) || s == Exact(0))
+      return open_ ? excess < Exact(0) : excess <= Exact(0);
+    const Exact square(excess * excess);
+    const Exact limit(Exact(4) * s * s * d * d * numerator_ * denominator_);
+    return open_ ? square < limit : square <= limit;
+  }
+
   // Returns the largest squared distance within the bound that is a double.
   CGAL_RARELY_CALLED double largest_double() const
   {

@@ -149,6 +149,24 @@ inline Arithmetic_tier first_exact_tier(const std::vector<double>& reaches,
                       : Arithmetic_tier::INT192;
 }
 
+// ---- distances of objects -----------------------------------------------------------------------
+
+// Returns how many bits the parts of squared distances of objects have, besides a sign, if their
+// degree is 2, 4 or 6 and differences are at most `reach`.
+inline int distance_bits(double reach, int grid_exponent, int degree)
+{
+  return degree * difference_bits(reach, grid_exponent) + (degree == 6 ? 6 : 3);
+}
+
+// Returns the first tier that is exact for them: integers of 128 bits or exact numbers.
+CGAL_RARELY_CALLED
+inline Arithmetic_tier first_distance_tier(double reach, const std::optional<int>& grid_exponent,
+                                           int degree)
+{
+  return grid_exponent && distance_bits(reach, *grid_exponent, degree) < 120
+           ? Arithmetic_tier::INT128 : Arithmetic_tier::FILTERED_EXACT;
+}
+
 } // namespace internal
 } // namespace Thick_intersection_d
 } // namespace CGAL

@@ -22,7 +22,7 @@
 #include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Kernel_orientation.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Staged_orientation.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/do_kernel_objects_intersect.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/mesh_triangles.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/spatial_objects.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Limited_output.h>

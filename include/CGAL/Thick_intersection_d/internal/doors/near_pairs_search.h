@@ -16,8 +16,9 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_tier.h>
-#include <CGAL/Thick_intersection_d/internal/doors/Near_point_boxes.h>
+#include <CGAL/Thick_intersection_d/internal/doors/Near_object_boxes.h>
 #include <CGAL/Thick_intersection_d/internal/doors/box_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/doors/near_objects_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/Point_doubles.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
@@ -93,8 +94,7 @@ public:
         return report_by_slabs(is_within, sets, callback, progress);
     if constexpr(dimension_or<Point>(0) != 2 && dimension_or<Point>(0) != 3)
       if(are_finite_doubles() && scene_.dimension() > 0)
-        return report_meeting_boxes<ConcurrencyTag>(Near_point_boxes(points_, is_within), sets,
-                                                    callback, progress);
+        return report_by_boxes_of(is_within, sets, callback, progress);
     if constexpr(are_doubles) // and finite, so there are too many of them
       throw std::length_error("There are too many points: " + std::to_string(points_.size()) + ".");
     else {
@@ -134,6 +134,15 @@ private:
       if(!std::isfinite(interval.low) || !std::isfinite(interval.high))
         return false;
     return points_.size() < max_place / 2;
+  }
+
+  template <class Sets, class Callback, class Progress>
+  bool report_by_boxes_of(const Is_within_distance<Point>& is_within, const Sets& sets,
+                          Callback& callback, Progress& progress)
+  {
+    using Boxes = Near_object_boxes<dimension_or<Point>(0), Elements, Is_within_distance<Point>>;
+    return report_meeting_boxes<ConcurrencyTag>(Boxes(points_, is_within), sets, callback,
+                                                progress);
   }
 
   template <class Sets, class Callback, class Progress>
@@ -202,12 +211,12 @@ bool report_near_pairs(const Elements& points, const Sets& sets,
                        const Distance_bound<NT>& bound, Callback& callback,
                        const NamedParameters& np)
 {
-  if constexpr(check_points<Elements>()) {
+  if constexpr(!Is_point<typename Elements::value_type>::value)
+    return report_near_objects<ConcurrencyTag>(points, sets, bound, callback, np);
+  else {
     Near_pairs_search<ConcurrencyTag, Elements> search(points, bound, false);
     return search.report(sets, callback, np, nullptr);
   }
-  else
-    return false;
 }
 
 // Takes the tier that is forced in `profile`, and sets `profile` to the profile of the scene.
@@ -217,7 +226,9 @@ bool report_near_pairs(const Elements& points, const Sets& sets,
                        const Distance_bound<NT>& bound, Callback& callback,
                        Scene_profile& profile, const NamedParameters& np)
 {
-  if constexpr(check_points<Elements>()) {
+  if constexpr(!Is_point<typename Elements::value_type>::value)
+    return report_near_objects<ConcurrencyTag>(points, sets, bound, callback, profile, np);
+  else {
     Near_pairs_search<ConcurrencyTag, Elements> search(points, bound, true);
     if(const std::optional<Arithmetic_tier> forced = profile.forced_tier())
       search.profile().force_tier(*forced);
@@ -227,8 +238,6 @@ bool report_near_pairs(const Elements& points, const Sets& sets,
     profile = search.profile();
     return is_complete;
   }
-  else
-    return false;
 }
 
 } // namespace internal

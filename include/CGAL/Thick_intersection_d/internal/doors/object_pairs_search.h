@@ -17,10 +17,13 @@
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/check_denormals.h>
 #include <CGAL/Thick_intersection_d/internal/doors/Object_route.h>
+#include <CGAL/Thick_intersection_d/internal/doors/Two_type_traits.h>
 #include <CGAL/Thick_intersection_d/internal/doors/box_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
+#include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
+#include <CGAL/Thick_intersection_d/internal/input/Scene.h>
+#include <CGAL/Thick_intersection_d/internal/input/kinds.h>
 #include <CGAL/Thick_intersection_d/internal/input/scan_objects.h>
-#include <CGAL/Thick_intersection_d/internal/input/vertices.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
 
@@ -41,25 +44,23 @@ template <class Object>
 struct Has_bounding_box<Object, std::void_t<decltype(std::declval<const Object&>().bbox())>>
   : std::true_type {};
 
-// Whether an object is a pair of a point and something else.
-template <class Object, class = void>
-struct Is_ball : std::false_type {};
-template <class Object>
-struct Is_ball<Object, std::void_t<typename Object::second_type>>
-  : Is_point<typename Object::first_type> {};
+// Whether a search without traits takes objects of a kind.
+template <class Kind>
+struct Is_kind : std::bool_constant<Has_bounding_box<Kind>::value || Is_ball<Kind>::value>
+{};
 
 // Checks the objects of a search without traits.
 template <class Object>
 constexpr bool check_kernel_objects()
 {
-  constexpr bool is_ball = Is_ball<Object>::value || Is_weighted_point<Object>::value;
-  constexpr bool has_box = Has_bounding_box<Object>::value || is_ball;
-  static_assert(!is_ball, "Balls need traits: make them pairs of a center and a radius, and pass "
-                          "Thick_ball_traits_d as geom_traits.");
-  static_assert(has_box, "The elements of the range are to be objects with bbox() and "
-                         "do_intersect(): pass a property map to such objects as point_map, or "
-                         "traits as geom_traits.");
-  return has_box && !is_ball;
+  constexpr bool has_weight = Kinds<Object>::template is_any<Is_weighted_point>;
+  constexpr bool are_kinds = Kinds<Object>::template are_all<Is_kind>;
+  static_assert(!has_weight,
+                "A weighted point is no ball: make it a pair of a center and a radius.");
+  static_assert(are_kinds || has_weight,
+                "The elements of the range are to be objects with bbox() and do_intersect(): pass "
+                "a property map to such objects as point_map, or traits as geom_traits.");
+  return are_kinds && !has_weight;
 }
 
 struct No_objects {};
@@ -77,6 +78,30 @@ struct Object_of_traits<
 {
   using type = typename Traits::Object_d;
 };
+
+// Whether traits have intervals of two types, and an intersection test of both.
+template <class Traits, class A, class B, class = void>
+struct Takes_two_types : std::false_type {};
+template <class Traits, class A, class B>
+struct Takes_two_types<
+  Traits, A, B,
+  std::enable_if_t<
+    std::is_invocable_v<decltype(std::declval<const Traits&>().interval_d_object()), const A&, int>
+    && std::is_invocable_v<decltype(std::declval<const Traits&>().interval_d_object()), const B&,
+                           int>
+    && std::is_invocable_v<decltype(std::declval<const Traits&>().do_intersect_d_object()),
+                           const A&, const B&>>>
+  : std::true_type {};
+
+template <class Traits, class Object>
+constexpr bool check_traits_of_two_types()
+{
+  constexpr bool takes_two
+    = Takes_two_types<Traits, typename Object::First, typename Object::Second>::value;
+  static_assert(takes_two, "The ranges hold objects of two types: geom_traits is to have intervals "
+                           "of both, and do_intersect_d_object() is to take one of each.");
+  return takes_two;
+}
 
 template <class Traits, class Object>
 constexpr bool check_traits()
@@ -102,7 +127,10 @@ constexpr bool check_objects_and_traits()
   else {
     using Traits = decltype(parameters::get_parameter_reference(
       std::declval<const NamedParameters&>(), internal_np::geom_traits));
-    return check_traits<std::decay_t<Traits>, Object>();
+    if constexpr(Is_one_of_two<Object>::value)
+      return check_traits_of_two_types<std::decay_t<Traits>, Object>();
+    else
+      return check_traits<std::decay_t<Traits>, Object>();
   }
 }
 
@@ -110,8 +138,7 @@ constexpr bool check_objects_and_traits()
 template <class Object, class NamedParameters>
 constexpr bool check_profiled_objects()
 {
-  constexpr bool is_known = Vertex_count<Object>::value != 0 || std::is_same_v<Object, Bbox_2>
-                            || std::is_same_v<Object, Bbox_3>;
+  constexpr bool is_known = Kinds<Object>::template are_all<Is_known_kind>;
   constexpr bool has_traits
     = !parameters::is_default_parameter<NamedParameters, internal_np::geom_traits_t>::value;
   static_assert(is_known && !has_traits,
@@ -124,11 +151,17 @@ constexpr bool check_profiled_objects()
 template <class Elements, class NamedParameters>
 decltype(auto) object_traits(const Elements& objects, const NamedParameters& np)
 {
+  using Object = typename Elements::value_type;
   if constexpr(!parameters::is_default_parameter<NamedParameters,
-                                                 internal_np::geom_traits_t>::value)
-    return parameters::get_parameter_reference(np, internal_np::geom_traits);
+                                                 internal_np::geom_traits_t>::value) {
+    const auto& traits = parameters::get_parameter_reference(np, internal_np::geom_traits);
+    if constexpr(Is_one_of_two<Object>::value)
+      return Two_type_traits<std::decay_t<decltype(traits)>, Object>(traits);
+    else
+      return (traits);
+  }
   else {
-    using Traits = Thick_object_traits_d<typename Elements::value_type>;
+    using Traits = Thick_object_traits_d<Object>;
     return fits_box_route(objects.size()) ? Traits() : Traits(objects);
   }
 }
@@ -166,7 +199,9 @@ bool report_object_pairs(const Elements& objects, const Sets& sets, Callback& ca
     check_denormals();
     Thick_object_traits_d<Object> traits = object_traits(objects, np);
     check_objects<ConcurrencyTag>(objects, traits);
-    Scene_profile found(scan_objects(objects), test_degree<Object>());
+    Object_scene scene = scan_objects(objects);
+    scene.has_distances = Kinds<Object>::template is_any<Is_ball>;
+    Scene_profile found(scene, degree_of<Intersection_degree, Object>());
     if(const std::optional<Arithmetic_tier> forced = profile.forced_tier())
       found.force_tier(*forced);
     Shared_decision_counts counts;

@@ -16,6 +16,8 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -59,6 +61,17 @@ std::pair<double, double> ball_interval(const Ball& ball, int axis)
   const double radius = bounds(ball.second).second;
   return {std::nextafter(center.first - radius, -infinity),
           std::nextafter(center.second + radius, infinity)};
+}
+
+// Throws if a coordinate of the center is NaN or infinite, or if the radius is negative, NaN or
+// infinite.
+template <class Ball>
+void check_ball(const Ball& ball, int dimension, std::size_t position)
+{
+  check_point(ball.first, dimension, "object", position);
+  if(!is_finite_number(ball.second) || !(ball.second >= typename Ball::second_type(0)))
+    throw std::invalid_argument("The radius of object " + std::to_string(position)
+                                + " is negative, NaN or infinite.");
 }
 
 // Returns the radius that all balls have, if there is one.

@@ -12,6 +12,8 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/property_map.h>
 
+#include <CGAL/Thick_intersection_d/internal/input/kinds.h>
+
 #include <cstddef>
 #include <functional>
 #include <iterator>
@@ -207,14 +209,19 @@ private:
   Map map_;
 };
 
-// The elements of two ranges in one numbering. The first range comes first.
+// The elements of two ranges in one numbering. The first range comes first. If the ranges hold
+// objects of different types, each is one of two.
 template <class First, class Second>
 class Joined_elements
 {
+  using A = decltype(std::declval<const First&>()[0]);
+  using B = decltype(std::declval<const Second&>()[0]);
+  static constexpr bool are_alike
+    = std::is_same_v<typename First::value_type, typename Second::value_type>;
+
 public:
-  using value_type = typename First::value_type;
-  static_assert(std::is_same_v<value_type, typename Second::value_type>,
-                "The two ranges hold objects of different types.");
+  using value_type
+    = std::conditional_t<are_alike, typename First::value_type, One_of_two<A, B>>;
 
   Joined_elements(const First& first, const Second& second) : first_(first), second_(second) {}
 
@@ -227,7 +234,12 @@ public:
 
   decltype(auto) operator[](std::size_t position) const
   {
-    return position < first_.size() ? first_[position] : second_[position - first_.size()];
+    if constexpr(are_alike)
+      return position < first_.size() ? first_[position] : second_[position - first_.size()];
+    else if(position < first_.size())
+      return value_type(std::in_place_index<0>, first_[position]);
+    else
+      return value_type(std::in_place_index<1>, second_[position - first_.size()]);
   }
 
 private:

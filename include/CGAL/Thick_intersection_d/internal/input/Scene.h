@@ -13,11 +13,21 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
+
+// Returns the ends of intervals.
+inline std::vector<std::pair<double, double>> ends_of(const std::vector<Interval>& intervals)
+{
+  std::vector<std::pair<double, double>> ends(intervals.size());
+  for(std::size_t i = 0; i < ends.size(); ++i)
+    ends[i] = {intervals[i].low, intervals[i].high};
+  return ends;
+}
 
 struct Scene
 {
@@ -76,7 +86,8 @@ struct Object_scene
   std::size_t size = 0;
   std::vector<Interval> box;   // of all objects; empty if there are none
   std::vector<double> reaches; // along an axis, of points of two objects whose boxes meet
-  std::optional<int> grid_exponent; // if all coordinates are doubles
+  std::optional<int> grid_exponent; // if all numbers are doubles
+  bool has_distances = false;  // whether distances of objects are compared, and not only signs
 };
 
 } // namespace internal

@@ -13,7 +13,10 @@
 #include <CGAL/Sphere_3.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/input/Ball_centers.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
+#include <CGAL/Thick_intersection_d/internal/input/kinds.h>
 #include <CGAL/Thick_intersection_d/internal/input/vertices.h>
 
 #include <algorithm>
@@ -57,29 +60,45 @@ Box box_of_intervals(const Interval_of_axis& interval)
   }
 }
 
+template <int Dimension>
+using Bbox_of_dimension = std::conditional_t<Dimension == 2, Bbox_2, Bbox_3>;
+
 template <class Box, class Point>
 Box bounding_box_of_point(const Point& p)
 {
   return box_of_intervals<Box>([&](int i) { return coordinate_bounds(p, i); });
 }
 
-// The same of a vertex of an object. Numbers beyond the doubles count as the
-// largest double: the order of ends does not change, so boxes that meet still meet.
+// Numbers beyond the doubles count as the largest double: the order of ends does not change, so
+// boxes that meet still meet.
+inline std::pair<double, double> finite_interval(const std::pair<double, double>& x)
+{
+  constexpr double largest = (std::numeric_limits<double>::max)();
+  return {(std::clamp)(x.first, -largest, largest), (std::clamp)(x.second, -largest, largest)};
+}
+
+// The same of a vertex of an object.
 template <class Box, class Object>
 Box bounding_box_of_vertex(const Object& object, int v)
 {
-  constexpr double largest = (std::numeric_limits<double>::max)();
-  return box_of_intervals<Box>([&](int i) {
-    const std::pair<double, double> x = vertex_bounds(object, v, i);
-    return std::pair((std::clamp)(x.first, -largest, largest),
-                     (std::clamp)(x.second, -largest, largest));
-  });
+  return box_of_intervals<Box>([&](int i) { return finite_interval(vertex_bounds(object, v, i)); });
+}
+
+template <class Ball>
+auto bounding_box_of_ball(const Ball& ball)
+{
+  using Box = Bbox_of_dimension<dimension_or<typename Ball::first_type>(0)>;
+  return box_of_intervals<Box>([&](int i) { return finite_interval(ball_interval(ball, i)); });
 }
 
 template <class Object>
 auto bounding_box(const Object& object)
 {
-  if constexpr(Vertex_count<Object>::value == 0)
+  if constexpr(is_mixed_v<Object>)
+    return with_kind(object, [](const auto& kind) { return bounding_box(kind); });
+  else if constexpr(Is_ball<Object>::value)
+    return bounding_box_of_ball(object);
+  else if constexpr(Vertex_count<Object>::value == 0)
     return object.bbox();
   else if constexpr(has_double_vertices_v<Object>)
     return object.bbox();
@@ -99,31 +118,43 @@ struct Is_hypersphere<Circle_2<K>> : std::true_type {};
 template <class K>
 struct Is_hypersphere<Sphere_3<K>> : std::true_type {};
 
-// Returns whether the bounding box of an object is the object.
+// Returns whether the bounding box of an object of one kind is the object.
 template <class Object>
 constexpr bool is_box_of_doubles()
 {
   if constexpr(Vertex_count<Object>::value == 1 || is_iso_box_v<Object>)
     return has_double_vertices_v<Object>;
   else
-    return std::is_same_v<Object, Bbox_2> || std::is_same_v<Object, Bbox_3>;
+    return false;
 }
+template <class Object>
+struct Is_box_of_doubles : std::bool_constant<is_box_of_doubles<Object>()> {};
 
 // Throws if a coordinate of a vertex is NaN or infinite. The bounding box does not show this,
 // because the minimum of NaN and 1 may be 1.
 template <class Object>
 void check_vertices(const Object& object, std::size_t position)
 {
-  if constexpr(Vertex_count<Object>::value == 0) {
-    if(!is_finite_box(bounding_box(object)))
-      throw std::invalid_argument("The bounding box of object " + std::to_string(position)
-                                  + " is empty or not finite.");
-  }
-  else
-    for(int v = 0; v < Vertex_count<Object>::value; v += Vertex_step<Object>::value)
-      for(int i = 0; i < vertex_dimension_v<Object>; ++i)
-        if(!are_bounds_of_finite(vertex_bounds(object, v, i)))
-          throw_not_finite("vertex of object", position, i);
+  for(int v = 0; v < Vertex_count<Object>::value; v += Vertex_step<Object>::value)
+    for(int i = 0; i < vertex_dimension_v<Object>; ++i)
+      if(!are_bounds_of_finite(vertex_bounds(object, v, i)))
+        throw_not_finite("vertex of object", position, i);
+}
+
+// Throws if an object has no finite place: if it has NaN or infinite numbers, or is empty.
+template <class Object>
+void check_object(const Object& object, std::size_t position)
+{
+  constexpr bool is_bbox = std::is_same_v<Object, Bbox_2> || std::is_same_v<Object, Bbox_3>;
+  if constexpr(is_mixed_v<Object>)
+    with_kind(object, [&](const auto& kind) { check_object(kind, position); });
+  else if constexpr(Is_ball<Object>::value)
+    check_ball(object, dimension_or<typename Object::first_type>(0), position);
+  else if constexpr(Vertex_count<Object>::value != 0 && !is_bbox)
+    check_vertices(object, position);
+  else if(!is_finite_box(bounding_box(object)))
+    throw std::invalid_argument("The bounding box of object " + std::to_string(position)
+                                + " is empty or not finite.");
 }
 
 } // namespace internal

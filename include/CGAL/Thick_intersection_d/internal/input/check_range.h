@@ -62,19 +62,6 @@ constexpr bool check_range()
   }
 }
 
-template <class T, class = void>
-struct Is_weighted_point : std::false_type {};
-template <class T>
-struct Is_weighted_point<T, std::void_t<typename T::Weight, typename T::Point>> : std::true_type {};
-
-template <class T, class = void>
-struct Is_point : std::false_type {};
-template <class T>
-struct Is_point<T, std::void_t<decltype(std::declval<const T&>().cartesian(0)),
-                               decltype(std::declval<const T&>().dimension()),
-                               Point_dimension_t<T>>>
-  : std::true_type {};
-
 template <class Elements>
 constexpr bool check_points()
 {
@@ -82,7 +69,7 @@ constexpr bool check_points()
   constexpr bool has_weight = Is_weighted_point<Point>::value;
   constexpr bool is_point = Is_point<Point>::value || has_weight;
   static_assert(!has_weight, "Weighted points have no distance here: pass a point_map to their "
-                             "points, or balls to thick_self_intersection_d().");
+                             "points, or make them balls: pairs of a center and a radius.");
   static_assert(is_point, "The elements of the range are to be points of a kernel of CGAL: pass a "
                           "property map to such points as point_map.");
   return is_point && !has_weight;

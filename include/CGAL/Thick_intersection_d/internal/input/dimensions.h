@@ -10,6 +10,7 @@
 #include <CGAL/Dimension.h>
 
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -30,6 +31,19 @@ struct Point_dimension<Point, std::void_t<typename Point::Ambient_dimension>>
 
 template <class Point>
 using Point_dimension_t = typename Point_dimension<Point>::type;
+
+template <class T, class = void>
+struct Is_weighted_point : std::false_type {};
+template <class T>
+struct Is_weighted_point<T, std::void_t<typename T::Weight, typename T::Point>> : std::true_type {};
+
+template <class T, class = void>
+struct Is_point : std::false_type {};
+template <class T>
+struct Is_point<T, std::void_t<decltype(std::declval<const T&>().cartesian(0)),
+                               decltype(std::declval<const T&>().dimension()),
+                               Point_dimension_t<T>>>
+  : std::bool_constant<!Is_weighted_point<T>::value> {};
 
 // Returns the dimension of a type of points, or `fallback` if only the points know their dimension.
 template <class Point>

@@ -26,7 +26,9 @@ void print_bits(std::ostream& out, const Profile& profile)
   else {
     out << std::ceil(profile.difference_bits()) << " for a difference";
     if(profile.degree() > 1)
-      out << ", " << profile.bits() << " for a determinant of degree " << profile.degree();
+      out << ", " << profile.bits() << " for a "
+          << (profile.is_of_distances() ? "squared distance" : "determinant") << " of degree "
+          << profile.degree();
   }
   out << ", a double has 53\n";
 }

@@ -8,31 +8,34 @@
 // Finds the scene of kernel objects in one pass over them.
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Double_grid.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
+#include <CGAL/Thick_intersection_d/internal/input/kinds.h>
 #include <CGAL/Thick_intersection_d/internal/input/vertices.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Refines the grid until it holds the coordinates of an object. Returns false if one of them is no
-// double. A Bbox has two vertices, its corners.
+// Refines the grid until it holds the numbers of an object: coordinates, and the radius of a ball.
+// Returns false if one of them is no double.
 template <class Object>
 bool refine_grid(const Object& object, Double_grid& grid)
 {
-  if constexpr(Vertex_count<Object>::value == 0) {
-    for(int axis = 0; axis < object.dimension(); ++axis) {
-      grid.add((object.min)(axis));
-      grid.add((object.max)(axis));
-    }
-    return true;
+  if constexpr(is_mixed_v<Object>)
+    return with_kind(object, [&](const auto& kind) { return refine_grid(kind, grid); });
+  else if constexpr(Is_ball<Object>::value) {
+    const std::pair<double, double> radius = bounds(object.second);
+    grid.add(radius.first);
+    return radius.first == radius.second && refine_grid(object.first, grid);
   }
   else
     return read_vertices(object, [&](std::size_t, int, double x) { grid.add(x); });
@@ -71,6 +74,26 @@ Object_scene scan_objects(const Elements& objects)
   }
   if(are_doubles)
     scene.grid_exponent = grid.exponent();
+  return scene;
+}
+
+// The same of objects and a bound on their distance, which is between two doubles. Two objects
+// whose boxes are within the reach lie in a box that is longer by it.
+template <class Elements>
+Object_scene scan_near_objects(const Elements& objects, const std::pair<double, double>& bound,
+                               double reach)
+{
+  Object_scene scene = scan_objects(objects);
+  scene.has_distances = true;
+  for(double& x : scene.reaches)
+    x += reach;
+  if(bound.first != bound.second)
+    scene.grid_exponent.reset();
+  if(scene.grid_exponent) {
+    Double_grid grid(*scene.grid_exponent);
+    grid.add(bound.first);
+    scene.grid_exponent = grid.exponent();
+  }
   return scene;
 }
 

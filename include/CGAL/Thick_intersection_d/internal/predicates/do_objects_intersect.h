@@ -5,219 +5,101 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_DO_OBJECTS_INTERSECT_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_DO_OBJECTS_INTERSECT_H
 
-// The intersection test of kernel objects, which are closed, and may be flat or points. It is exact
-// for the coordinates that they hold: in stages where these are doubles, whatever their type, and
-// otherwise by the predicates of the kernel, if they are exact, or of a kernel of rational numbers.
+// Do two closed objects intersect, of any kinds? The predicates of the package decide about objects
+// of CGAL and balls, and do_intersect() about others.
 
-#include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Arithmetic_tier.h>
-#include <CGAL/Bbox_2.h>
-#include <CGAL/Bbox_3.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Kernel_traits.h>
-#include <CGAL/Quotient.h>
-#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Distance_bound.h>
 
-#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
-#include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
+#include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
+#include <CGAL/Thick_intersection_d/internal/input/kinds.h>
 #include <CGAL/Thick_intersection_d/internal/input/vertices.h>
-#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Kernel_orientation.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Staged_orientation.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/planar_objects.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/spatial_objects.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/tetrahedra.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Hull.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Hull_bound.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/are_objects_near.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/do_kernel_objects_intersect.h>
 
-#include <array>
-#include <cstddef>
-#include <limits>
+#include <algorithm>
+#include <tuple>
 #include <type_traits>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Whether numbers of a type overflow. CGAL calls `long long` an exact type, and quotients of it.
-template <class NT>
-struct Has_limits : std::bool_constant<std::is_arithmetic_v<NT>
-                                       || std::numeric_limits<NT>::is_bounded>
+// Whether the package knows what objects of a kind are.
+template <class Kind>
+struct Is_known_kind : std::bool_constant<Vertex_count<Kind>::value != 0 || Is_ball<Kind>::value>
 {};
-template <class Integer>
-struct Has_limits<Quotient<Integer>> : Has_limits<Integer> {};
 
-template <class FT>
-constexpr bool has_exact_predicates_v
-  = Algebraic_structure_traits<FT>::Is_exact::value && !Has_limits<FT>::value;
+// The algebraic degree of the squared distance of two objects of the kinds A and B.
+template <class A, class B>
+struct Distance_degree
+  : std::integral_constant<int, hull_size_v<A> == 1 && hull_size_v<B> == 1
+                                  ? 2 : 2 * hull_dimension_v<A>>
+{};
 
-// A kernel whose predicates are exact on the points of Kernel.
-template <class Kernel>
-using Kernel_with_exact_predicates
-  = std::conditional_t<has_exact_predicates_v<typename Kernel::FT>, Kernel,
-                       Simple_cartesian<Exact_rational>>;
-
-// Returns a point in a kernel whose predicates are exact for it.
-template <class Point>
-decltype(auto) with_exact_predicates(const Point& p)
+// That of the test whether they intersect.
+template <class A, class B>
+constexpr int degree_of_intersection()
 {
-  using Kernel = typename Kernel_traits<Point>::Kernel;
-  using Exact_kernel = Kernel_with_exact_predicates<Kernel>;
-  if constexpr(std::is_same_v<Kernel, Exact_kernel>)
-    return Point(p);
+  if constexpr(Is_ball<A>::value || Is_ball<B>::value)
+    return Distance_degree<A, B>::value;
   else {
-    const auto x = [&](int i) { return to_exact_rational(coordinate(p, i)); };
-    if constexpr(Ambient_dimension<Point>::value == 2)
-      return typename Exact_kernel::Point_2(x(0), x(1));
-    else
-      return typename Exact_kernel::Point_3(x(0), x(1), x(2));
+    constexpr bool is_a_box = Vertex_count<A>::value == 1 || is_iso_box_v<A>;
+    constexpr bool is_b_box = Vertex_count<B>::value == 1 || is_iso_box_v<B>;
+    return is_a_box && is_b_box ? 1 : vertex_dimension_v<A>;
   }
 }
+template <class A, class B>
+struct Intersection_degree : std::integral_constant<int, degree_of_intersection<A, B>()> {};
 
-// Makes the bounding box of a lazy object final. Otherwise the box would shrink when a predicate
-// evaluates the object exactly, in the middle of a search that has ordered objects by their boxes.
-// Doubles are final as they are.
-template <class Object>
-void settle(const Object& object)
+template <template <class, class> class Degree, class A, class... Kinds_b>
+constexpr int largest_degree_with(std::tuple<Kinds_b...>*)
 {
-  if constexpr(Vertex_count<Object>::value != 0)
-    if constexpr(Is_lazy<typename Kernel_traits<Object>::Kernel::FT>::value)
-      if(!read_vertices(object, [](std::size_t, int, double) {}))
-        CGAL::exact(object);
+  return (std::max)({Degree<A, Kinds_b>::value...});
+}
+template <template <class, class> class Degree, class... Kinds_a, class Tuple_b>
+constexpr int largest_degree(std::tuple<Kinds_a...>*, Tuple_b* b)
+{
+  return (std::max)({largest_degree_with<Degree, Kinds_a>(b)...});
 }
 
-// The algebraic degree of the test of two objects that are of a kernel or boxes.
-template <class Object>
-constexpr int test_degree()
+// The largest degree of the test of two objects of a range, or of one of each of two ranges.
+template <template <class, class> class Degree, class A, class B = A>
+constexpr int degree_of()
 {
-  if constexpr(Vertex_count<Object>::value <= 1)
-    return 1;
+  if constexpr(Is_one_of_two<A>::value)
+    return degree_of<Degree, typename A::First, typename A::Second>();
   else
-    return is_iso_box_v<Object> ? 1 : vertex_dimension_v<Object>;
+    return largest_degree<Degree>(static_cast<typename Kinds_of<A>::type*>(nullptr),
+                                  static_cast<typename Kinds_of<B>::type*>(nullptr));
 }
 
-// ---- by vertices --------------------------------------------------------------------------------
-
-template <class Orientation>
-bool do_iso_boxes_intersect(const Simplex<Orientation, 2>& a, const Simplex<Orientation, 2>& b)
+// Whether objects of one kind each intersect.
+template <class A, class B>
+bool do_kinds_intersect(const A& a, const B& b, Arithmetic_tier& tier)
 {
-  for(int axis = 0; axis < Orientation::dimension; ++axis)
-    if(Orientation::compare(a[1], b[0], axis) == NEGATIVE
-       || Orientation::compare(b[1], a[0], axis) == NEGATIVE)
-      return false;
-  return true;
-}
-
-template <class Orientation>
-bool are_points_equal(const typename Orientation::Point& p, const typename Orientation::Point& q)
-{
-  for(int axis = 0; axis < Orientation::dimension; ++axis)
-    if(Orientation::compare(p, q, axis) != ZERO)
-      return false;
-  return true;
-}
-
-// Whether objects of the type Object intersect, by the vertices that have all their coordinates.
-template <class Object, class Orientation, std::size_t Count>
-bool do_simplices_intersect(Orientation& orientation, const Simplex<Orientation, Count>& a,
-                            const Simplex<Orientation, Count>& b)
-{
-  if constexpr(Count == 1)
-    return are_points_equal<Orientation>(a[0], b[0]);
-  else if constexpr(is_iso_box_v<Object>)
-    return do_iso_boxes_intersect<Orientation>(a, b);
-  else if constexpr(Orientation::dimension == 2)
-    return do_intersect_in_plane(orientation, a, b);
+  if constexpr(!Is_known_kind<A>::value || !Is_known_kind<B>::value)
+    return do_intersect(a, b); // found in the namespace of the objects
+  else if constexpr(Is_ball<A>::value || Is_ball<B>::value) {
+    using Exact = typename Common_exact_number<std::tuple<A, B>>::type;
+    const auto no_distance = [] { return Squared_bound<Exact>(within_distance(0)); };
+    return are_kinds_near(a, b, Hull_bound(), no_distance, tier);
+  }
   else
-    return do_intersect_in_space(orientation, a, b);
+    return do_kernel_objects_intersect(a, b, tier);
 }
 
-// Whether objects of the type Object intersect, which have one half of the vertices each.
-template <class Object, class Orientation>
-bool do_vertices_intersect(typename Orientation::Vertices& vertices, Arithmetic_tier& tier)
-{
-  constexpr std::size_t count = corner_count_v<Object>;
-  Simplex<Orientation, count> a, b;
-  for(std::size_t k = 0; k < count; ++k) {
-    a[k] = typename Orientation::Point(vertices[k]);
-    b[k] = typename Orientation::Point(vertices[count + k]);
-  }
-  Orientation orientation(vertices, tier);
-  const bool do_intersect = do_simplices_intersect<Object>(orientation, a, b);
-  tier = orientation.needed_tier();
-  return do_intersect;
-}
-
-// Neighbors in meshes and roads share a vertex. No branch depends on which one it is, and most of
-// those that share none have no first coordinate in common either.
-template <class Vertex, std::size_t Count>
-bool have_common_vertex(const std::array<Vertex, Count>& vertices)
-{
-  const auto is_any_pair = [&](const auto& is_common) {
-    bool is_any = false;
-    for(std::size_t a = 0; a < Count / 2; ++a)
-      for(std::size_t b = Count / 2; b < Count; ++b)
-        is_any |= is_common(vertices[a].x, vertices[b].x);
-    return is_any;
-  };
-  return is_any_pair([](const auto& x, const auto& y) { return x[0] == y[0]; })
-         && is_any_pair([](const auto& x, const auto& y) {
-              bool are_equal = true;
-              for(std::size_t i = 0; i < x.size(); ++i)
-                are_equal &= x[i] == y[i];
-              return are_equal;
-            });
-}
-
-// ---- by coordinates -----------------------------------------------------------------------------
-
-// Objects whose coordinates are not all doubles.
-template <class Object>
-bool do_objects_intersect_by_kernel(const Object& a, const Object& b, Arithmetic_tier& tier)
-{
-  using Kernel = Kernel_with_exact_predicates<typename Kernel_traits<Object>::Kernel>;
-  constexpr std::size_t count = corner_count_v<Object>;
-  using Orientation = Kernel_orientation<Kernel, vertex_dimension_v<Object>, 2 * count>;
-  typename Orientation::Vertices vertices;
-  for(std::size_t k = 0; k < count; ++k) {
-    const int v = static_cast<int>(k) * Vertex_step<Object>::value;
-    vertices[k] = with_exact_predicates(vertex_of(a, v));
-    vertices[count + k] = with_exact_predicates(vertex_of(b, v));
-  }
-  return do_vertices_intersect<Object, Orientation>(vertices, tier);
-}
-
-// Tests two objects of a kernel. `tier` is the first arithmetic after the filter, as for
-// Staged_orientation, and becomes the one that was needed.
-template <class Object>
-bool do_kernel_objects_intersect(const Object& a, const Object& b, Arithmetic_tier& tier)
-{
-  constexpr std::size_t count = corner_count_v<Object>;
-  using Orientation = Staged_orientation<vertex_dimension_v<Object>, 2 * count>;
-  typename Orientation::Vertices vertices;
-  const auto read = [&](const Object& object, std::size_t first) {
-    return read_vertices(object, [&](std::size_t k, int axis, double x) {
-      vertices[first + k].x[axis] = x;
-    });
-  };
-  [[maybe_unused]] const bool are_doubles = read(a, 0) && read(b, count);
-  if constexpr(!has_double_vertices_v<Object>)
-    if(!are_doubles)
-      return do_objects_intersect_by_kernel(a, b, tier);
-  if(!have_common_vertex(vertices))
-    return do_vertices_intersect<Object, Orientation>(vertices, tier);
-  tier = Arithmetic_tier::DOUBLE;
-  return true;
-}
-
-// do_intersect() of objects that are not of CGAL is found in their namespace.
+// Whether two objects whose bounding boxes meet intersect. `tier` is the first arithmetic after the
+// filter, and becomes the one that was needed.
 template <class Object>
 bool do_objects_intersect(const Object& a, const Object& b, Arithmetic_tier& tier)
 {
-  if constexpr(Vertex_count<Object>::value != 0)
-    return do_kernel_objects_intersect(a, b, tier);
-  else if constexpr(std::is_same_v<Object, Bbox_2> || std::is_same_v<Object, Bbox_3>)
-    return do_overlap(a, b);
-  else
-    return do_intersect(a, b);
+  return with_kinds(a, b, [&](const auto& x, const auto& y) {
+    return do_kinds_intersect(x, y, tier);
+  });
 }
 
 } // namespace internal

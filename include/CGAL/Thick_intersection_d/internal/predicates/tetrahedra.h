@@ -137,14 +137,14 @@ bool does_meet_faces(Orientation& orientation, const Simplex<Orientation, Count>
   return false;
 }
 
-// What is in a tetrahedron has its vertices there, and what is not meets a face.
-template <class Orientation>
-bool do_intersect_in_space(Orientation& orientation, const Simplex<Orientation, 3>& triangle,
+// A triangle or segment in a tetrahedron has its vertices there. One that is not meets a face.
+template <class Orientation, std::size_t Count>
+bool do_intersect_in_space(Orientation& orientation, const Simplex<Orientation, Count>& object,
                            const Simplex<Orientation, 4>& tetrahedron)
 {
   const Sign sign = orientation_of(orientation, tetrahedron);
-  return (sign != ZERO && is_in_tetrahedron(orientation, tetrahedron, sign, triangle[0]))
-         || does_meet_faces(orientation, triangle, tetrahedron);
+  return (sign != ZERO && is_in_tetrahedron(orientation, tetrahedron, sign, object[0]))
+         || does_meet_faces(orientation, object, tetrahedron);
 }
 
 template <class Orientation>

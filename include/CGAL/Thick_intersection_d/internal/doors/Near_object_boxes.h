@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_NEAR_OBJECT_BOXES_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_NEAR_OBJECT_BOXES_H
+
+// Points in any dimension, or objects, as the box route reads them. The intervals of two of them
+// are within the reach along an axis iff they meet when each is longer by the reach.
+
+#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// `Test` tells the dimension and the reach, whether two objects are near, and the interval of
+// an object that is no point.
+template <int Dimension, class Elements, class Test>
+class Near_object_boxes
+{
+  using Object = typename Elements::value_type;
+
+public:
+  using Box_filter = void;
+  static constexpr int static_dimension = Dimension;
+
+  Near_object_boxes(const Elements& objects, const Test& test) : objects_(objects), test_(test) {}
+
+  std::size_t size() const { return objects_.size(); }
+  int dimension() const { return test_.dimension(); }
+
+  auto intervals(std::size_t position) const
+  {
+    return [this, position](int axis) {
+      if constexpr(Is_point<Object>::value)
+        return longer(coordinate_bounds(objects_[position], axis));
+      else
+        return longer(test_.interval(objects_[position], axis));
+    };
+  }
+
+  bool are_exact() const { return false; }
+  void ask_for(std::size_t) const {}
+  bool do_intersect(std::size_t i, std::size_t j) const
+  {
+    return test_(objects_[i], objects_[j]);
+  }
+
+private:
+  // The sum is rounded once.
+  Interval longer(const std::pair<double, double>& interval) const
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return {interval.first, std::nextafter(interval.second + test_.reach(), infinity)};
+  }
+
+  const Elements& objects_;
+  const Test& test_;
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_NEAR_OBJECT_BOXES_H

@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_TWO_TYPE_TRAITS_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_TWO_TYPE_TRAITS_H
+
+// The user's traits for objects of two types, as the routes see them: traits for one type, which is
+// one of two.
+
+#include <CGAL/Thick_intersection_d/internal/input/kinds.h>
+
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// `Interval_d` takes either type, and `Do_intersect_d` an object of the first range and one of the
+// second, in this order.
+template <class Traits, class Object>
+class Two_type_traits
+{
+public:
+  using Object_d = Object;
+
+  explicit Two_type_traits(const Traits& traits) : traits_(traits) {}
+
+  int dimension() const { return traits_.dimension(); }
+
+  auto interval_d_object() const
+  {
+    return [interval = traits_.interval_d_object()](const Object& object, int axis) {
+      return of_range(object, [&](const auto& x) { return interval(x, axis); });
+    };
+  }
+
+  auto do_intersect_d_object() const
+  {
+    return [do_intersect = traits_.do_intersect_d_object()](const Object& a, const Object& b) {
+      return of_ranges(a, b, [&](const auto& x, const auto& y) { return do_intersect(x, y); });
+    };
+  }
+
+private:
+  const Traits& traits_;
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_TWO_TYPE_TRAITS_H

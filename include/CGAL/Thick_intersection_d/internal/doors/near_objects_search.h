@@ -1,0 +1,227 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_NEAR_OBJECTS_SEARCH_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_NEAR_OBJECTS_SEARCH_H
+
+// Near pairs of objects that are no points, or of two types: by boxes that are longer by the reach.
+
+#include <CGAL/Arithmetic_tier.h>
+#include <CGAL/Distance_bound.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Scene_profile.h>
+
+#include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/check_denormals.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/doors/Near_object_boxes.h>
+#include <CGAL/Thick_intersection_d/internal/doors/Object_route.h>
+#include <CGAL/Thick_intersection_d/internal/doors/box_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
+#include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
+#include <CGAL/Thick_intersection_d/internal/input/kinds.h>
+#include <CGAL/Thick_intersection_d/internal/input/scan_objects.h>
+#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Hull.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Hull_bound.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/are_objects_near.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/do_kernel_objects_intersect.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
+
+#include <cstddef>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// Whether two objects of kinds that the package knows are within a bound.
+template <class Object>
+class Are_objects_near
+{
+  using Exact = Common_exact_number_t<Object>;
+
+public:
+  static constexpr int static_dimension = hull_dimension_v<typename Kinds<Object>::First>;
+
+  // `least_tier` is the first arithmetic after the filter. Counts in `counts` which arithmetic
+  // decides, unless `counts` is null.
+  template <class NT>
+  Are_objects_near(const Distance_bound<NT>& bound, Arithmetic_tier least_tier,
+                   Shared_decision_counts* counts)
+    : bound_(bound), hull_bound_(make_hull_bound(bound, bound_)), least_tier_(least_tier),
+      counts_(counts)
+  {}
+
+  int dimension() const { return static_dimension; }
+  double reach() const { return bound_.reach(); }
+
+  static std::pair<double, double> interval(const Object& object, int axis)
+  {
+    const auto& box = bounding_box(object);
+    return {(box.min)(axis), (box.max)(axis)};
+  }
+
+  bool operator()(const Object& a, const Object& b) const
+  {
+    return with_kinds(a, b, [&](const auto& x, const auto& y) {
+      Arithmetic_tier tier = least_tier_;
+      const auto exact_bound = [&]() -> const Squared_bound<Exact>& { return bound_; };
+      const bool are_near = are_kinds_near(x, y, hull_bound_, exact_bound, tier);
+      if(counts_ != nullptr)
+        counts_->add(tier);
+      return are_near;
+    });
+  }
+
+private:
+  const Squared_bound<Exact> bound_;
+  const Hull_bound hull_bound_;
+  const Arithmetic_tier least_tier_;
+  Shared_decision_counts* counts_;
+};
+
+// The same of objects of traits, by their functors.
+template <class Object, class Traits, class NT>
+class Are_near_by_traits
+{
+public:
+  static constexpr int static_dimension = Object_dimension<Traits>::value;
+
+  Are_near_by_traits(const Traits& traits, const Distance_bound<NT>& bound)
+    : traits_(traits), bound_(bound), reach_(Squared_bound<Exact_number_t<NT>>(bound).reach())
+  {}
+
+  int dimension() const { return traits_.dimension(); }
+  double reach() const { return reach_; }
+
+  std::pair<double, double> interval(const Object& object, int axis) const
+  {
+    return of_range(object, [&](const auto& x) -> std::pair<double, double> {
+      return traits_.interval_d_object()(x, axis);
+    });
+  }
+
+  bool operator()(const Object& a, const Object& b) const
+  {
+    return of_ranges(a, b, [&](const auto& x, const auto& y) -> bool {
+      return traits_.is_within_distance_d_object()(x, y, bound_);
+    });
+  }
+
+private:
+  const Traits& traits_;
+  const Distance_bound<NT>& bound_;
+  double reach_;
+};
+
+// Whether traits tell if objects are within a bound.
+template <class Traits, class = void>
+struct Has_distance_predicate : std::false_type {};
+template <class Traits>
+struct Has_distance_predicate<
+  Traits,
+  std::void_t<decltype(std::declval<const Traits&>().interval_d_object()),
+              decltype(std::declval<const Traits&>().is_within_distance_d_object())>>
+  : std::true_type {};
+
+// Checks the objects of a search for near ones, and the traits of the named parameters. Returns
+// whether the search can be compiled.
+template <class Object, class Traits>
+constexpr bool check_near_objects()
+{
+  constexpr bool has_weight = Kinds<Object>::template is_any<Is_weighted_point>;
+  constexpr bool are_known = Kinds<Object>::template are_all<Is_known_kind>;
+  constexpr bool has_predicate = Has_distance_predicate<Traits>::value;
+  static_assert(!has_weight, "Weighted points have no distance here: pass a point_map to their "
+                             "points, or make them balls: pairs of a center and a radius.");
+  static_assert(are_known || has_predicate || has_weight,
+                "The elements of the range are to be points or objects of a kernel of CGAL: pass a "
+                "property map to such elements as point_map, or a model of ThickDistanceTraits_d "
+                "as geom_traits.");
+  return (are_known && !has_weight) || has_predicate;
+}
+
+// Checks the objects, and makes their lazy coordinates final.
+template <class ConcurrencyTag, class Elements>
+void check_near_kinds(const Elements& objects)
+{
+  check_denormals();
+  check_each<ConcurrencyTag>(objects.size(), [&](std::size_t position) {
+    settle(objects[position]);
+    check_object(objects[position], position);
+  });
+}
+
+template <class ConcurrencyTag, class Elements, class Sets, class Test, class Callback,
+          class NamedParameters>
+bool report_near_boxes(const Elements& objects, const Sets& sets, const Test& test,
+                       Callback& callback, const NamedParameters& np)
+{
+  auto progress = make_progress(np, objects.size());
+  const Near_object_boxes<Test::static_dimension, Elements, Test> boxes(objects, test);
+  return report_meeting_boxes<ConcurrencyTag>(boxes, sets, callback, progress);
+}
+
+template <class NamedParameters>
+using Given_traits = std::decay_t<decltype(parameters::get_parameter_reference(
+  std::declval<const NamedParameters&>(), internal_np::geom_traits))>;
+
+// Reports the near pairs of objects. Returns false iff the search was stopped.
+template <class ConcurrencyTag, class Elements, class Sets, class NT, class Callback,
+          class NamedParameters>
+bool report_near_objects(const Elements& objects, const Sets& sets, const Distance_bound<NT>& bound,
+                         Callback& callback, const NamedParameters& np)
+{
+  using Object = typename Elements::value_type;
+  using Traits = Given_traits<NamedParameters>;
+  if constexpr(!check_near_objects<Object, Traits>())
+    return false;
+  else if constexpr(Has_distance_predicate<Traits>::value) {
+    const auto& traits = parameters::get_parameter_reference(np, internal_np::geom_traits);
+    const Are_near_by_traits<Object, Traits, NT> test(traits, bound);
+    return report_near_boxes<ConcurrencyTag>(objects, sets, test, callback, np);
+  }
+  else {
+    const Are_objects_near<Object> test(bound, Arithmetic_tier::INT64, nullptr);
+    check_near_kinds<ConcurrencyTag>(objects);
+    return report_near_boxes<ConcurrencyTag>(objects, sets, test, callback, np);
+  }
+}
+
+// The same, with the tier that is forced in `profile`. Sets `profile` to the profile of the scene.
+template <class ConcurrencyTag, class Elements, class Sets, class NT, class Callback,
+          class NamedParameters>
+bool report_near_objects(const Elements& objects, const Sets& sets, const Distance_bound<NT>& bound,
+                         Callback& callback, Scene_profile& profile, const NamedParameters& np)
+{
+  using Object = typename Elements::value_type;
+  if constexpr(!check_near_objects<Object, Given_traits<NamedParameters>>())
+    return false;
+  else {
+    Shared_decision_counts counts;
+    check_near_kinds<ConcurrencyTag>(objects);
+    const double reach = Squared_bound<Common_exact_number_t<Object>>(bound).reach();
+    Scene_profile found(scan_near_objects(objects, bounds(bound.value()), reach),
+                        degree_of<Distance_degree, Object>());
+    if(const std::optional<Arithmetic_tier> forced = profile.forced_tier())
+      found.force_tier(*forced);
+    const Are_objects_near<Object> test(
+      bound, found.forced_tier().value_or(Arithmetic_tier::INT64), &counts);
+    const bool is_complete = report_near_boxes<ConcurrencyTag>(objects, sets, test, callback, np);
+    found.set_counts(counts.total());
+    profile = found;
+    return is_complete;
+  }
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_NEAR_OBJECTS_SEARCH_H

@@ -1,0 +1,159 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_KINDS_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_KINDS_H
+
+// Objects of several kinds in one search: variants, and objects of two ranges that differ in type.
+
+#include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
+
+#include <cstddef>
+#include <functional>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// Whether an object is a closed ball: a pair of a center and a radius.
+template <class Object, class = void>
+struct Is_ball : std::false_type {};
+template <class Object>
+struct Is_ball<Object, std::void_t<typename Object::second_type>>
+  : Is_point<typename Object::first_type> {};
+
+// Refers to an object that a range holds. Holds one that the range makes.
+template <class Reference>
+class Range_object
+{
+public:
+  explicit Range_object(Reference object) : object_(std::forward<Reference>(object)) {}
+  const std::decay_t<Reference>& get() const { return object_; }
+
+private:
+  std::conditional_t<std::is_lvalue_reference_v<Reference>,
+                     std::reference_wrapper<const std::decay_t<Reference>>,
+                     std::decay_t<Reference>> object_;
+};
+
+// An object of the first range or of the second, which give A and B.
+template <class A, class B>
+class One_of_two
+{
+public:
+  using First = std::decay_t<A>;
+  using Second = std::decay_t<B>;
+
+  One_of_two(std::in_place_index_t<0> first, A object) : object_(first, std::forward<A>(object)) {}
+  One_of_two(std::in_place_index_t<1> second, B object) : object_(second, std::forward<B>(object))
+  {}
+
+  bool is_first() const { return object_.index() == 0; }
+  const First& first() const { return std::get_if<0>(&object_)->get(); }
+  const Second& second() const { return std::get_if<1>(&object_)->get(); }
+
+private:
+  std::variant<Range_object<A>, Range_object<B>> object_;
+};
+
+// The kinds that an object may be of.
+template <class Object>
+struct Kinds_of
+{
+  using type = std::tuple<Object>;
+};
+template <class... Kinds>
+struct Kinds_of<std::variant<Kinds...>>
+{
+  using type = decltype(std::tuple_cat(std::declval<typename Kinds_of<Kinds>::type>()...));
+};
+template <class A, class B>
+struct Kinds_of<One_of_two<A, B>>
+{
+  using type = decltype(std::tuple_cat(std::declval<typename Kinds_of<std::decay_t<A>>::type>(),
+                                       std::declval<typename Kinds_of<std::decay_t<B>>::type>()));
+};
+
+template <class Kinds>
+struct Kind_list;
+template <class... Kinds>
+struct Kind_list<std::tuple<Kinds...>>
+{
+  using First = std::tuple_element_t<0, std::tuple<Kinds...>>;
+
+  template <template <class> class Property>
+  static constexpr bool are_all = (Property<Kinds>::value && ...);
+  template <template <class> class Property>
+  static constexpr bool is_any = (Property<Kinds>::value || ...);
+};
+
+template <class Object>
+using Kinds = Kind_list<typename Kinds_of<Object>::type>;
+
+template <class Object>
+struct Is_variant : std::false_type {};
+template <class... Kinds>
+struct Is_variant<std::variant<Kinds...>> : std::true_type {};
+
+template <class Object>
+struct Is_one_of_two : std::false_type {};
+template <class A, class B>
+struct Is_one_of_two<One_of_two<A, B>> : std::true_type {};
+
+// Whether only the object itself knows its kind.
+template <class Object>
+inline constexpr bool is_mixed_v = Is_variant<Object>::value || Is_one_of_two<Object>::value;
+
+// Returns task(object) for an object of a range.
+template <class Object, class Task>
+auto of_range(const Object& object, const Task& task)
+{
+  if constexpr(Is_one_of_two<Object>::value)
+    return object.is_first() ? task(object.first()) : task(object.second());
+  else
+    return task(object);
+}
+
+// Returns test(a, b) for two objects of a range, or for one of each of two ranges.
+template <class Object, class Test>
+bool of_ranges(const Object& a, const Object& b, const Test& test)
+{
+  if constexpr(Is_one_of_two<Object>::value)
+    return a.is_first() ? test(a.first(), b.second()) : test(b.first(), a.second());
+  else
+    return test(a, b);
+}
+
+// Returns task(object) for what an object is. The result has the same type for all kinds.
+template <class Object, class Task>
+auto with_kind(const Object& object, const Task& task)
+{
+  if constexpr(Is_variant<Object>::value)
+    return std::visit([&](const auto& kind) { return with_kind(kind, task); }, object);
+  else if constexpr(Is_one_of_two<Object>::value)
+    return of_range(object, [&](const auto& x) { return with_kind(x, task); });
+  else
+    return task(object);
+}
+
+// Returns test(a, b) for what two objects of a range are, or one of each of two ranges.
+template <class Object, class Test>
+bool with_kinds(const Object& a, const Object& b, const Test& test)
+{
+  return of_ranges(a, b, [&](const auto& x, const auto& y) {
+    return with_kind(x, [&](const auto& kind_a) {
+      return with_kind(y, [&](const auto& kind_b) { return test(kind_a, kind_b); });
+    });
+  });
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_KINDS_H

@@ -1,0 +1,111 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_HULL_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_HULL_H
+
+// An object of any kind, as the questions about distances see it: all that is within a radius of
+// the convex hull of a few points. The radius is zero, but for balls, which have one point.
+
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
+#include <CGAL/Thick_intersection_d/internal/input/kinds.h>
+#include <CGAL/Thick_intersection_d/internal/input/vertices.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// The points of the hull of an object of one kind: the object itself, or the center of a ball.
+template <class Object>
+decltype(auto) skeleton(const Object& object)
+{
+  if constexpr(Is_ball<Object>::value)
+    return (object.first);
+  else
+    return (object);
+}
+
+template <class Object>
+using Skeleton_t = std::decay_t<decltype(skeleton(std::declval<const Object&>()))>;
+
+// How many points the hull of an object of one kind has. Those of an iso-box are numbered by bits.
+template <class Object>
+constexpr std::size_t hull_size_v
+  = static_cast<std::size_t>(Vertex_count<Skeleton_t<Object>>::value);
+
+template <class Object>
+constexpr int hull_dimension_v = vertex_dimension_v<Skeleton_t<Object>>;
+
+template <int Dimension>
+struct Hull
+{
+  using Vector = std::array<double, Dimension>;
+
+  static constexpr std::size_t capacity = std::size_t(1) << Dimension;
+
+  std::array<Vector, capacity> vertices;
+  std::size_t size;
+
+  // Each coordinate is at most that of the object, and off by at most the error.
+  double error = 0;
+  Interval radius = {0, 0};
+};
+
+template <class Object>
+Hull<hull_dimension_v<Object>> hull_of(const Object& object)
+{
+  constexpr std::size_t size = hull_size_v<Object>;
+  using Points = Skeleton_t<Object>;
+  Hull<hull_dimension_v<Object>> hull;
+  hull.size = size;
+  const Points& points = skeleton(object);
+  if constexpr(has_double_vertices_v<Points>)
+    read_vertices<size>(points, [&](std::size_t k, int axis, double x) {
+      hull.vertices[k][axis] = x;
+    });
+  else
+    for(std::size_t k = 0; k < size; ++k)
+      for(int axis = 0; axis < vertex_dimension_v<Points>; ++axis) {
+        const auto x = vertex_bounds(points, place_of_vertex<Points, size>(k, axis), axis);
+        hull.vertices[k][axis] = x.first;
+        hull.error = (std::max)(hull.error, x.second - x.first);
+      }
+  if constexpr(Is_ball<Object>::value) {
+    const std::pair<double, double> radius = bounds(object.second);
+    hull.radius = {radius.first, radius.second};
+  }
+  return hull;
+}
+
+// The number types of an object: those of its coordinates and of a radius.
+template <class Object>
+using Hull_number_t = Vertex_number_t<Skeleton_t<Object>>;
+
+// Returns vertex k of the hull in exact numbers, which hold its coordinates.
+template <class Exact, class Object>
+std::array<Exact, hull_dimension_v<Object>> exact_hull_vertex(const Object& object, std::size_t k)
+{
+  using Points = Skeleton_t<Object>;
+  const Points& points = skeleton(object);
+  std::array<Exact, hull_dimension_v<Object>> x;
+  for(int axis = 0; axis < hull_dimension_v<Object>; ++axis)
+    x[axis] = Exact(to_exact_number(coordinate(
+      vertex_of(points, place_of_vertex<Points, hull_size_v<Object>>(k, axis)), axis)));
+  return x;
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_HULL_H

@@ -1,0 +1,128 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_ARE_OBJECTS_NEAR_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_ARE_OBJECTS_NEAR_H
+
+// Are two closed objects within a distance? A filter in doubles, whether they intersect, integers
+// and exact numbers decide, in this order.
+
+#include <CGAL/Arithmetic_tier.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Uncertain.h>
+
+#include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/input/kinds.h>
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Hull.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Hull_bound.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Hull_distance.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/do_kernel_objects_intersect.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/exact_hull_distance.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <tuple>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// The exact numbers that hold the numbers of objects of several kinds.
+template <class Kinds>
+struct Common_exact_number;
+template <class First, class... Others>
+struct Common_exact_number<std::tuple<First, Others...>>
+{
+  using Exact = Exact_number_t<Hull_number_t<First>>;
+  using type
+    = std::conditional_t<(std::is_same_v<Exact, Exact_number_t<Hull_number_t<Others>>> && ...),
+                         Exact, Exact_rational>;
+};
+
+template <class Object>
+using Common_exact_number_t = typename Common_exact_number<typename Kinds_of<Object>::type>::type;
+
+// Returns the exact radius of an object: zero, unless it is a ball.
+template <class Exact, class Object>
+Exact exact_radius(const Object& object)
+{
+  if constexpr(Is_ball<Object>::value)
+    return Exact(to_exact_number(object.second));
+  else
+    return Exact(0);
+}
+
+// Returns what compares a squared distance n / d of the hulls of two objects with a bound.
+template <class Exact, class A, class B>
+auto comparison_with(const Squared_bound<Exact>& bound, const A& a, const B& b)
+{
+  const Exact radii(exact_radius<Exact>(a) + exact_radius<Exact>(b));
+  return [&bound, radii](const Exact& n, const Exact& d) { return bound.holds_for(n, d, radii); };
+}
+
+template <class Exact, class A, class B>
+CGAL_RARELY_CALLED bool does_zero_hold(const Squared_bound<Exact>& bound, const A& a, const B& b)
+{
+  return comparison_with(bound, a, b)(Exact(0), Exact(1));
+}
+
+// Whether objects of one kind each, which are apart, are within a bound.
+template <class Exact, class A, class B>
+CGAL_RARELY_CALLED bool are_near_in_exact_numbers(const A& a, const B& b,
+                                                  const Hull_distance<hull_dimension_v<A>>& doubles,
+                                                  const Squared_bound<Exact>& bound)
+{
+  constexpr std::size_t dimension = static_cast<std::size_t>(hull_dimension_v<A>);
+  std::vector<Exact_vector<Exact, dimension>> vertices_of_a, vertices_of_b;
+  for(std::size_t k = 0; k < hull_size_v<A>; ++k)
+    if(doubles.may_be_nearest_of_a(k))
+      vertices_of_a.push_back(exact_hull_vertex<Exact>(a, k));
+  for(std::size_t k = 0; k < hull_size_v<B>; ++k)
+    if(doubles.may_be_nearest_of_b(k))
+      vertices_of_b.push_back(exact_hull_vertex<Exact>(b, k));
+  const auto within = comparison_with(bound, a, b);
+  return Exact_hull_distance<Exact, dimension, decltype(within)>(within)(vertices_of_a,
+                                                                        vertices_of_b);
+}
+
+// Whether objects of one kind each are within a bound. `exact_bound` returns the bound for exact
+// numbers. `tier` is the first arithmetic after the filter, and becomes the one that was needed.
+//
+// Objects that intersect are within every bound but an open one of zero.
+template <class A, class B, class Exact_bound>
+bool are_kinds_near(const A& a, const B& b, const Hull_bound& bound, const Exact_bound& exact_bound,
+                    Arithmetic_tier& tier)
+{
+  constexpr int dimension = hull_dimension_v<A>;
+  const Arithmetic_tier least_tier = tier;
+  const Hull<dimension> hull_a = hull_of(a), hull_b = hull_of(b);
+  const Interval reach = reach_of_hulls(bound, hull_a, hull_b);
+  Hull_distance<dimension> distance(hull_a, hull_b);
+  tier = Arithmetic_tier::DOUBLE;
+  const Uncertain<bool> are_near = distance.is_within(reach.low, reach.high);
+  if(is_certain(are_near))
+    return get_certain(are_near);
+
+  tier = least_tier;
+  const bool do_intersect = do_kernel_objects_intersect(skeleton(a), skeleton(b), tier);
+  tier = (std::max)(tier, Arithmetic_tier::INT128);
+  if(do_intersect)
+    return !bound.is_open || does_zero_hold(exact_bound(), a, b);
+  if(least_tier != Arithmetic_tier::FILTERED_EXACT)
+    if(const auto in_integers = Integer_hulls<dimension>(hull_a, hull_b, bound).are_near(distance))
+      return *in_integers;
+  tier = Arithmetic_tier::FILTERED_EXACT;
+  return are_near_in_exact_numbers(a, b, distance, exact_bound());
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_ARE_OBJECTS_NEAR_H

@@ -1,0 +1,246 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_DO_KERNEL_OBJECTS_INTERSECT_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_DO_KERNEL_OBJECTS_INTERSECT_H
+
+// The intersection test of kernel objects, which are closed, and may be flat or points. It is exact
+// for the coordinates that they hold: in stages where these are doubles, whatever their type, and
+// otherwise by the predicates of the kernel, if they are exact, or of a kernel of rational numbers.
+
+#include <CGAL/Algebraic_structure_traits.h>
+#include <CGAL/Arithmetic_tier.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Quotient.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/input/kinds.h>
+#include <CGAL/Thick_intersection_d/internal/input/vertices.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Kernel_orientation.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Staged_orientation.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/iso_boxes.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/planar_objects.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/spatial_objects.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/tetrahedra.h>
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// Whether numbers of a type overflow. CGAL calls `long long` an exact type, and quotients of it.
+template <class NT>
+struct Has_limits : std::bool_constant<std::is_arithmetic_v<NT>
+                                       || std::numeric_limits<NT>::is_bounded>
+{};
+template <class Integer>
+struct Has_limits<Quotient<Integer>> : Has_limits<Integer> {};
+
+template <class FT>
+constexpr bool has_exact_predicates_v
+  = Algebraic_structure_traits<FT>::Is_exact::value && !Has_limits<FT>::value;
+
+// A kernel whose predicates are exact on the points of Kernel.
+template <class Kernel>
+using Kernel_with_exact_predicates
+  = std::conditional_t<has_exact_predicates_v<typename Kernel::FT>, Kernel,
+                       Simple_cartesian<Exact_rational>>;
+
+// Returns vertex k of the `Count` ones that a question reads, as a point of an exact kernel.
+template <class Exact_kernel, std::size_t Count, class Object>
+auto exact_vertex(const Object& object, std::size_t k)
+{
+  using Point = Vertex_t<Object>;
+  const auto vertex
+    = [&](int axis) { return vertex_of(object, place_of_vertex<Object, Count>(k, axis)); };
+  if constexpr(std::is_same_v<typename Kernel_traits<Point>::Kernel, Exact_kernel>)
+    return Point(vertex(0));
+  else {
+    const auto x = [&](int axis) { return to_exact_rational(coordinate(vertex(axis), axis)); };
+    if constexpr(Ambient_dimension<Point>::value == 2)
+      return typename Exact_kernel::Point_2(x(0), x(1));
+    else
+      return typename Exact_kernel::Point_3(x(0), x(1), x(2));
+  }
+}
+
+// Makes the bounding box of a lazy object final. Otherwise the box would shrink when a predicate
+// evaluates the object exactly, in the middle of a search that has ordered objects by their boxes.
+// Doubles are final as they are.
+template <class Object>
+void settle(const Object& object)
+{
+  if constexpr(is_mixed_v<Object>)
+    with_kind(object, [](const auto& kind) { settle(kind); });
+  else if constexpr(Is_ball<Object>::value) {
+    settle(object.first);
+    if constexpr(Is_lazy<typename Object::second_type>::value)
+      CGAL::exact(object.second);
+  }
+  else if constexpr(Vertex_count<Object>::value != 0)
+    if constexpr(Is_lazy<Vertex_number_t<Object>>::value)
+      if(!read_vertices(object, [](std::size_t, int, double) {}))
+        CGAL::exact(object);
+}
+
+// ---- by vertices --------------------------------------------------------------------------------
+
+// How many vertices a question about A and B reads of A. Two opposite ones are all of an iso-box to
+// points and other iso-boxes.
+template <class A, class B>
+constexpr std::size_t asked_count_v
+  = is_iso_box_v<A> && !is_iso_box_v<B> && Vertex_count<B>::value > 1
+      ? static_cast<std::size_t>(Vertex_count<A>::value) : corner_count_v<A>;
+
+template <class Orientation>
+bool are_points_equal(const typename Orientation::Point& p, const typename Orientation::Point& q)
+{
+  for(int axis = 0; axis < Orientation::dimension; ++axis)
+    if(Orientation::compare(p, q, axis) != ZERO)
+      return false;
+  return true;
+}
+
+// Whether a question about A and B is that about B and A: objects of fewer vertices come first, and
+// iso-boxes last.
+template <class A, class B>
+constexpr bool comes_last_v
+  = is_iso_box_v<A> != is_iso_box_v<B> ? is_iso_box_v<A>
+                                       : (Vertex_count<A>::value > Vertex_count<B>::value);
+
+// Whether objects of the types A and B intersect, by the vertices that are asked about. A does not
+// come last. A point is a segment.
+template <class A, class B, class Orientation, std::size_t Count_a, std::size_t Count_b>
+bool do_hulls_intersect(Orientation& orientation, const Simplex<Orientation, Count_a>& a,
+                        const Simplex<Orientation, Count_b>& b)
+{
+  if constexpr(Count_b == 1)
+    return are_points_equal<Orientation>(a[0], b[0]);
+  else if constexpr(Count_a == 1)
+    return do_hulls_intersect<B, B>(orientation, Simplex<Orientation, 2>{a[0], a[0]}, b);
+  else if constexpr(is_iso_box_v<A> || (is_iso_box_v<B> && Count_b == 2))
+    return do_iso_boxes_intersect<Orientation>(a, b);
+  else if constexpr(is_iso_box_v<B>)
+    return does_meet_iso_box(orientation, a, b);
+  else if constexpr(Orientation::dimension == 2)
+    return do_intersect_in_plane(orientation, a, b);
+  else
+    return do_intersect_in_space(orientation, a, b);
+}
+
+// Whether objects of the types A and B intersect. The vertices of A are the first ones.
+template <class A, class B, class Orientation>
+bool do_vertices_intersect(typename Orientation::Vertices& vertices, Arithmetic_tier& tier)
+{
+  constexpr std::size_t count_a = asked_count_v<A, B>, count_b = asked_count_v<B, A>;
+  Simplex<Orientation, count_a> a;
+  Simplex<Orientation, count_b> b;
+  for(std::size_t k = 0; k < count_a; ++k)
+    a[k] = typename Orientation::Point(vertices[k]);
+  for(std::size_t k = 0; k < count_b; ++k)
+    b[k] = typename Orientation::Point(vertices[count_a + k]);
+  Orientation orientation(vertices, tier);
+  const bool do_intersect = do_hulls_intersect<A, B>(orientation, a, b);
+  tier = orientation.needed_tier();
+  return do_intersect;
+}
+
+// Neighbors in meshes and roads share a vertex. No branch depends on which one it is, and most of
+// those that share none have no first coordinate in common either. The first object has the first
+// `Count` vertices.
+template <std::size_t Count, class Vertex, std::size_t Size>
+bool have_common_vertex(const std::array<Vertex, Size>& vertices)
+{
+  const auto is_any_pair = [&](const auto& is_common) {
+    bool is_any = false;
+    for(std::size_t a = 0; a < Count; ++a)
+      for(std::size_t b = Count; b < Size; ++b)
+        is_any |= is_common(vertices[a].x, vertices[b].x);
+    return is_any;
+  };
+  return is_any_pair([](const auto& x, const auto& y) { return x[0] == y[0]; })
+         && is_any_pair([](const auto& x, const auto& y) {
+              bool are_equal = true;
+              for(std::size_t i = 0; i < x.size(); ++i)
+                are_equal &= x[i] == y[i];
+              return are_equal;
+            });
+}
+
+// ---- by coordinates -----------------------------------------------------------------------------
+
+// A kernel whose predicates are exact on the points of A and of B. The corners of an iso-box are
+// made of the coordinates of others.
+template <class A, class B>
+struct Common_exact_kernel
+{
+  using Kernel = Kernel_with_exact_predicates<typename Kernel_traits<Vertex_t<A>>::Kernel>;
+  static constexpr bool has_common_kernel
+    = std::is_same_v<Kernel,
+                     Kernel_with_exact_predicates<typename Kernel_traits<Vertex_t<B>>::Kernel>>;
+  static constexpr bool has_made_corners
+    = (is_iso_box_v<A> && asked_count_v<A, B> > 2) || (is_iso_box_v<B> && asked_count_v<B, A> > 2);
+  using type = std::conditional_t<has_common_kernel && !has_made_corners, Kernel,
+                                  Simple_cartesian<Exact_rational>>;
+};
+
+// Objects whose coordinates are not all doubles.
+template <class A, class B>
+bool do_objects_intersect_by_kernel(const A& a, const B& b, Arithmetic_tier& tier)
+{
+  constexpr std::size_t count_a = asked_count_v<A, B>, count_b = asked_count_v<B, A>;
+  using Kernel = typename Common_exact_kernel<A, B>::type;
+  using Orientation = Kernel_orientation<Kernel, vertex_dimension_v<A>, count_a + count_b>;
+  typename Orientation::Vertices vertices;
+  for(std::size_t k = 0; k < count_a; ++k)
+    vertices[k] = exact_vertex<Kernel, count_a>(a, k);
+  for(std::size_t k = 0; k < count_b; ++k)
+    vertices[count_a + k] = exact_vertex<Kernel, count_b>(b, k);
+  return do_vertices_intersect<A, B, Orientation>(vertices, tier);
+}
+
+// Tests two objects of which A does not come last.
+template <class A, class B>
+bool do_ordered_objects_intersect(const A& a, const B& b, Arithmetic_tier& tier)
+{
+  constexpr std::size_t count_a = asked_count_v<A, B>, count_b = asked_count_v<B, A>;
+  using Orientation = Staged_orientation<vertex_dimension_v<A>, count_a + count_b>;
+  typename Orientation::Vertices vertices;
+  const auto put_at = [&](std::size_t first) {
+    return [&, first](std::size_t k, int axis, double x) { vertices[first + k].x[axis] = x; };
+  };
+  [[maybe_unused]] const bool are_doubles = read_vertices<count_a>(a, put_at(0))
+                                            && read_vertices<count_b>(b, put_at(count_a));
+  if constexpr(!has_double_vertices_v<A> || !has_double_vertices_v<B>)
+    if(!are_doubles)
+      return do_objects_intersect_by_kernel(a, b, tier);
+  if(!have_common_vertex<count_a>(vertices))
+    return do_vertices_intersect<A, B, Orientation>(vertices, tier);
+  tier = Arithmetic_tier::DOUBLE;
+  return true;
+}
+
+// Tests two objects of CGAL. `tier` is the first arithmetic after the filter, as for
+// Staged_orientation, and becomes the one that was needed.
+template <class A, class B>
+bool do_kernel_objects_intersect(const A& a, const B& b, Arithmetic_tier& tier)
+{
+  if constexpr(comes_last_v<A, B>)
+    return do_ordered_objects_intersect(b, a, tier);
+  else
+    return do_ordered_objects_intersect(a, b, tier);
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_DO_KERNEL_OBJECTS_INTERSECT_H
