@@ -9,6 +9,7 @@
 // are within the reach along an axis iff they meet when each is longer by the reach.
 
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/input/kinds.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 
@@ -48,7 +49,7 @@ public:
   }
 
   bool are_exact() const { return false; }
-  void ask_for(std::size_t) const {}
+  void ask_for(std::size_t position) const { ask_for_object(objects_, position); }
   bool do_intersect(std::size_t i, std::size_t j) const
   {
     return test_(objects_[i], objects_[j]);

@@ -11,15 +11,14 @@
 
 #include <CGAL/Thick_intersection_d/internal/doors/box_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/input/kinds.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
-#include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
 #include <CGAL/Thick_intersection_d/internal/recursion/Recursive_route.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 
 #include <atomic>
 #include <cmath>
 #include <cstddef>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -104,13 +103,7 @@ public:
       return false;
   }
 
-  // Asks for the memory of an object, if the range holds it.
-  void ask_for([[maybe_unused]] std::size_t position) const
-  {
-    if constexpr(std::is_lvalue_reference_v<decltype(objects_[position])>)
-      for(std::size_t line = 0; line * cache_line_size < sizeof(objects_[position]); ++line)
-        prefetch_to_read(std::addressof(objects_[position]), line);
-  }
+  void ask_for(std::size_t position) const { ask_for_object(objects_, position); }
 
   bool do_intersect(std::size_t i, std::size_t j) const
   {

@@ -44,7 +44,7 @@ public:
   }
 
 private:
-  const Traits& traits_;
+  const Traits traits_;
 };
 
 } // namespace internal

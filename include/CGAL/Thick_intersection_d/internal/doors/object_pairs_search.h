@@ -154,11 +154,12 @@ decltype(auto) object_traits(const Elements& objects, const NamedParameters& np)
   using Object = typename Elements::value_type;
   if constexpr(!parameters::is_default_parameter<NamedParameters,
                                                  internal_np::geom_traits_t>::value) {
-    const auto& traits = parameters::get_parameter_reference(np, internal_np::geom_traits);
-    if constexpr(Is_one_of_two<Object>::value)
+    if constexpr(Is_one_of_two<Object>::value) {
+      const auto& traits = parameters::get_parameter_reference(np, internal_np::geom_traits);
       return Two_type_traits<std::decay_t<decltype(traits)>, Object>(traits);
+    }
     else
-      return (traits);
+      return parameters::get_parameter_reference(np, internal_np::geom_traits);
   }
   else {
     using Traits = Thick_object_traits_d<Object>;

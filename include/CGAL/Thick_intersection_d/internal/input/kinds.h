@@ -8,9 +8,11 @@
 // Objects of several kinds in one search: variants, and objects of two ranges that differ in type.
 
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
+#include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -150,6 +152,20 @@ bool with_kinds(const Object& a, const Object& b, const Test& test)
       return with_kind(y, [&](const auto& kind_b) { return test(kind_a, kind_b); });
     });
   });
+}
+
+// Asks for the memory of an object, if the range holds it.
+template <class Elements>
+void ask_for_object([[maybe_unused]] const Elements& objects, [[maybe_unused]] std::size_t position)
+{
+  const auto ask_for = [](const auto& object) {
+    for(std::size_t line = 0; line * cache_line_size < sizeof(object); ++line)
+      prefetch_to_read(std::addressof(object), line);
+  };
+  if constexpr(Is_one_of_two<typename Elements::value_type>::value)
+    of_range(objects[position], ask_for);
+  else if constexpr(std::is_lvalue_reference_v<decltype(objects[position])>)
+    ask_for(objects[position]);
 }
 
 } // namespace internal

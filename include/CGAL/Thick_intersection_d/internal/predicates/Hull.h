@@ -46,15 +46,10 @@ constexpr std::size_t hull_size_v
 template <class Object>
 constexpr int hull_dimension_v = vertex_dimension_v<Skeleton_t<Object>>;
 
-template <int Dimension>
+template <int Dimension, std::size_t Size>
 struct Hull
 {
-  using Vector = std::array<double, Dimension>;
-
-  static constexpr std::size_t capacity = std::size_t(1) << Dimension;
-
-  std::array<Vector, capacity> vertices;
-  std::size_t size;
+  std::array<std::array<double, Dimension>, Size> vertices;
 
   // Each coordinate is at most that of the object, and off by at most the error.
   double error = 0;
@@ -62,12 +57,14 @@ struct Hull
 };
 
 template <class Object>
-Hull<hull_dimension_v<Object>> hull_of(const Object& object)
+using Hull_of = Hull<hull_dimension_v<Object>, hull_size_v<Object>>;
+
+template <class Object>
+Hull_of<Object> hull_of(const Object& object)
 {
   constexpr std::size_t size = hull_size_v<Object>;
   using Points = Skeleton_t<Object>;
-  Hull<hull_dimension_v<Object>> hull;
-  hull.size = size;
+  Hull_of<Object> hull;
   const Points& points = skeleton(object);
   if constexpr(has_double_vertices_v<Points>)
     read_vertices<size>(points, [&](std::size_t k, int axis, double x) {
@@ -87,7 +84,7 @@ Hull<hull_dimension_v<Object>> hull_of(const Object& object)
   return hull;
 }
 
-// The number types of an object: those of its coordinates and of a radius.
+// The number type of an object.
 template <class Object>
 using Hull_number_t = Vertex_number_t<Skeleton_t<Object>>;
 

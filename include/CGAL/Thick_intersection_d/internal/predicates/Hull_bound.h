@@ -17,12 +17,12 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/wide_integers.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Hull.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Hull_distance.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/exact_hull_distance.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -52,11 +52,11 @@ Hull_bound make_hull_bound(const Distance_bound<NT>& bound, const Squared_bound<
 }
 
 // Returns doubles that enclose the sum of the bound and of the radii.
-template <int Dimension>
-Interval reach_of_hulls(const Hull_bound& bound, const Hull<Dimension>& a, const Hull<Dimension>& b)
+inline Interval reach_of_hulls(const Hull_bound& bound, const Interval& radius_of_a,
+                               const Interval& radius_of_b)
 {
-  const double low = bound.radius.low + a.radius.low + b.radius.low;
-  const double high = bound.radius.high + a.radius.high + b.radius.high;
+  const double low = bound.radius.low + radius_of_a.low + radius_of_b.low;
+  const double high = bound.radius.high + radius_of_a.high + radius_of_b.high;
   return {low * (1 - 0x1p-50), high * (1 + 0x1p-50)};
 }
 
@@ -65,52 +65,41 @@ Interval reach_of_hulls(const Hull_bound& bound, const Hull<Dimension>& a, const
 template <int Dimension>
 class Integer_hulls
 {
-  using Points = Hull<Dimension>;
+  using Doubles = std::vector<std::array<double, Dimension>>;
   using Vector = Exact_vector<Int128, Dimension>;
 
 public:
-  Integer_hulls(const Points& a, const Points& b, const Hull_bound& bound)
-    : a_(a), b_(b), is_open_(bound.is_open)
+  // The hulls have these vertices and radii.
+  Integer_hulls(const Doubles& a, const Doubles& b, double radius_of_a, double radius_of_b,
+                double radius)
+    : a_(a), b_(b)
   {
-    is_usable_ = bound.exact_radius && a.error == 0 && b.error == 0
-                 && a.radius.length() == 0 && b.radius.length() == 0;
-    if(!is_usable_)
-      return;
-    grid_.add(*bound.exact_radius);
-    for(const Points* hull : {&a, &b}) {
-      grid_.add(hull->radius.low);
-      for(std::size_t k = 0; k < hull->size; ++k)
-        for(const double x : hull->vertices[k])
+    for(const double x : {radius_of_a, radius_of_b, radius})
+      grid_.add(x);
+    for(const Doubles* hull : {&a, &b})
+      for(const std::array<double, Dimension>& vertex : *hull)
+        for(const double x : vertex)
           grid_.add(x);
-    }
-    reach_ = steps(*bound.exact_radius) + steps(a.radius.low) + steps(b.radius.low);
+    reach_ = steps(radius_of_a) + steps(radius_of_b) + steps(radius);
   }
 
   // Returns whether hulls that are apart are within the bound. Returns nothing if the integers have
-  // too few bits. `doubles` knows which vertices are needed.
-  CGAL_RARELY_CALLED std::optional<bool> are_near(const Hull_distance<Dimension>& doubles)
+  // too few bits.
+  CGAL_RARELY_CALLED std::optional<bool> are_near(bool is_open)
   {
-    std::vector<Vector> vertices_of_a, vertices_of_b;
-    for(std::size_t k = 0; k < a_.size && is_usable_; ++k)
-      if(doubles.may_be_nearest_of_a(k))
-        vertices_of_a.push_back(vector_to(a_.vertices[k]));
-    for(std::size_t k = 0; k < b_.size && is_usable_; ++k)
-      if(doubles.may_be_nearest_of_b(k))
-        vertices_of_b.push_back(vector_to(b_.vertices[k]));
+    const std::vector<Vector> a = vectors_to(a_), b = vectors_to(b_);
     if(!is_usable_)
       return std::nullopt;
     const auto within = [&](const Int128& n, const Int128& d) {
-      return is_open_ ? n < reach_ * reach_ * d : n <= reach_ * reach_ * d;
+      return is_open ? n < reach_ * reach_ * d : n <= reach_ * reach_ * d;
     };
-    return Exact_hull_distance<Int128, Dimension, decltype(within)>(within)(vertices_of_a,
-                                                                           vertices_of_b);
+    return Exact_hull_distance<Int128, Dimension, decltype(within)>(within)(a, b);
   }
 
 private:
   // Differences have at most these bits, and so has the reach. See distance_bits().
   static constexpr int max_bits = Dimension == 2 ? 30 : 20;
 
-  // Both numbers are multiples of the grid, so their difference is a double, if it is small.
   Int128 steps(double x)
   {
     const double steps = std::ldexp(x, -grid_.exponent());
@@ -118,20 +107,25 @@ private:
     return is_usable_ ? static_cast<std::int64_t>(steps) : 0;
   }
 
-  Vector vector_to(const std::array<double, Dimension>& p)
+  // From the first vertex. All numbers are multiples of the grid, so the difference of two is a
+  // double, if it is small.
+  std::vector<Vector> vectors_to(const Doubles& points)
   {
-    Vector v;
-    for(std::size_t axis = 0; axis < Dimension; ++axis)
-      v[axis] = steps(p[axis] - a_.vertices[0][axis]);
-    return v;
+    std::vector<Vector> vectors;
+    for(const std::array<double, Dimension>& p : points) {
+      Vector v;
+      for(std::size_t axis = 0; axis < Dimension; ++axis)
+        v[axis] = steps(p[axis] - a_[0][axis]);
+      vectors.push_back(v);
+    }
+    return vectors;
   }
 
-  const Points& a_;
-  const Points& b_;
-  const bool is_open_;
-  bool is_usable_;
+  const Doubles& a_;
+  const Doubles& b_;
+  bool is_usable_ = true;
   Double_grid grid_;
-  Int128 reach_ = 0;
+  Int128 reach_;
 };
 
 } // namespace internal

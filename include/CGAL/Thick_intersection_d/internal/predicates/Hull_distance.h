@@ -36,27 +36,25 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-template <int Dimension>
+template <int Dimension, std::size_t Size_a, std::size_t Size_b>
 class Hull_distance
 {
   using Vector = std::array<double, Dimension>;
-  using Points = Hull<Dimension>;
 
 public:
-  Hull_distance(const Points& a, const Points& b) : a_(a), b_(b)
+  Hull_distance(const Hull<Dimension, Size_a>& a, const Hull<Dimension, Size_b>& b)
   {
-    const Vector origin = a.vertices[0];
-    double largest = 0;
-    const auto move = [&](Points& hull) {
-      for(std::size_t k = 0; k < hull.size; ++k) {
-        hull.vertices[k] = vector_difference(hull.vertices[k], origin);
-        for(const double x : hull.vertices[k])
-          largest = (std::max)(largest, std::fabs(x));
+    Vector extents = {};
+    const auto move = [&, origin = a.vertices[0]](const auto& from, auto& to) {
+      for(std::size_t k = 0; k < from.size(); ++k) {
+        to[k] = vector_difference(from[k], origin);
+        for(std::size_t axis = 0; axis < Dimension; ++axis)
+          extents[axis] = (std::max)(extents[axis], std::fabs(to[k][axis]));
       }
     };
-    move(a_);
-    move(b_);
-    largest_ = largest + a.error + b.error;
+    move(a.vertices, a_);
+    move(b.vertices, b_);
+    largest_ = *std::max_element(extents.begin(), extents.end()) + a.error + b.error;
     slack_ = 0x1p-45 * largest_ + 4 * (a.error + b.error);
   }
 
@@ -64,26 +62,17 @@ public:
   // is not known.
   Uncertain<bool> is_within(double low, double high)
   {
-    if(!(largest_ >= 0x1p-200 && largest_ <= 0x1p200))
+    if(!(largest_ >= 0x1p-100 && largest_ <= 0x1p200))
       return Uncertain<bool>::indeterminate();
-    Vector v = vector_difference(mean_of(b_), mean_of(a_)); // a direction to begin with
-    Hull_simplex<Dimension> simplex;
-    for(int step = 0; step < max_steps; ++step) {
-      const Vector vertex = look_along(v);
-      if(least_product_ > (high + slack_) * length_)
-        return false;
-      if(simplex.has(vertex) || (is_in_hull_ && square_ - least_product_ <= slack_ * length_))
-        break;
-      simplex.add(vertex);
-      v = simplex.nearest();
-      is_in_hull_ = true;
-      if(std::sqrt(dot_product(v, v)) + slack_ <= low)
-        return true;
-      if(simplex.size() > Dimension) // the origin is in it
-        break;
+    const Squares squares = {low > slack_ ? squared(low - slack_) * (1 - 0x1p-48) : -1,
+                             squared(high + slack_) * (1 + 0x1p-48)};
+    if constexpr(Size_a == 2 && Size_b == 2) {
+      const Uncertain<bool> answer
+        = ask_point(nearest_of_segments(a_[0], a_[1], b_[0], b_[1]), squares);
+      if(is_certain(answer))
+        return answer;
     }
-    look_along(v);
-    return Uncertain<bool>::indeterminate();
+    return search(squares);
   }
 
   // After is_within() has not known: which vertices of the hulls may be in the faces that are next
@@ -105,56 +94,100 @@ public:
 private:
   static constexpr int max_steps = 32;
 
-  // Infinite if the algorithm has not run.
+  // The answer is yes for a point of C whose square is at most `near`, and no if the least product
+  // with a vector is positive, and its square more than `far` times that of the vector.
+  struct Squares
+  {
+    double near;
+    double far;
+  };
+
+  static double squared(double x) { return x * x; }
+
+  Uncertain<bool> search(const Squares& squares)
+  {
+    Hull_simplex<Dimension> simplex;
+    Vector vertex = look_along(vector_difference(mean_of(b_), mean_of(a_)));
+    if(is_beyond(squares.far))
+      return false;
+    for(int step = 0; step < max_steps; ++step) {
+      simplex.add(vertex);
+      const Uncertain<bool> answer = ask_point(simplex.nearest(), squares);
+      if(is_certain(answer))
+        return answer;
+      vertex = next_vertex_;
+      if(simplex.size() > Dimension || simplex.has(vertex)) // the origin is in it, or none is better
+        break;
+    }
+    return Uncertain<bool>::indeterminate();
+  }
+
+  // The answer that a point of C tells, or nothing.
+  Uncertain<bool> ask_point(const Vector& v, const Squares& squares)
+  {
+    if(dot_product(v, v) <= squares.near)
+      return true;
+    next_vertex_ = look_along(v);
+    is_in_hull_ = true;
+    if(is_beyond(squares.far))
+      return false;
+    return Uncertain<bool>::indeterminate();
+  }
+
+  // The constant makes up for underflow, where |v| is far less than the slack.
+  bool is_beyond(double far) const
+  {
+    return least_product_ > 0 && squared(least_product_) > far * square_ + 0x1p-900;
+  }
+
+  template <std::size_t Size>
+  static Vector mean_of(const std::array<Vector, Size>& vertices)
+  {
+    Vector mean = {};
+    for(const Vector& vertex : vertices)
+      for(std::size_t axis = 0; axis < Dimension; ++axis)
+        mean[axis] += vertex[axis] * (1. / Size);
+    return mean;
+  }
+
+  // Infinite if no point of C is known.
   double tolerance() const
   {
     if(!is_in_hull_)
       return std::numeric_limits<double>::infinity();
-    const double gap = (std::max)(square_ - least_product_, 0.) + 8 * slack_ * length_;
-    return 4 * largest_ * (std::sqrt(gap) + 2 * slack_) + slack_ * length_;
-  }
-
-  static Vector mean_of(const Points& hull)
-  {
-    Vector sum = {};
-    for(std::size_t k = 0; k < hull.size; ++k)
-      for(std::size_t axis = 0; axis < Dimension; ++axis)
-        sum[axis] += hull.vertices[k][axis] / static_cast<double>(hull.size);
-    return sum;
+    const double length = std::sqrt(square_);
+    const double gap = (std::max)(square_ - least_product_, 0.) + 8 * slack_ * length;
+    return 4 * largest_ * (std::sqrt(gap) + 2 * slack_) + slack_ * length;
   }
 
   // Finds the vertex of C with the least product with v.
   Vector look_along(const Vector& v)
   {
     square_ = dot_product(v, v);
-    length_ = std::sqrt(square_);
-    least_ = std::numeric_limits<double>::infinity();
-    most_ = -least_;
     std::size_t of_a = 0, of_b = 0;
-    for(std::size_t k = 0; k < a_.size; ++k) {
-      levels_of_a_[k] = dot_product(a_.vertices[k], v);
-      if(levels_of_a_[k] > most_) {
-        most_ = levels_of_a_[k];
-        of_a = k;
-      }
+    for(std::size_t k = 0; k < Size_a; ++k) {
+      levels_of_a_[k] = dot_product(a_[k], v);
+      of_a = levels_of_a_[k] > levels_of_a_[of_a] ? k : of_a;
     }
-    for(std::size_t k = 0; k < b_.size; ++k) {
-      levels_of_b_[k] = dot_product(b_.vertices[k], v);
-      if(levels_of_b_[k] < least_) {
-        least_ = levels_of_b_[k];
-        of_b = k;
-      }
+    for(std::size_t k = 0; k < Size_b; ++k) {
+      levels_of_b_[k] = dot_product(b_[k], v);
+      of_b = levels_of_b_[k] < levels_of_b_[of_b] ? k : of_b;
     }
+    most_ = levels_of_a_[of_a];
+    least_ = levels_of_b_[of_b];
     least_product_ = least_ - most_;
-    return vector_difference(b_.vertices[of_b], a_.vertices[of_a]);
+    return vector_difference(b_[of_b], a_[of_a]);
   }
 
-  Points a_, b_;
-  double largest_;
+  std::array<Vector, Size_a> a_; // with the first vertex at the origin
+  std::array<Vector, Size_b> b_;
+  double largest_; // absolute value of a coordinate
   double slack_;
-  bool is_in_hull_ = false; // whether v is in C, up to the slack
-  double square_ = 0, length_ = 0, least_product_ = 0; // of the last v
-  std::array<double, Points::capacity> levels_of_a_ = {}, levels_of_b_ = {}; // products with v
+  bool is_in_hull_ = false; // whether the last v is in C, up to the slack
+  Vector next_vertex_;
+  double square_ = 0, least_product_ = 0; // of the last v
+  std::array<double, Size_a> levels_of_a_ = {}; // products with v
+  std::array<double, Size_b> levels_of_b_ = {};
   double most_ = 0, least_ = 0; // of them
 };
 

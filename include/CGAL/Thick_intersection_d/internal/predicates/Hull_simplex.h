@@ -76,6 +76,29 @@ Weights weights_of_triangle(const std::array<double, N>& p, const std::array<dou
   return {of_p, of_q, of_r, 0};
 }
 
+// Returns the point next to the origin of the differences of a point of the segment from r to s and
+// a point of the segment from p to q, or one close to it if they are nearly parallel.
+template <std::size_t N>
+std::array<double, N> nearest_of_segments(const std::array<double, N>& p,
+                                          const std::array<double, N>& q,
+                                          const std::array<double, N>& r,
+                                          const std::array<double, N>& s)
+{
+  const std::array<double, N> pq = vector_difference(q, p), rs = vector_difference(s, r);
+  const std::array<double, N> rp = vector_difference(p, r);
+  const double pq_pq = dot_product(pq, pq), rs_rs = dot_product(rs, rs), pq_rs = dot_product(pq, rs);
+  const double pq_rp = dot_product(pq, rp), rs_rp = dot_product(rs, rp);
+  const auto quotient
+    = [](double x, double y) { return x > 0 && y > 0 ? (x < y ? x / y : 1.) : 0.; };
+  double x = quotient(pq_rs * rs_rp - pq_rp * rs_rs, pq_pq * rs_rs - pq_rs * pq_rs);
+  const double y = quotient(pq_rs * x + rs_rp, rs_rs);
+  x = quotient(pq_rs * y - pq_rp, pq_pq);
+  std::array<double, N> point;
+  for(std::size_t i = 0; i < N; ++i)
+    point[i] = (y * rs[i] - x * pq[i]) - rp[i];
+  return point;
+}
+
 inline double triple_product(const std::array<double, 3>& u, const std::array<double, 3>& v,
                              const std::array<double, 3>& w)
 {
@@ -127,8 +150,9 @@ private:
           sum[axis] += weights[k] * vertices_[k][axis];
         all += weights[k];
       }
+    const double scale = 1 / all;
     for(double& x : sum)
-      x /= all;
+      x *= scale;
     return sum;
   }
 

@@ -24,7 +24,9 @@
 #include <CGAL/Thick_intersection_d/internal/predicates/exact_hull_distance.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <tuple>
 #include <type_traits>
 #include <vector>
@@ -72,53 +74,86 @@ CGAL_RARELY_CALLED bool does_zero_hold(const Squared_bound<Exact>& bound, const 
   return comparison_with(bound, a, b)(Exact(0), Exact(1));
 }
 
-// Whether objects of one kind each, which are apart, are within a bound.
+// The distance of objects as doubles know it.
+template <class A, class B>
+using Distance_of = Hull_distance<hull_dimension_v<A>, hull_size_v<A>, hull_size_v<B>>;
+
+// Whether objects of one kind each, which are apart, are within a bound, as integers of 128 bits
+// tell. Returns nothing if they have too few bits.
+template <class A, class B>
+CGAL_RARELY_CALLED std::optional<bool>
+are_near_in_integers(const Hull_of<A>& a, const Hull_of<B>& b, const Distance_of<A, B>& distance,
+                     const Hull_bound& bound)
+{
+  if(!bound.exact_radius || a.error != 0 || b.error != 0 || a.radius.length() != 0
+     || b.radius.length() != 0)
+    return std::nullopt;
+  std::vector<std::array<double, hull_dimension_v<A>>> vertices_of_a, vertices_of_b;
+  for(std::size_t k = 0; k < hull_size_v<A>; ++k)
+    if(distance.may_be_nearest_of_a(k))
+      vertices_of_a.push_back(a.vertices[k]);
+  for(std::size_t k = 0; k < hull_size_v<B>; ++k)
+    if(distance.may_be_nearest_of_b(k))
+      vertices_of_b.push_back(b.vertices[k]);
+  return Integer_hulls<hull_dimension_v<A>>(vertices_of_a, vertices_of_b, a.radius.low,
+                                            b.radius.low, *bound.exact_radius)
+    .are_near(bound.is_open);
+}
+
+// The same in exact numbers.
 template <class Exact, class A, class B>
 CGAL_RARELY_CALLED bool are_near_in_exact_numbers(const A& a, const B& b,
-                                                  const Hull_distance<hull_dimension_v<A>>& doubles,
+                                                  const Distance_of<A, B>& distance,
                                                   const Squared_bound<Exact>& bound)
 {
   constexpr std::size_t dimension = static_cast<std::size_t>(hull_dimension_v<A>);
   std::vector<Exact_vector<Exact, dimension>> vertices_of_a, vertices_of_b;
   for(std::size_t k = 0; k < hull_size_v<A>; ++k)
-    if(doubles.may_be_nearest_of_a(k))
+    if(distance.may_be_nearest_of_a(k))
       vertices_of_a.push_back(exact_hull_vertex<Exact>(a, k));
   for(std::size_t k = 0; k < hull_size_v<B>; ++k)
-    if(doubles.may_be_nearest_of_b(k))
+    if(distance.may_be_nearest_of_b(k))
       vertices_of_b.push_back(exact_hull_vertex<Exact>(b, k));
   const auto within = comparison_with(bound, a, b);
   return Exact_hull_distance<Exact, dimension, decltype(within)>(within)(vertices_of_a,
                                                                         vertices_of_b);
 }
 
-// Whether objects of one kind each are within a bound. `exact_bound` returns the bound for exact
-// numbers. `tier` is the first arithmetic after the filter, and becomes the one that was needed.
-//
-// Objects that intersect are within every bound but an open one of zero.
+// The question that doubles leave undecided. Objects that intersect are within every bound but an
+// open one of zero.
 template <class A, class B, class Exact_bound>
-bool are_kinds_near(const A& a, const B& b, const Hull_bound& bound, const Exact_bound& exact_bound,
-                    Arithmetic_tier& tier)
+CGAL_RARELY_CALLED bool
+decide_near_objects(const A& a, const B& b, const Hull_of<A>& hull_a, const Hull_of<B>& hull_b,
+                    const Distance_of<A, B>& distance, const Hull_bound& bound,
+                    const Exact_bound& exact_bound, Arithmetic_tier& tier)
 {
-  constexpr int dimension = hull_dimension_v<A>;
   const Arithmetic_tier least_tier = tier;
-  const Hull<dimension> hull_a = hull_of(a), hull_b = hull_of(b);
-  const Interval reach = reach_of_hulls(bound, hull_a, hull_b);
-  Hull_distance<dimension> distance(hull_a, hull_b);
-  tier = Arithmetic_tier::DOUBLE;
-  const Uncertain<bool> are_near = distance.is_within(reach.low, reach.high);
-  if(is_certain(are_near))
-    return get_certain(are_near);
-
-  tier = least_tier;
   const bool do_intersect = do_kernel_objects_intersect(skeleton(a), skeleton(b), tier);
   tier = (std::max)(tier, Arithmetic_tier::INT128);
   if(do_intersect)
     return !bound.is_open || does_zero_hold(exact_bound(), a, b);
   if(least_tier != Arithmetic_tier::FILTERED_EXACT)
-    if(const auto in_integers = Integer_hulls<dimension>(hull_a, hull_b, bound).are_near(distance))
-      return *in_integers;
+    if(const auto are_near = are_near_in_integers<A, B>(hull_a, hull_b, distance, bound))
+      return *are_near;
   tier = Arithmetic_tier::FILTERED_EXACT;
   return are_near_in_exact_numbers(a, b, distance, exact_bound());
+}
+
+// Whether objects of one kind each are within a bound. `exact_bound` returns the bound for exact
+// numbers. `tier` is the first arithmetic after the filter, and becomes the one that was needed.
+template <class A, class B, class Exact_bound>
+bool are_kinds_near(const A& a, const B& b, const Hull_bound& bound, const Exact_bound& exact_bound,
+                    Arithmetic_tier& tier)
+{
+  const Hull_of<A> hull_a = hull_of(a);
+  const Hull_of<B> hull_b = hull_of(b);
+  const Interval reach = reach_of_hulls(bound, hull_a.radius, hull_b.radius);
+  Distance_of<A, B> distance(hull_a, hull_b);
+  const Uncertain<bool> are_near = distance.is_within(reach.low, reach.high);
+  if(!is_certain(are_near))
+    return decide_near_objects(a, b, hull_a, hull_b, distance, bound, exact_bound, tier);
+  tier = Arithmetic_tier::DOUBLE;
+  return get_certain(are_near);
 }
 
 } // namespace internal
