@@ -100,14 +100,21 @@ bool is_origin_in_hull(const Hull_vectors<Integer>& vectors)
   });
 }
 
+// The differences of each vertex of one set and each vertex of another one.
 template <class Integer>
-bool do_hulls_intersect(const Hull_vectors<Integer>& a, const Hull_vectors<Integer>& b)
+Hull_vectors<Integer> differences_of(const Hull_vectors<Integer>& a, const Hull_vectors<Integer>& b)
 {
   Hull_vectors<Integer> differences;
   for(const Hull_vector<Integer>& p : a)
     for(const Hull_vector<Integer>& q : b)
       differences.push_back(difference(p, q));
-  return is_origin_in_hull(differences);
+  return differences;
+}
+
+template <class Integer>
+bool do_hulls_intersect(const Hull_vectors<Integer>& a, const Hull_vectors<Integer>& b)
+{
+  return is_origin_in_hull(differences_of(a, b));
 }
 
 } // namespace test_support

@@ -1,0 +1,232 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The oracle of distances, against two others: the least distance of two simplices of vertices, by
+// rational equations, and the formula for two segments.
+
+#include "distance_oracle.h"
+#include "point_generators.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+using namespace test_support;
+
+namespace {
+
+using Vectors = Hull_vectors<std::int64_t>;
+using Equations = std::vector<std::vector<Rational>>; // each with its right side at the end
+
+// Solves as many linear equations as there are unknowns. Returns nothing if they are dependent.
+std::optional<std::vector<Rational>> solution(Equations rows)
+{
+  for(std::size_t k = 0; k < rows.size(); ++k) {
+    std::size_t pivot = k;
+    while(pivot < rows.size() && rows[pivot][k] == 0)
+      ++pivot;
+    if(pivot == rows.size())
+      return std::nullopt;
+    std::swap(rows[k], rows[pivot]);
+    for(std::size_t i = 0; i < rows.size(); ++i)
+      if(i != k && rows[i][k] != 0) {
+        const Rational factor = rows[i][k] / rows[k][k];
+        for(std::size_t j = k; j < rows[i].size(); ++j)
+          rows[i][j] -= factor * rows[k][j];
+      }
+  }
+  std::vector<Rational> unknowns;
+  for(std::size_t k = 0; k < rows.size(); ++k)
+    unknowns.push_back(rows[k].back() / rows[k][k]);
+  return unknowns;
+}
+
+// The simplex of the vertices whose bits are set.
+Vectors chosen(const Vectors& vertices, std::size_t bits)
+{
+  Vectors result;
+  for(std::size_t k = 0; k < vertices.size(); ++k)
+    if((bits >> k & 1) != 0)
+      result.push_back(vertices[k]);
+  return result;
+}
+
+// The least square of a sum of the vectors with weights. The weights of the first `size_a` vectors
+// have the sum 1, and so have the others: by Lagrange, the products of the sum with all vectors of
+// one kind are equal. Returns nothing if the weights are not unique, or if some are negative.
+std::optional<Rational> least_square(const Vectors& vectors, std::size_t size_a)
+{
+  const std::size_t size = vectors.size();
+  Equations rows(size + 2, std::vector<Rational>(size + 3, 0));
+  for(std::size_t i = 0; i < size; ++i) {
+    for(std::size_t j = 0; j < size; ++j)
+      rows[i][j] = dot(vectors[i], vectors[j]);
+    const std::size_t kind = size + (i < size_a ? 0 : 1);
+    rows[i][kind] = rows[kind][i] = 1;
+  }
+  rows[size].back() = rows[size + 1].back() = 1;
+  const auto weights = solution(rows);
+  if(!weights || std::any_of(weights->begin(), weights->begin() + std::ptrdiff_t(size),
+                             [](const Rational& w) { return w < 0; }))
+    return std::nullopt;
+  return Rational(-(*weights)[size] - (*weights)[size + 1]);
+}
+
+// The nearest points are in the relative interiors of two simplices. If these had more than five
+// vertices, some could be left out.
+Rational least_squared_distance(const Vectors& a, const Vectors& b)
+{
+  std::optional<Rational> least;
+  for(std::size_t i = 1; i < std::size_t(1) << a.size(); ++i)
+    for(std::size_t j = 1; j < std::size_t(1) << b.size(); ++j) {
+      Vectors vectors = chosen(a, i);
+      const std::size_t size_a = vectors.size();
+      for(const auto& q : chosen(b, j))
+        vectors.push_back({-q[0], -q[1], -q[2]});
+      if(vectors.size() > 5)
+        continue;
+      const auto square = least_square(vectors, size_a);
+      if(square && (!least || *square < *least))
+        least = square;
+    }
+  return least.value();
+}
+
+Rational clamped(const Rational& x) { return x < 0 ? Rational(0) : x > 1 ? Rational(1) : x; }
+
+// The squared distance of the points a + s u and b + t v.
+Rational squared_distance(const Vectors& a, const Rational& s, const Vectors& b, const Rational& t)
+{
+  Rational sum = 0;
+  for(std::size_t axis = 0; axis < 3; ++axis) {
+    const Rational gap = a[0][axis] + s * (a[1][axis] - a[0][axis]) - b[0][axis]
+                         - t * (b[1][axis] - b[0][axis]);
+    sum += gap * gap;
+  }
+  return sum;
+}
+
+// On a segment, the place between 0 and 1 of the point that is nearest to a point.
+Rational place_of_nearest(const Vectors& segment, const Hull_vector<std::int64_t>& p)
+{
+  const auto u = difference(segment[1], segment[0]);
+  const std::int64_t square = dot(u, u);
+  return square == 0 ? Rational(0)
+                     : clamped(Rational(dot(u, difference(p, segment[0]))) / square);
+}
+
+// At an end of one of them, or where their lines are closest.
+Rational squared_distance_of_segments(const Vectors& a, const Vectors& b)
+{
+  const Rational at_end[]
+    = {squared_distance(a, place_of_nearest(a, b[0]), b, 0),
+       squared_distance(a, place_of_nearest(a, b[1]), b, 1),
+       squared_distance(a, 0, b, place_of_nearest(b, a[0])),
+       squared_distance(a, 1, b, place_of_nearest(b, a[1]))};
+  const Rational least = *std::min_element(std::begin(at_end), std::end(at_end));
+  const auto u = difference(a[1], a[0]), v = difference(b[1], b[0]), w = difference(b[0], a[0]);
+  const std::int64_t uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), area = uu * vv - uv * uv;
+  if(area == 0)
+    return least;
+  const Rational s = Rational(dot(w, u) * vv - dot(w, v) * uv) / area;
+  const Rational t = Rational(dot(w, u) * uv - dot(w, v) * uu) / area;
+  return s != clamped(s) || t != clamped(t) ? least : squared_distance(a, s, b, t);
+}
+
+Vectors random_vertices(Random& random, std::size_t count, std::size_t side, bool is_plane)
+{
+  Vectors vertices(count);
+  for(auto& p : vertices)
+    for(std::size_t axis = 0; axis < 3; ++axis)
+      p[axis] = is_plane && axis == 2 ? 0 : static_cast<std::int64_t>(random.below(side));
+  return vertices;
+}
+
+Vectors vertices_of_box(const Vectors& ends)
+{
+  Vectors vertices;
+  for(std::size_t k = 0; k < 8; ++k)
+    vertices.push_back({ends[k & 1][0], ends[k >> 1 & 1][1], ends[k >> 2 & 1][2]});
+  return vertices;
+}
+
+// Along each axis, the gap of the two intervals.
+Rational squared_distance_of_boxes(const Vectors& a, const Vectors& b)
+{
+  std::int64_t sum = 0;
+  for(std::size_t axis = 0; axis < 3; ++axis) {
+    const auto [low_a, high_a] = std::minmax(a[0][axis], a[1][axis]);
+    const auto [low_b, high_b] = std::minmax(b[0][axis], b[1][axis]);
+    const std::int64_t gap = (std::max)({std::int64_t(0), low_b - high_a, low_a - high_b});
+    sum += gap * gap;
+  }
+  return sum;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(distances_are_the_least_ones_of_simplices)
+{
+  Random random(1);
+  std::size_t zeros = 0, count = 0;
+  for(const std::size_t side : {3, 5, 12})
+    for(int i = 0; i < 300; ++i) {
+      const bool is_plane = i % 4 == 0;
+      const Vectors a = random_vertices(random, 1 + random.below(4), side, is_plane);
+      const Vectors b = random_vertices(random, 1 + random.below(4), side, is_plane);
+      const Rational square = squared_distance_of_hulls(a, b);
+      BOOST_REQUIRE_EQUAL(square, least_squared_distance(a, b));
+      zeros += square == 0;
+      ++count;
+    }
+  BOOST_CHECK_GT(zeros, count / 6);
+  BOOST_CHECK_LT(zeros, count / 2);
+}
+
+BOOST_AUTO_TEST_CASE(distances_of_segments_are_those_of_the_formula)
+{
+  Random random(2);
+  for(int i = 0; i < 4000; ++i) {
+    const Vectors a = random_vertices(random, 2, 2 + random.below(8), i % 4 == 0);
+    const Vectors b = random_vertices(random, 2, 2 + random.below(8), i % 4 == 0);
+    BOOST_REQUIRE_EQUAL(squared_distance_of_hulls(a, b), squared_distance_of_segments(a, b));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(distances_of_boxes_are_those_of_their_gaps)
+{
+  Random random(3);
+  for(int i = 0; i < 300; ++i) {
+    const Vectors a = random_vertices(random, 2, 2 + random.below(8), false);
+    const Vectors b = random_vertices(random, 2, 2 + random.below(8), false);
+    BOOST_REQUIRE_EQUAL(squared_distance_of_hulls(vertices_of_box(a), vertices_of_box(b)),
+                        squared_distance_of_boxes(a, b));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(distances_are_compared_with_bounds_and_radii_by_their_squares)
+{
+  const auto compare = [](const Rational& square, const Rational& value, bool is_squared,
+                          const Rational& radii) {
+    return compare_distance(square, {value, is_squared, false}, radii);
+  };
+  // Distances 5 and root of 2, of which the second is between 1.4 and 1.5.
+  BOOST_CHECK_EQUAL(compare(25, 3, false, 2), 0);
+  BOOST_CHECK_EQUAL(compare(25, 9, true, 2), 0);
+  BOOST_CHECK_EQUAL(compare(25, 10, true, 2), -1);
+  BOOST_CHECK_EQUAL(compare(25, 8, true, 2), 1);
+  BOOST_CHECK_EQUAL(compare(2, 2, true, 0), 0);
+  BOOST_CHECK_EQUAL(compare(8, 2, true, Rational(7, 5)), 1);
+  BOOST_CHECK_EQUAL(compare(8, 2, true, Rational(3, 2)), -1);
+  BOOST_CHECK_EQUAL(compare(0, 0, true, 3), -1);
+  BOOST_CHECK(are_near(25, 2, {3, false, false}));
+  BOOST_CHECK(!are_near(25, 2, {3, false, true}));
+  BOOST_CHECK(!are_near(0, 2, {0, false, true}));
+  BOOST_CHECK(do_intersect(25, 5));
+  BOOST_CHECK(!do_intersect(25, Rational(49, 10)));
+}
