@@ -3,11 +3,6 @@
 
 // Every public search on random scenes, against brute force in integers. Each scene is drawn from a
 // seed, and so is the search.
-//
-//   <program> [<option of Boost.Test>...] [-- <seconds> [<first seed>]]
-//
-// Without arguments, each test draws a fixed number of scenes. With seconds, it goes on until they
-// are over, each test for itself. With 0 seconds and the seed of a failure, it begins with that.
 
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_CHECK_FUZZ_H
 #define THICK_INTERSECTION_TEST_SUPPORT_CHECK_FUZZ_H
@@ -17,6 +12,7 @@
 #include "instruction_sets.h"
 #include "pairs.h"
 #include "rounding_mode.h"
+#include "seeds.h"
 
 #include <CGAL/Box_intersection_d/Box_d.h>
 #include <CGAL/Exact_rational.h>
@@ -31,10 +27,8 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <boost/test/unit_test.hpp>
 
-#include <chrono>
 #include <mutex>
 #include <optional>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -502,14 +496,9 @@ private:
 template <class Maker, unsigned parts = ALL_PARTS, class ConcurrencyTag = CGAL::Sequential_tag>
 void fuzz(std::uint64_t count)
 {
-  const auto& program = boost::unit_test::framework::master_test_suite();
-  const double seconds = program.argc > 1 ? std::stod(program.argv[1]) : 0;
-  const std::uint64_t first = program.argc > 2 ? std::stoull(program.argv[2]) : 1;
-  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
-  std::uint64_t checked = 0;
-  for(; seconds > 0 ? std::chrono::steady_clock::now() < end : checked < count; ++checked)
-    Fuzz_case<Maker, parts, ConcurrencyTag>(first + checked).check();
-  BOOST_TEST_MESSAGE(checked << " scenes from seed " << first);
+  check_seeds(count, [](std::uint64_t seed) {
+    Fuzz_case<Maker, parts, ConcurrencyTag>(seed).check();
+  });
 }
 
 } // namespace test_support
