@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Which objects of all kinds are near, mixed in one range and in two, on the usual kernels.
+
+#include "support/check_kinds.h"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
+
+using namespace test_support;
+
+using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
+using Double_kernel = CGAL::Simple_cartesian<double>;
+using Rational_kernel = CGAL::Simple_cartesian<CGAL::Exact_rational>;
+
+namespace {
+
+template <class Kernel, int Dimension>
+void check_on_kernel()
+{
+  Kind_table table = {};
+  check_seeds(1000, [&](std::uint64_t seed) {
+    Kind_case<Kernel_kinds<Kernel, Dimension>>(seed).check_near_pairs(table);
+  });
+  check_table(table, Dimension);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(epick_2) { check_on_kernel<Epick, 2>(); }
+BOOST_AUTO_TEST_CASE(epick_3) { check_on_kernel<Epick, 3>(); }
+BOOST_AUTO_TEST_CASE(epeck_2) { check_on_kernel<Epeck, 2>(); }
+BOOST_AUTO_TEST_CASE(epeck_3) { check_on_kernel<Epeck, 3>(); }
+BOOST_AUTO_TEST_CASE(doubles_2) { check_on_kernel<Double_kernel, 2>(); }
+BOOST_AUTO_TEST_CASE(doubles_3) { check_on_kernel<Double_kernel, 3>(); }
+BOOST_AUTO_TEST_CASE(rationals_2) { check_on_kernel<Rational_kernel, 2>(); }
+BOOST_AUTO_TEST_CASE(rationals_3) { check_on_kernel<Rational_kernel, 3>(); }
