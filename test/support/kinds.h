@@ -25,10 +25,10 @@ inline bool is_box(Kind kind) { return kind == Kind::BOX || kind == Kind::BBOX; 
 // The points that an object is made of. A box is made of two opposite corners.
 inline std::size_t points_of(Kind kind)
 {
-  return kind == Kind::TETRAHEDRON                 ? 4
-         : kind == Kind::TRIANGLE                  ? 3
+  return kind == Kind::TETRAHEDRON               ? 4
+         : kind == Kind::TRIANGLE                ? 3
          : kind == Kind::SEGMENT || is_box(kind) ? 2
-                                                   : 1;
+                                                 : 1;
 }
 
 // In the plane, the last coordinate is zero.
