@@ -73,7 +73,7 @@ public:
   {
     for(std::size_t i = 0; i < size(); ++i)
       for(std::size_t j = 0; j < i; ++j) {
-        const auto [a, b] = std::minmax(kind(i), kind(j));
+        const auto [a, b] = std::minmax({kind(i), kind(j)});
         Kind_counts& counts = table[a][b];
         ++counts.pairs;
         counts.yes += are_near(squares_[i][j], radii(i, j), bound);

@@ -54,9 +54,10 @@ public:
   template <class NT>
   Are_objects_near(const Distance_bound<NT>& bound, Arithmetic_tier least_tier,
                    Shared_decision_counts* counts)
-    : bound_(bound), hull_bound_(make_hull_bound(bound, bound_)), least_tier_(least_tier),
-      counts_(counts)
-  {}
+    : bound_(bound), least_tier_(least_tier), counts_(counts)
+  {
+    set_hull_bound(hull_bound_, bound, bound_);
+  }
 
   int dimension() const { return static_dimension; }
   double reach() const { return bound_.reach(); }
@@ -81,7 +82,7 @@ public:
 
 private:
   const Squared_bound<Exact> bound_;
-  const Hull_bound hull_bound_;
+  Hull_bound hull_bound_;
   const Arithmetic_tier least_tier_;
   Shared_decision_counts* counts_;
 };

@@ -88,6 +88,16 @@ Hull_of<Object> hull_of(const Object& object)
 template <class Object>
 using Hull_number_t = Vertex_number_t<Skeleton_t<Object>>;
 
+// Returns a coordinate or radius in an exact type, which holds it.
+template <class Exact, class NT>
+Exact exact_value(const NT& x)
+{
+  if constexpr(std::is_same_v<Exact, Exact_number_t<NT>>)
+    return Exact(to_exact_number(x));
+  else
+    return Exact(to_exact_rational(x));
+}
+
 // Returns vertex k of the hull in exact numbers, which hold its coordinates.
 template <class Exact, class Object>
 std::array<Exact, hull_dimension_v<Object>> exact_hull_vertex(const Object& object, std::size_t k)
@@ -96,8 +106,8 @@ std::array<Exact, hull_dimension_v<Object>> exact_hull_vertex(const Object& obje
   const Points& points = skeleton(object);
   std::array<Exact, hull_dimension_v<Object>> x;
   for(int axis = 0; axis < hull_dimension_v<Object>; ++axis)
-    x[axis] = Exact(to_exact_number(coordinate(
-      vertex_of(points, place_of_vertex<Points, hull_size_v<Object>>(k, axis)), axis)));
+    x[axis] = exact_value<Exact>(
+      coordinate(vertex_of(points, place_of_vertex<Points, hull_size_v<Object>>(k, axis)), axis));
   return x;
 }
 

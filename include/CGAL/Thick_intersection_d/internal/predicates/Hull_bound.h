@@ -33,22 +33,22 @@ namespace internal {
 
 struct Hull_bound
 {
-  Interval radius = {0, 0}; // encloses the bound on the distance
-  std::optional<double> exact_radius = 0; // the bound, if it is a double and no square
+  Interval radius = {0, 0};  // encloses the bound on the distance
+  bool is_exact_radius = true; // whether its lower end is the bound
   bool is_open = false;
 };
 
+// Sets `result` to a bound, which is `squared` as well.
 template <class NT, class Exact>
-Hull_bound make_hull_bound(const Distance_bound<NT>& bound, const Squared_bound<Exact>& squared)
+CGAL_RARELY_CALLED void set_hull_bound(Hull_bound& result, const Distance_bound<NT>& bound,
+                                       const Squared_bound<Exact>& squared)
 {
-  Hull_bound result;
-  result.radius = {std::nextafter(std::sqrt(squared.squared().first), 0.), squared.reach()};
-  result.is_open = bound.is_open();
   const std::pair<double, double> value = bounds(bound.value());
-  result.exact_radius.reset();
-  if(!bound.is_squared() && value.first == value.second)
-    result.exact_radius = value.first;
-  return result;
+  result.is_open = bound.is_open();
+  result.is_exact_radius = !bound.is_squared() && value.first == value.second;
+  result.radius.high = squared.reach();
+  result.radius.low = result.is_exact_radius
+                        ? value.first : std::nextafter(std::sqrt(squared.squared().first), 0.);
 }
 
 // Returns doubles that enclose the sum of the bound and of the radii.

@@ -31,6 +31,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -66,12 +67,6 @@ public:
       return Uncertain<bool>::indeterminate();
     const Squares squares = {low > slack_ ? squared(low - slack_) * (1 - 0x1p-48) : -1,
                              squared(high + slack_) * (1 + 0x1p-48)};
-    if constexpr(Size_a == 2 && Size_b == 2) {
-      const Uncertain<bool> answer
-        = ask_point(nearest_of_segments(a_[0], a_[1], b_[0], b_[1]), squares);
-      if(is_certain(answer))
-        return answer;
-    }
     return search(squares);
   }
 
@@ -104,22 +99,45 @@ private:
 
   static double squared(double x) { return x * x; }
 
+  // Most hulls are told apart by their means, or found near by the two edges that face each other.
   Uncertain<bool> search(const Squares& squares)
   {
-    Hull_simplex<Dimension> simplex;
-    Vector vertex = look_along(vector_difference(mean_of(b_), mean_of(a_)));
-    if(is_beyond(squares.far))
-      return false;
-    for(int step = 0; step < max_steps; ++step) {
-      simplex.add(vertex);
-      const Uncertain<bool> answer = ask_point(simplex.nearest(), squares);
-      if(is_certain(answer))
-        return answer;
-      vertex = next_vertex_;
-      if(simplex.size() > Dimension || simplex.has(vertex)) // the origin is in it, or none is better
-        break;
+    if constexpr(Size_a > 2 || Size_b > 2) {
+      look_along(vector_difference(mean_of(b_), mean_of(a_)));
+      if(is_beyond(squares.far))
+        return false;
     }
-    return Uncertain<bool>::indeterminate();
+    const auto [p, q] = least_two(levels_of_a_, -1);
+    const auto [r, s] = least_two(levels_of_b_, 1);
+    Uncertain<bool> answer = ask_point(nearest_of_segments(a_[p], a_[q], b_[r], b_[s]), squares);
+    Hull_simplex<Dimension> simplex;
+    for(int step = 0; step < max_steps && !is_certain(answer); ++step) {
+      const bool has_origin = simplex.size() > Dimension;
+      if(has_origin || simplex.has(next_vertex_))
+        break;
+      simplex.add(next_vertex_);
+      answer = ask_point(simplex.nearest(), squares);
+    }
+    return answer;
+  }
+
+  // Returns the places of the two least levels, times a sign. A single one is both.
+  template <std::size_t Size>
+  static std::pair<std::size_t, std::size_t> least_two(const std::array<double, Size>& levels,
+                                                       double sign)
+  {
+    if constexpr(Size <= 2)
+      return {0, Size - 1};
+    std::size_t first = 0, second = 1;
+    if(sign * levels[1] < sign * levels[0])
+      std::swap(first, second);
+    for(std::size_t k = 2; k < Size; ++k) {
+      const bool is_least = sign * levels[k] < sign * levels[first];
+      const bool is_less = sign * levels[k] < sign * levels[second];
+      second = is_least ? first : is_less ? k : second;
+      first = is_least ? k : first;
+    }
+    return {first, second};
   }
 
   // The answer that a point of C tells, or nothing.

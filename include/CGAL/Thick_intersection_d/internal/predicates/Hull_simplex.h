@@ -86,10 +86,14 @@ std::array<double, N> nearest_of_segments(const std::array<double, N>& p,
 {
   const std::array<double, N> pq = vector_difference(q, p), rs = vector_difference(s, r);
   const std::array<double, N> rp = vector_difference(p, r);
-  const double pq_pq = dot_product(pq, pq), rs_rs = dot_product(rs, rs), pq_rs = dot_product(pq, rs);
+  const double pq_pq = dot_product(pq, pq), rs_rs = dot_product(rs, rs);
+  const double pq_rs = dot_product(pq, rs);
   const double pq_rp = dot_product(pq, rp), rs_rp = dot_product(rs, rp);
-  const auto quotient
-    = [](double x, double y) { return x > 0 && y > 0 ? (x < y ? x / y : 1.) : 0.; };
+  const auto quotient = [](double x, double y) { // between 0 and 1; which it is, takes no branch
+    const double quotient = x / y;
+    const double positive = quotient > 0 ? quotient : 0.;
+    return positive < 1 ? positive : 1.;
+  };
   double x = quotient(pq_rs * rs_rp - pq_rp * rs_rs, pq_pq * rs_rs - pq_rs * pq_rs);
   const double y = quotient(pq_rs * x + rs_rp, rs_rs);
   x = quotient(pq_rs * y - pq_rp, pq_pq);

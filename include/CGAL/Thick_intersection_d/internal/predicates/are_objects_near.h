@@ -55,7 +55,7 @@ template <class Exact, class Object>
 Exact exact_radius(const Object& object)
 {
   if constexpr(Is_ball<Object>::value)
-    return Exact(to_exact_number(object.second));
+    return exact_value<Exact>(object.second);
   else
     return Exact(0);
 }
@@ -85,7 +85,7 @@ CGAL_RARELY_CALLED std::optional<bool>
 are_near_in_integers(const Hull_of<A>& a, const Hull_of<B>& b, const Distance_of<A, B>& distance,
                      const Hull_bound& bound)
 {
-  if(!bound.exact_radius || a.error != 0 || b.error != 0 || a.radius.length() != 0
+  if(!bound.is_exact_radius || a.error != 0 || b.error != 0 || a.radius.length() != 0
      || b.radius.length() != 0)
     return std::nullopt;
   std::vector<std::array<double, hull_dimension_v<A>>> vertices_of_a, vertices_of_b;
@@ -96,7 +96,7 @@ are_near_in_integers(const Hull_of<A>& a, const Hull_of<B>& b, const Distance_of
     if(distance.may_be_nearest_of_b(k))
       vertices_of_b.push_back(b.vertices[k]);
   return Integer_hulls<hull_dimension_v<A>>(vertices_of_a, vertices_of_b, a.radius.low,
-                                            b.radius.low, *bound.exact_radius)
+                                            b.radius.low, bound.radius.low)
     .are_near(bound.is_open);
 }
 

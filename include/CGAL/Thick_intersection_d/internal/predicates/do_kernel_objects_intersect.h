@@ -61,7 +61,8 @@ auto exact_vertex(const Object& object, std::size_t k)
   using Point = Vertex_t<Object>;
   const auto vertex
     = [&](int axis) { return vertex_of(object, place_of_vertex<Object, Count>(k, axis)); };
-  if constexpr(std::is_same_v<typename Kernel_traits<Point>::Kernel, Exact_kernel>)
+  if constexpr(std::is_same_v<typename Kernel_traits<Point>::Kernel, Exact_kernel>
+               && Count == corner_count_v<Object>)
     return Point(vertex(0));
   else {
     const auto x = [&](int axis) { return to_exact_rational(coordinate(vertex(axis), axis)); };
