@@ -16,8 +16,9 @@ int main()
 {
   const std::vector<std::pair<Point, double>> atoms = {{Point(1, 1, 1.7), 1.7},
                                                        {Point(5, 1, 1.7), 1.2}};
-  const std::vector<Kernel::Triangle_3> surface = {{Point(0, 0, 0), Point(4, 0, 0), Point(0, 4, 0)},
-                                                   {Point(4, 0, 0), Point(8, 0, 0), Point(4, 4, 0)}};
+  const std::vector<Kernel::Triangle_3> surface
+    = {{Point(0, 0, 0), Point(4, 0, 0), Point(0, 4, 0)},
+       {Point(4, 0, 0), Point(8, 0, 0), Point(4, 4, 0)}};
   CGAL::thick_intersection_d(atoms, surface, [](std::size_t atom, std::size_t triangle) {
     std::cout << "atom " << atom << " touches triangle " << triangle << '\n';
   });

@@ -5,7 +5,7 @@
 #ifndef CGAL_THICK_OBJECT_TRAITS_D_H
 #define CGAL_THICK_OBJECT_TRAITS_D_H
 
-// Objects of a kernel that have a bounding box: segments, triangles, iso-boxes, tetrahedra.
+// Objects that have a bounding box: segments, triangles, iso-boxes, tetrahedra, balls, variants.
 
 #include <CGAL/Arithmetic_tier.h>
 #include <CGAL/Bbox_2.h>
@@ -50,13 +50,19 @@ along an axis is the largest extent of a box along the axis: the lower corners o
 overlap are not farther apart \cgalCite{v-riato-03}. A search uses these predicates for
 2<sup>31</sup> objects or more, which the numbers of boxes do not count.
 
-Circles and spheres are refused. `do_intersect()` takes them as curves and surfaces, so a circle
-within another circle would not intersect it. Use `Thick_ball_traits_d`.
+Closed balls are `std::pair`s of a center and a radius. Their test compares a squared distance with
+a squared radius, in degree 4 in the plane and 6 in space, or 2 for two balls or a ball and a point:
+a filter in doubles, integers of 128 bits and exact numbers decide, in this order. For balls alone,
+`Thick_ball_traits_d` is faster. Circles and spheres are refused. `do_intersect()` takes them as
+curves and surfaces, so a circle within another circle would not intersect it.
+
+A `std::variant` of such types is an object: it is what it holds.
 
 Objects of this class may be used by several threads at once.
 
 \tparam Object is `Point_2`, `Segment_2`, `Triangle_2`, `Iso_rectangle_2`, `Point_3`, `Segment_3`,
-`Triangle_3`, `Iso_cuboid_3`, `Tetrahedron_3`, `Bbox_2`, `Bbox_3`, or another type. Another type has
+`Triangle_3`, `Iso_cuboid_3`, `Tetrahedron_3`, `Bbox_2`, `Bbox_3`, a pair of a `Point_2` or
+`Point_3` and a radius, a `std::variant` of these types, or another type. Another type has
 a member function `bbox()` that returns a `Bbox_2` or `Bbox_3` around the object, and a function
 `do_intersect(const Object&, const Object&)` in its namespace. It may not be a class of a kernel
 with inexact predicates.

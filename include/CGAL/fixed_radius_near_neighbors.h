@@ -33,10 +33,19 @@ every kernel, `Simple_cartesian<double>` included, and for pairs exactly at the 
 `Scene_profile` chooses the arithmetic. Equal points at different positions are a pair. A point is
 never paired with itself. A bound of zero finds the duplicates.
 
+Instead of points, the range may hold closed objects: `Segment_2`, `Triangle_2`, `Iso_rectangle_2`,
+`Segment_3`, `Triangle_3`, `Iso_cuboid_3`, `Tetrahedron_3`, `Bbox_2`, `Bbox_3`, balls, which are
+`std::pair`s of a `Point_2` or `Point_3` and a radius, or `std::variant`s of these and of points.
+Two objects are near if a point of one and a point of the other are within the bound. So objects
+that intersect are near, but for an open bound of zero. Objects may be degenerate, as for
+`thick_self_intersection_d()`, and the result is that of real arithmetic. Objects of other classes
+have traits, a model of `ThickDistanceTraits_d`.
+
 The search takes \f$ O(n \log n + k) \f$ time and \f$ O(n) \f$ space in the plane and in space,
 where \f$ k \f$ is the number of pairs \cgalCite{v-riato-03}. In other dimensions, it puts a box on
-each point and searches the boxes: see `thick_self_intersection_d()`. The
-algebraic degree is 2.
+each point and searches the boxes: see `thick_self_intersection_d()`. So it does with objects:
+\f$ K \f$ is then the number of pairs whose bounding boxes are within the bound along each axis. The
+algebraic degree is 2 for points and balls; for other objects it is 4 in the plane and 6 in space.
 
 \tparam ConcurrencyTag is `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. In
 sequence, the order of reports depends on the input alone. In parallel, the same pairs are reported
@@ -55,7 +64,7 @@ stop the search by returning `false`. Or it is an output iterator for pairs of t
 `std::pair<std::size_t, std::size_t>`; one thread at a time writes to it. Or `with_elements()` has
 made it, from a functor of two elements of the range or an output iterator for pairs of them.
 
-\param points the points, all of the same dimension.
+\param points the points or objects, all of the same dimension.
 \param bound made by `within_distance()` or `within_squared_distance()`.
 \param callback is called for each pair, with the positions \f$ i < j \f$ of the two points in the
 range, or with the elements at these positions.
@@ -70,11 +79,11 @@ below
                       otherwise the elements are the points}
   \cgalParamNEnd
   \cgalParamNBegin{geom_traits}
-    \cgalParamDescription{an instance of the kernel of the points}
-    \cgalParamType{a model of `Kernel` or `Kernel_d`}
+    \cgalParamDescription{an instance of the kernel of the points, or traits of other objects}
+    \cgalParamType{a model of `Kernel`, `Kernel_d` or `ThickDistanceTraits_d`}
     \cgalParamDefault{the kernel deduced from the point type}
-    \cgalParamExtra{Accepted as by other functions of \cgal. The type of the points determines the
-                    kernel.}
+    \cgalParamExtra{A kernel is accepted as by other functions of \cgal. The type of the points
+                    determines the kernel.}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
     \cgalParamDescription{a functor that is called with the progress between 0 and 1, and cancels
@@ -88,10 +97,12 @@ below
 \return `false` iff the callback or the progress functor stopped the search.
 
 \throws std::invalid_argument if a coordinate is NaN or infinite, if the points differ in dimension,
-or if the bound is negative or NaN, before anything is reported. The message gives the position of
-the point. Exceptions of the callback pass through.
+if a radius is negative, NaN or infinite, or if the bound is negative or NaN, before anything is
+reported. The message gives the position of the point or object. Exceptions of the callback and of
+traits pass through.
 \throws std::length_error if there are 2<sup>31</sup> - 1 points or more, their coordinates are
-`double` or `float`, and their type tells their dimension.
+`double` or `float`, and their type tells their dimension, or if there are 2<sup>31</sup> objects or
+more.
 \throws std::runtime_error if the processor is set to flush denormal numbers to zero.
 
 \sa `with_elements()`
@@ -151,7 +162,11 @@ Pairs within a range are neither reported nor tested. Otherwise the function is 
 one range, where \f$ n \f$ is the number of points of both ranges and \f$ k \f$ is the number of
 close pairs of their union.
 
-\param points_a, points_b the points, of the same type and dimension in both ranges.
+The ranges may hold objects as well, and of different types: `Point_2` and `Segment_2`, or
+`Segment_3` and `Triangle_3`. Traits for objects of other classes have intervals of both types, and
+are asked about an object of the first range and one of the second.
+
+\param points_a, points_b the points or objects, all of the same dimension.
 \param bound made by `within_distance()` or `within_squared_distance()`.
 \param callback is called for each pair with the position \f$ i \f$ of its point in `points_a` and
 the position \f$ j \f$ of its point in `points_b`, or with the elements at these positions.
@@ -204,7 +219,8 @@ The search takes \f$ O(n \log n + k \log k) \f$ time and \f$ O(n + k) \f$ space 
 where \f$ k \f$ is the number of pairs \cgalCite{v-riato-03}. The result does not depend on the
 number of threads.
 
-The parameters are as for `fixed_radius_near_neighbors()`. The lists hold positions.
+The parameters are as for `fixed_radius_near_neighbors()`: the points may be objects. The lists hold
+positions.
 
 \return the lists. If the progress functor cancels the search, they hold some of the pairs, each in
 both of its lists.

@@ -46,7 +46,8 @@ as the predicates of the package are: on the coordinates that the objects hold, 
 `Simple_cartesian<double>` included, and in every rounding mode. Objects of a kernel are closed, so
 objects that touch intersect. They may be degenerate: a segment of length zero is the point that it
 is, a flat triangle a segment or a point, and a flat tetrahedron a polygon, a segment or a point.
-The algebraic degree is 2 in the plane and 3 in space; the `Scene_profile` tells what it takes.
+The algebraic degree is 2 in the plane and 3 in space, and with balls 4 in the plane and 6 in space,
+or 2 for balls and points alone; the `Scene_profile` tells what it takes.
 
 \tparam ConcurrencyTag is `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. In
 sequence, the order of reports depends on the input alone. In parallel, the same pairs are reported
@@ -54,7 +55,10 @@ in any order. Several threads call the callback at once, so it must allow this. 
 requires \tbb.
 
 \tparam ObjectRange is a range whose elements are of the type `Object_d` of the traits, with forward
-iterators or better. It is neither copied nor reordered. It may be a view of C++20.
+iterators or better. It is neither copied nor reordered. It may be a view of C++20. Without traits,
+the elements are objects of a kernel, boxes of the type `Bbox_2` or `Bbox_3`, closed balls, which
+are `std::pair`s of a center and a radius, other objects with `bbox()` and `do_intersect()`, or
+`std::variant`s of such types, all in the plane or all in space.
 
 \tparam Callback is callable with `(std::size_t i, std::size_t j)`. It returns `void`, or `bool` to
 stop the search by returning `false`. Or it is an output iterator for pairs of the type
@@ -127,7 +131,7 @@ refuses it if it is not exact for the objects. If only the answer is wanted, pas
 without objects. The search takes one more pass over the objects, and counts pairs one by one.
 
 \param objects,callback,np as in the version above, without `geom_traits`. The objects are of a
-kernel, or of the type `Bbox_2` or `Bbox_3`.
+kernel, boxes, balls, or variants of them.
 \param profile is replaced by the profile of the objects, with the same tier forced, and with the
 numbers of pairs that each kind of arithmetic has decided. It does not change if the function
 throws.
@@ -158,10 +162,16 @@ Pairs within a range are neither reported nor tested. Otherwise the function is 
 intervals, \f$ K \f$ is the number of pairs between the two ranges whose boxes meet. With three
 predicates, \f$ k \f$ is the number of intersecting pairs of the union of the ranges.
 
-\param objects_a, objects_b the objects, of the same type in both ranges.
+The two ranges may hold objects of different types, such as `Segment_3` and `Triangle_3`. Without
+traits, both are types that `thick_self_intersection_d()` takes without traits. For two types of
+which one is not of the package, the test is `do_intersect(a, b)`, found in the namespace of one of
+them, for an object of the first range and one of the second. Given traits are a model of
+`ThickIntersectionIntervalTraits_d` for both types.
+
+\param objects_a, objects_b the objects.
 \param callback is called for each pair with the position \f$ i \f$ of its object in `objects_a` and
 the position \f$ j \f$ of its object in `objects_b`, or with the elements at these positions.
-\param np as for `thick_self_intersection_d()`; the property map is applied to both ranges.
+\param np as for `thick_self_intersection_d()`; a property map is applied to both ranges.
 
 \return `false` iff the callback or the progress functor stopped the search.
 
