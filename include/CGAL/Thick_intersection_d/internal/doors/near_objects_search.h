@@ -70,6 +70,8 @@ public:
 
   bool operator()(const Object& a, const Object& b) const
   {
+    if(bound_.is_open() && bound_.is_zero()) // no distance is less than zero
+      return false;
     return with_kinds(a, b, [&](const auto& x, const auto& y) {
       Arithmetic_tier tier = least_tier_;
       const auto exact_bound = [&]() -> const Squared_bound<Exact>& { return bound_; };

@@ -68,12 +68,6 @@ auto comparison_with(const Squared_bound<Exact>& bound, const A& a, const B& b)
   return [&bound, radii](const Exact& n, const Exact& d) { return bound.holds_for(n, d, radii); };
 }
 
-template <class Exact, class A, class B>
-CGAL_RARELY_CALLED bool does_zero_hold(const Squared_bound<Exact>& bound, const A& a, const B& b)
-{
-  return comparison_with(bound, a, b)(Exact(0), Exact(1));
-}
-
 // The distance of objects as doubles know it.
 template <class A, class B>
 using Distance_of = Hull_distance<hull_dimension_v<A>, hull_size_v<A>, hull_size_v<B>>;
@@ -119,8 +113,7 @@ CGAL_RARELY_CALLED bool are_near_in_exact_numbers(const A& a, const B& b,
                                                                         vertices_of_b);
 }
 
-// The question that doubles leave undecided. Objects that intersect are within every bound but an
-// open one of zero.
+// The question that doubles leave undecided. Objects that intersect are within every bound.
 template <class A, class B, class Exact_bound>
 CGAL_RARELY_CALLED bool
 decide_near_objects(const A& a, const B& b, const Hull_of<A>& hull_a, const Hull_of<B>& hull_b,
@@ -131,7 +124,7 @@ decide_near_objects(const A& a, const B& b, const Hull_of<A>& hull_a, const Hull
   const bool do_intersect = do_kernel_objects_intersect(skeleton(a), skeleton(b), tier);
   tier = (std::max)(tier, Arithmetic_tier::INT128);
   if(do_intersect)
-    return !bound.is_open || does_zero_hold(exact_bound(), a, b);
+    return true;
   if(least_tier != Arithmetic_tier::FILTERED_EXACT)
     if(const auto are_near = are_near_in_integers<A, B>(hull_a, hull_b, distance, bound))
       return *are_near;
@@ -139,8 +132,9 @@ decide_near_objects(const A& a, const B& b, const Hull_of<A>& hull_a, const Hull
   return are_near_in_exact_numbers(a, b, distance, exact_bound());
 }
 
-// Whether objects of one kind each are within a bound. `exact_bound` returns the bound for exact
-// numbers. `tier` is the first arithmetic after the filter, and becomes the one that was needed.
+// Whether objects of one kind each are within a bound, which holds for the distance zero at least.
+// `exact_bound` returns it for exact numbers. `tier` is the first arithmetic after the filter, and
+// becomes the one that was needed.
 template <class A, class B, class Exact_bound>
 bool are_kinds_near(const A& a, const B& b, const Hull_bound& bound, const Exact_bound& exact_bound,
                     Arithmetic_tier& tier)
