@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_FEATURE_BOUNDARIES_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_FEATURE_BOUNDARIES_H
+
+// The segments of features, as the box route reads them: two of them are a pair if they tell that
+// their features are one, and no others have told it before.
+
+#include <CGAL/Arithmetic_tier.h>
+
+#include <CGAL/Thick_intersection_d/internal/features/Known_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/input/vertices.h>
+#include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// Pairs of features that intersect. Their segments may meet where their boxes do.
+struct Segments_intersect
+{
+  template <class Segment>
+  bool operator()(const Segment& a, const Segment& b) const
+  {
+    Arithmetic_tier tier = Arithmetic_tier::INT64;
+    return do_objects_intersect(a, b, tier);
+  }
+
+  static Interval grown(const Interval& interval) { return interval; }
+};
+
+// `Test` is like Segments_intersect.
+template <class ConcurrencyTag, class Segments, class Test>
+class Feature_boundaries
+{
+public:
+  using Box_filter = void;
+  static constexpr int static_dimension = vertex_dimension_v<typename Segments::Segment>;
+
+  Feature_boundaries(const Segments& segments, const Test& test,
+                     Known_pairs<ConcurrencyTag>& known)
+    : segments_(segments), test_(test), known_(known)
+  {}
+
+  std::size_t size() const { return segments_.size(); }
+  int dimension() const { return static_dimension; }
+  bool are_exact() const { return false; }
+
+  auto intervals(std::size_t position) const
+  {
+    return [this, box = bounding_box(segments_[position])](int axis) {
+      return test_.grown({(box.min)(axis), (box.max)(axis)});
+    };
+  }
+
+  void ask_for(std::size_t position) const { prefetch_to_read(&segments_[position]); }
+
+  // To look for a pair takes less time than most tests do.
+  bool do_intersect(std::size_t i, std::size_t j) const
+  {
+    const Place a = segments_.feature_of(i), b = segments_.feature_of(j);
+    return a != b && !known_.has(a, b) && test_(segments_[i], segments_[j]) && known_.add(a, b);
+  }
+
+private:
+  const Segments& segments_;
+  const Test& test_;
+  Known_pairs<ConcurrencyTag>& known_;
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_FEATURE_BOUNDARIES_H

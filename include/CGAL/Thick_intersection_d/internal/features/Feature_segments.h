@@ -1,0 +1,200 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_FEATURE_SEGMENTS_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_FEATURE_SEGMENTS_H
+
+// The segments of features: those of polylines, and the edges of polygons. A feature has parts,
+// each of which is a polyline or a polygon.
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Dimension.h>
+#include <CGAL/Kernel_traits.h>
+
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/features/Ring_trees.h>
+#include <CGAL/Thick_intersection_d/internal/features/feature_kinds.h>
+#include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+template <class Point>
+class Feature_segments
+{
+  using Kernel = typename Kernel_traits<Point>::Kernel;
+
+public:
+  static constexpr int dimension = Ambient_dimension<Point>::value;
+  using Segment = std::conditional_t<dimension == 2, typename Kernel::Segment_2,
+                                     typename Kernel::Segment_3>;
+
+  struct Part
+  {
+    Place feature;
+    Place first_segment;
+    Place root; // of the tree of its rings, or no_tree
+  };
+
+  Feature_segments() : trees_(segments_) {}
+  Feature_segments(const Feature_segments&) = delete; // the trees refer to the segments
+  Feature_segments& operator=(const Feature_segments&) = delete;
+
+  // Reads the features of a range. Throws if a coordinate is NaN or infinite, or if a polygon has
+  // no outer boundary.
+  template <class Elements>
+  void add_features(const Elements& features)
+  {
+    for(std::size_t position = 0; position < features.size(); ++position) {
+      add_parts(features[position], *this);
+      ++feature_count_;
+    }
+  }
+
+  std::size_t feature_count() const { return feature_count_; }
+  std::size_t part_count() const { return parts_.size(); }
+  std::size_t size() const { return segments_.size(); }
+  const Segment& operator[](std::size_t position) const { return segments_[position]; }
+
+  Place feature_of(std::size_t position) const
+  {
+    return parts_[parts_of_segments_[position]].feature;
+  }
+
+  // ---- parts ------------------------------------------------------------------------------------
+
+  const Part& part(std::size_t position) const { return parts_[position]; }
+
+  std::size_t polygon_count() const { return polygon_count_; }
+  bool is_polygon(std::size_t part) const { return parts_[part].root != no_tree; }
+
+  // The box of a polygon.
+  const Bbox_2& box(std::size_t polygon) const { return trees_.box(parts_[polygon].root); }
+
+  // Returns whether the first vertex of a part is inside a polygon. Their boundaries do not meet.
+  bool is_inside(std::size_t part, std::size_t polygon) const
+  {
+    const std::size_t last
+      = polygon + 1 == parts_.size() ? segments_.size() : parts_[polygon + 1].first_segment;
+    return trees_.is_inside(segments_[parts_[part].first_segment], parts_[polygon].root,
+                            parts_[polygon].first_segment, static_cast<Place>(last));
+  }
+
+  // ---- for add_parts() --------------------------------------------------------------------------
+
+  template <class Iterator, class Sentinel>
+  void add_polyline(Iterator first, Sentinel last)
+  {
+    if(first != last) {
+      begin_part();
+      add_chain(first, last, false);
+    }
+  }
+
+  template <class Polygon>
+  void add_polygon(const Polygon& polygon)
+  {
+    if(polygon.is_empty())
+      return;
+    begin_part();
+    add_ring(polygon);
+    end_polygon();
+  }
+
+  template <class Polygon>
+  void add_polygon_with_holes(const Polygon& polygon)
+  {
+    if(polygon.is_unbounded())
+      throw std::invalid_argument("Feature " + std::to_string(feature_count_)
+                                  + " has no outer boundary.");
+    begin_part();
+    add_ring(polygon.outer_boundary());
+    for(auto hole = polygon.holes_begin(); hole != polygon.holes_end(); ++hole)
+      if(!hole->is_empty())
+        add_ring(*hole);
+    end_polygon();
+  }
+
+private:
+  static constexpr Place no_tree = max_place;
+
+  void begin_part()
+  {
+    parts_.push_back({static_cast<Place>(feature_count_), segment_count(), no_tree});
+  }
+
+  void end_polygon()
+  {
+    if constexpr(dimension == 2)
+      parts_.back().root = trees_.add_tree(parts_.back().first_segment, segment_count());
+    ++polygon_count_;
+  }
+
+  template <class Polygon>
+  void add_ring(const Polygon& ring)
+  {
+    if constexpr(dimension == 2)
+      trees_.begin_ring(segment_count());
+    add_chain(ring.vertices_begin(), ring.vertices_end(), true);
+  }
+
+  // Adds the segments between consecutive points. One point is a segment of length zero.
+  template <class Iterator, class Sentinel>
+  void add_chain(Iterator point, Sentinel last, bool is_closed)
+  {
+    const Point first = checked(*point);
+    Point previous = first;
+    if(++point == last)
+      is_closed = true;
+    for(; point != last; ++point) {
+      const Point next = checked(*point);
+      add_segment(previous, next);
+      previous = next;
+    }
+    if(is_closed)
+      add_segment(previous, first);
+  }
+
+  void add_segment(const Point& source, const Point& target)
+  {
+    segments_.emplace_back(source, target);
+    settle(segments_.back());
+    parts_of_segments_.push_back(static_cast<Place>(parts_.size() - 1));
+  }
+
+  // Throws if a coordinate is NaN or infinite.
+  const Point& checked(const Point& point) const
+  {
+    for(int i = 0; i < dimension; ++i)
+      if(!are_bounds_of_finite(coordinate_bounds(point, i)))
+        throw_not_finite("vertex of feature", feature_count_, i);
+    return point;
+  }
+
+  Place segment_count() const { return static_cast<Place>(segments_.size()); }
+
+  std::vector<Segment> segments_;
+  std::vector<Place> parts_of_segments_;
+  std::vector<Part> parts_;
+  Ring_trees<Segment> trees_;
+  std::size_t feature_count_ = 0;
+  std::size_t polygon_count_ = 0;
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_FEATURE_SEGMENTS_H

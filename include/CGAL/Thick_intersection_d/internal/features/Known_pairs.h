@@ -1,0 +1,128 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_KNOWN_PAIRS_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_KNOWN_PAIRS_H
+
+// The pairs that are found already, in hash tables: several threads ask and add at once.
+
+#include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// A set of numbers that are not zero. At most half of the slots are taken. The upper bits of a hash
+// give the slot from which on a number is looked for.
+class Hashed_numbers
+{
+public:
+  Hashed_numbers() : hash_(1, seed_of_process()) {}
+
+  bool has(std::uint64_t number) const
+  {
+    return !slots_.empty() && slots_[slot_of(number)] == number;
+  }
+
+  // Returns false if the set has the number already.
+  bool add(std::uint64_t number)
+  {
+    if(slots_.size() < 2 * (size_ + 1))
+      grow();
+    std::uint64_t& slot = slots_[slot_of(number)];
+    if(slot == number)
+      return false;
+    slot = number;
+    ++size_;
+    return true;
+  }
+
+private:
+  // Returns the slot that has the number, or the free one where it belongs.
+  std::size_t slot_of(std::uint64_t number) const
+  {
+    const std::uint64_t hash = hash_.finish(hash_.add(0, 0, number));
+    std::size_t slot = static_cast<std::size_t>(hash >> (64 - bits_));
+    while(slots_[slot] != 0 && slots_[slot] != number)
+      slot = (slot + 1) & (slots_.size() - 1);
+    return slot;
+  }
+
+  void grow()
+  {
+    bits_ = hash_table_bits(size_ + 1);
+    const std::vector<std::uint64_t> old
+      = std::exchange(slots_, std::vector<std::uint64_t>(std::size_t(1) << bits_));
+    for(const std::uint64_t number : old)
+      if(number != 0)
+        slots_[slot_of(number)] = number;
+  }
+
+  const Sequence_hash<1> hash_;
+  std::vector<std::uint64_t> slots_;
+  std::size_t size_ = 0;
+  int bits_ = 0;
+};
+
+// A thread that asks locks one of several sets for a moment.
+template <class ConcurrencyTag>
+class Known_pairs
+{
+public:
+  bool has(Place i, Place j) const
+  {
+    return in_set(i, j, [](const Hashed_numbers& numbers, std::uint64_t number) {
+      return numbers.has(number);
+    });
+  }
+
+  // Adds a pair of different positions. Returns false if it is known already.
+  bool add(Place i, Place j)
+  {
+    return in_set(i, j, [](Hashed_numbers& numbers, std::uint64_t number) {
+      return numbers.add(number);
+    });
+  }
+
+private:
+  static constexpr std::size_t set_count = is_parallel_v<ConcurrencyTag> ? 256 : 1;
+
+  struct Set
+  {
+    std::mutex mutex;
+    Hashed_numbers numbers;
+  };
+
+  // The larger position is not zero, so the number of a pair is not.
+  template <class Function>
+  bool in_set(Place i, Place j, const Function& function) const
+  {
+    const std::uint64_t number = std::uint64_t((std::max)(i, j)) << 32 | (std::min)(i, j);
+    Set& set = sets_[(std::size_t(i) + j) % set_count];
+    if constexpr(is_parallel_v<ConcurrencyTag>) {
+      const std::lock_guard<std::mutex> lock(set.mutex);
+      return function(set.numbers, number);
+    }
+    else
+      return function(set.numbers, number);
+  }
+
+  mutable std::array<Set, set_count> sets_;
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_KNOWN_PAIRS_H

@@ -1,0 +1,144 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_RING_TREES_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_RING_TREES_H
+
+// Is a point inside rings? It is if a ray from it crosses them an odd number of times.
+//
+// Each tree halves the segments of some rings, in their order, and has the boxes of the parts. The
+// segments of a part are a chain. A chain that is right of the point is crossed an odd number of
+// times iff one of its ends is above the ray, and the other one is not. If it is above, below or
+// left, no ray crosses it. So only the chains whose boxes have the point are divided. These are
+// O(log n) for a shape whose parts are next to their neighbors, and as many as the ray has
+// crossings at most, up to a factor O(log n).
+
+#include <CGAL/Bbox_2.h>
+
+#include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/input/vertices.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/ray_crossings.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+template <class Segment>
+class Ring_trees
+{
+public:
+  // Refers to the segments. Each ring begins and ends at one vertex.
+  explicit Ring_trees(const std::vector<Segment>& segments) : segments_(segments) {}
+
+  // The segments from this one on are of another ring.
+  void begin_ring(Place segment) { rings_.push_back(segment); }
+
+  // Makes a tree of the segments [first, last) of whole rings. Returns its root.
+  Place add_tree(Place first, Place last)
+  {
+    const std::size_t root = boxes_.size();
+    boxes_.emplace_back();
+    if(last - first <= leaf_size)
+      for(Place segment = first; segment != last; ++segment)
+        boxes_[root] += bounding_box(segments_[segment]);
+    else {
+      const Chain chain = {static_cast<Place>(root), first, last};
+      const Place middle = middle_of(chain);
+      add_tree(first, middle);
+      const Place second = add_tree(middle, last);
+      boxes_[root] = boxes_[root + 1] + boxes_[second];
+    }
+    return static_cast<Place>(root);
+  }
+
+  // The box of a tree.
+  const Bbox_2& box(Place root) const { return boxes_[root]; }
+
+  // Returns whether the source of `ray` is inside the rings of the tree of the segments
+  // [first, last). It is not on them.
+  bool is_inside(const Segment& ray, Place root, Place first, Place last) const
+  {
+    return is_crossed_odd(ray, {root, first, last});
+  }
+
+private:
+  static constexpr Place leaf_size = 16;
+
+  // Some consecutive segments, and the node with their box. The node of the first half follows.
+  struct Chain
+  {
+    Place node;
+    Place first;
+    Place last;
+  };
+
+  // The first half has a power of two of leaves, so its tree has one node less than twice as many.
+  static Place leaves_of_first_half(const Chain& chain)
+  {
+    const Place leaves = (chain.last - chain.first + leaf_size - 1) / leaf_size;
+    Place half = 1;
+    while(2 * half < leaves)
+      half *= 2;
+    return half;
+  }
+
+  static Place middle_of(const Chain& chain)
+  {
+    return chain.first + leaf_size * leaves_of_first_half(chain);
+  }
+
+  bool is_crossed_odd(const Segment& ray, const Chain& chain) const
+  {
+    const Bbox_2& box = boxes_[chain.node];
+    const auto x = vertex_bounds(ray, 0, 0);
+    const auto y = vertex_bounds(ray, 0, 1);
+    if(x.first > box.xmax() || y.first > box.ymax() || y.second < box.ymin())
+      return false;
+    if(x.second < box.xmin())
+      return are_ends_apart(ray, chain);
+    if(chain.last - chain.first > leaf_size) {
+      const Place middle = middle_of(chain);
+      const Place second = chain.node + 2 * leaves_of_first_half(chain);
+      return is_crossed_odd(ray, {chain.node + 1, chain.first, middle})
+             != is_crossed_odd(ray, {second, middle, chain.last});
+    }
+    return std::count_if(segments_.begin() + chain.first, segments_.begin() + chain.last,
+                         [&](const Segment& segment) { return does_ray_cross(ray, segment); })
+             % 2 != 0;
+  }
+
+  // Whether an odd number of the ends of chains are above the ray. If the segments are of several
+  // rings, they are the last chain of a ring, whole rings, and the first chain of another ring.
+  bool are_ends_apart(const Segment& ray, const Chain& chain) const
+  {
+    const auto is_above
+      = [&](Place segment, int v) { return is_above_ray(segments_[segment], v, ray); };
+    const bool is_odd = is_above(chain.first, 0) != is_above(chain.last - 1, 1);
+    const Place first_ring = ring_of(chain.first), last_ring = ring_of(chain.last - 1);
+    return first_ring == last_ring
+             ? is_odd
+             : is_odd != (is_above(first_ring, 0) != is_above(last_ring, 0));
+  }
+
+  // The first segment of the ring of a segment.
+  Place ring_of(Place segment) const
+  {
+    return *(std::upper_bound(rings_.begin(), rings_.end(), segment) - 1);
+  }
+
+  const std::vector<Segment>& segments_;
+  std::vector<Place> rings_;
+  std::vector<Bbox_2> boxes_;
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_RING_TREES_H

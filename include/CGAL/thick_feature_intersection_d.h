@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_FEATURE_INTERSECTION_D_H
+#define CGAL_THICK_FEATURE_INTERSECTION_D_H
+
+// All intersecting pairs of polylines and polygons, in one range or between two ranges.
+
+#include <CGAL/Element_callback.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/tags.h>
+
+#include <CGAL/Thick_intersection_d/internal/doors/feature_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/features/Feature_boundaries.h>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgThickIntersectionDRef
+
+reports all pairs of features of a range that intersect, each exactly once, however many of their
+segments meet.
+
+A feature is one of these, with points of one type, `Point_2` or `Point_3` of any kernel:
+
+- A *polyline*: a range of points with forward iterators, such as `std::vector<Point_3>`. One point
+  is a polyline that is this point, and so is a `Point_2` or `Point_3` itself.
+- A *polygon* in the plane, closed and filled: `Polygon_2`. It has the points of its edges, and all
+  points that a ray leaves through an odd number of edges. So simple polygons may have either
+  orientation, rings may touch themselves, and a polygon of one or two vertices is a point or a
+  segment.
+- A *polygon with holes*, `Polygon_with_holes_2`. Holes are open: their edges belong to the polygon.
+  Holes lie in the outer boundary, and not in other holes. They may touch these.
+- A `std::variant` of features.
+- A range of features. It is the union of them, as the multipolygons and collections of geographic
+  files are.
+
+A feature without points is in no pair. Two features intersect iff they have a point in common:
+their segments meet, or one lies inside a filled polygon of the other. A feature is never paired
+with itself. The search gives the result of real arithmetic on the coordinates that the points hold,
+as `thick_self_intersection_d()` does, for every kernel.
+
+The search takes the segments of all features through the divide and conquer of
+`thick_self_intersection_d()`. It tests those whose boxes meet, as long as their features are not
+known to be a pair. What is left are features whose boundaries do not meet. One of these is inside a
+polygon if its first vertex is, which is asked if this vertex is in the box of the polygon. Let
+there be \f$ n \f$ segments and \f$ k \f$ reported pairs, let \f$ K \f$ be the number of pairs of
+segments whose boxes meet, and let \f$ K_v \f$ be the number of first vertices in the boxes of
+polygons that their features do not meet. Then the search takes \f$ O(n \log n + K) \f$ time, and
+for each of the \f$ K_v \f$ vertices \f$ O(\log n) \f$ time for most shapes. It is
+\f$ O(c \log n) \f$ at most, where \f$ c \f$ is the number of edges at the height of the vertex: a
+spiral takes that much. The search takes \f$ O(n + k) \f$ space.
+
+\tparam ConcurrencyTag is `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. In
+sequence, the order of reports depends on the input alone. In parallel, the same pairs are reported
+in any order. Several threads call the callback at once, so it must allow this. `Parallel_tag`
+requires \tbb.
+
+\tparam FeatureRange is a range of features with forward iterators or better. It is not reordered.
+It may be a view of C++20.
+
+\tparam Callback is as for `thick_self_intersection_d()`.
+
+\param features the features.
+\param callback is called for each pair, with the positions \f$ i < j \f$ of the two features in the
+range, or with the elements at these positions.
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{point_map}
+    \cgalParamDescription{a property map associating features to the elements of the range}
+    \cgalParamType{a model of `ReadablePropertyMap` from these elements to features}
+    \cgalParamDefault{the elements are the features}
+  \cgalParamNEnd
+  \cgalParamNBegin{callback}
+    \cgalParamDescription{a functor that is called with the progress between 0 and 1, and cancels
+                          the search by returning `false`}
+    \cgalParamType{a functor with `bool operator()(double)`}
+    \cgalParamDefault{none}
+    \cgalParamExtra{In parallel, one thread at a time calls it, but not always the same thread.}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return `false` iff the callback or the progress functor stopped the search.
+
+\throws std::invalid_argument if a coordinate is NaN or infinite, or if a polygon with holes has no
+outer boundary, before anything is reported. The message gives the position of the feature.
+Exceptions of the callback pass through.
+\throws std::length_error if there are 2<sup>31</sup> features or segments, or more.
+\throws std::runtime_error if the processor is set to flush denormal numbers to zero.
+
+\sa `thick_feature_intersection_d()`
+\sa `thick_self_intersection_d()`
+\sa `with_elements()`
+*/
+template <class ConcurrencyTag = Sequential_tag, class FeatureRange, class Callback,
+          class NamedParameters = parameters::Default_named_parameters>
+bool thick_feature_self_intersection_d(FeatureRange&& features, Callback&& callback,
+                                       const NamedParameters& np = parameters::default_values())
+{
+  namespace internal = Thick_intersection_d::internal;
+  return internal::search_features<ConcurrencyTag>(features, internal::Segments_intersect(),
+                                                   callback, np);
+}
+
+/*!
+\ingroup PkgThickIntersectionDRef
+
+reports all pairs of a feature of one range and a feature of another that intersect, each exactly
+once.
+
+Pairs within a range are neither reported nor tested. Otherwise the function is as
+`thick_feature_self_intersection_d()`, where \f$ n \f$ is the number of segments of both ranges.
+
+\param features_a, features_b the features. The ranges may have features of different kinds, with
+points of the same type.
+\param callback is called for each pair with the position \f$ i \f$ of its feature in `features_a`
+and the position \f$ j \f$ of its feature in `features_b`, or with the elements at these positions.
+\param np as for `thick_feature_self_intersection_d()`; the property map is applied to both ranges.
+
+\return `false` iff the callback or the progress functor stopped the search.
+
+\throws std::invalid_argument as `thick_feature_self_intersection_d()`. Positions in the message go
+on from the first range to the second range.
+
+\sa `thick_feature_self_intersection_d()`
+*/
+template <class ConcurrencyTag = Sequential_tag, class FeatureRangeA, class FeatureRangeB,
+          class Callback, class NamedParameters = parameters::Default_named_parameters>
+bool thick_feature_intersection_d(FeatureRangeA&& features_a, FeatureRangeB&& features_b,
+                                  Callback&& callback,
+                                  const NamedParameters& np = parameters::default_values())
+{
+  namespace internal = Thick_intersection_d::internal;
+  return internal::search_features<ConcurrencyTag>(
+    features_a, features_b, internal::Segments_intersect(), callback, np);
+}
+
+} // namespace CGAL
+
+#endif // CGAL_THICK_FEATURE_INTERSECTION_D_H
