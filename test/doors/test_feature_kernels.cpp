@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Polylines and polygons on several kernels and scales, against all pairs of their segments and all
+// vertices.
+
+#include "support/check_features.h"
+
+#include <CGAL/Exact_integer.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Homogeneous.h>
+
+using namespace test_support;
+
+using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Float_kernel = CGAL::Simple_cartesian<float>;
+using Integer_kernel = CGAL::Simple_cartesian<long long>;
+using Homogeneous_kernel = CGAL::Homogeneous<CGAL::Exact_integer>;
+
+BOOST_AUTO_TEST_CASE(features_of_doubles)
+{
+  check_feature_scenes<Features_2, Double_kernel, Epick, Float_kernel>(
+    2, {Scale::ONE, Scale::HUGE_POWER, Scale::DENORMAL});
+}
+
+BOOST_AUTO_TEST_CASE(features_of_exact_numbers)
+{
+  check_feature_scenes<Features_2, Epeck, Rational_kernel>(2, {Scale::THIRD, Scale::CLOSE});
+  check_feature_scenes<Features_2, Integer_kernel, Homogeneous_kernel>(2, {Scale::ONE});
+}
+
+BOOST_AUTO_TEST_CASE(polylines_in_space)
+{
+  check_feature_scenes<Features_3, Double_kernel, Epick>(3, {Scale::ONE, Scale::HUGE_POWER});
+  check_feature_scenes<Features_3, Epeck, Rational_kernel>(3, {Scale::THIRD, Scale::CLOSE});
+}
