@@ -5,8 +5,10 @@
 #ifndef CGAL_THICK_FEATURE_INTERSECTION_D_H
 #define CGAL_THICK_FEATURE_INTERSECTION_D_H
 
-// All intersecting pairs of polylines and polygons, in one range or between two ranges.
+// All pairs of polylines and polygons that intersect, or are within a distance, in one range or
+// between two ranges.
 
+#include <CGAL/Distance_bound.h>
 #include <CGAL/Element_callback.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
@@ -136,6 +138,69 @@ bool thick_feature_intersection_d(FeatureRangeA&& features_a, FeatureRangeB&& fe
   namespace internal = Thick_intersection_d::internal;
   return internal::search_features<ConcurrencyTag>(
     features_a, features_b, internal::Segments_intersect(), callback, np);
+}
+
+/*!
+\ingroup PkgThickIntersectionDRef
+
+reports all pairs of features of a range whose distance is within a bound, each exactly once.
+
+Features are as for `thick_feature_self_intersection_d()`. Their distance is that of their closest
+points, and zero if they intersect, as a polygon and a feature inside it do. The search gives the
+result of real arithmetic on the given coordinates and the given bound, for pairs exactly at the
+bound too, as `fixed_radius_near_neighbors()` of segments does.
+
+The time and the space are those of `thick_feature_self_intersection_d()`, where \f$ K \f$ is the
+number of pairs of segments whose boxes are within the bound along each axis.
+
+\param features,callback,np as for `thick_feature_self_intersection_d()`.
+\param bound made by `within_distance()` or `within_squared_distance()`.
+
+\return `false` iff the callback or the progress functor stopped the search.
+
+\throws std::invalid_argument as `thick_feature_self_intersection_d()`, and if the bound is negative
+or NaN.
+
+\sa `thick_feature_self_intersection_d()`
+\sa `fixed_radius_near_neighbors()`
+*/
+template <class ConcurrencyTag = Sequential_tag, class FeatureRange, class NT, class Callback,
+          class NamedParameters = parameters::Default_named_parameters>
+bool fixed_radius_near_features(FeatureRange&& features, const Distance_bound<NT>& bound,
+                                Callback&& callback,
+                                const NamedParameters& np = parameters::default_values())
+{
+  return Thick_intersection_d::internal::search_features<ConcurrencyTag>(features, bound, callback,
+                                                                         np);
+}
+
+/*!
+\ingroup PkgThickIntersectionDRef
+
+reports all pairs of a feature of one range and a feature of another whose distance is within a
+bound, each exactly once.
+
+Pairs within a range are neither reported nor tested. Otherwise the function is as the version
+above.
+
+\param features_a,features_b,callback,np as for `thick_feature_intersection_d()`.
+\param bound made by `within_distance()` or `within_squared_distance()`.
+
+\return `false` iff the callback or the progress functor stopped the search.
+
+\throws std::invalid_argument as `thick_feature_intersection_d()`, and if the bound is negative or
+NaN.
+
+\sa `thick_feature_intersection_d()`
+*/
+template <class ConcurrencyTag = Sequential_tag, class FeatureRangeA, class FeatureRangeB, class NT,
+          class Callback, class NamedParameters = parameters::Default_named_parameters>
+bool fixed_radius_near_features(FeatureRangeA&& features_a, FeatureRangeB&& features_b,
+                                const Distance_bound<NT>& bound, Callback&& callback,
+                                const NamedParameters& np = parameters::default_values())
+{
+  return Thick_intersection_d::internal::search_features<ConcurrencyTag>(features_a, features_b,
+                                                                         bound, callback, np);
 }
 
 } // namespace CGAL

@@ -97,8 +97,8 @@ struct Features_3
   }
 };
 
-// Calls search(callback) for one range, and search(callback) for two, of which the first has a third
-// of the features. Compares the pairs with those expected.
+// Compares the pairs expected with those of one range, and with those of two ranges, of which the
+// first has a third of the features.
 template <class One, class Two>
 void check_feature_pairs(const Pairs& expected, std::size_t size, const One& search_one,
                          const Two& search_two, const char* how)

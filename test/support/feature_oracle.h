@@ -67,7 +67,7 @@ inline bool do_meet(const Lattice_segment& a, const Lattice_segment& b)
                             Hull_vectors<std::int64_t>(b.begin(), b.end()));
 }
 
-// Whether `p`, which is on no edge of the ring, is inside. The ray goes up so steeply that it passes
+// Whether `p`, which is on no edge of the ring, is inside. The ray goes up so steeply that it has
 // no other point of the lattice.
 inline bool is_inside_ring(const Lattice_point& p, const Chain& ring)
 {

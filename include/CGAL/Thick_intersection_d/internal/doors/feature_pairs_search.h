@@ -5,10 +5,14 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_FEATURE_PAIRS_SEARCH_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_FEATURE_PAIRS_SEARCH_H
 
-// The searches behind thick_feature_self_intersection_d() and thick_feature_intersection_d(): the
-// segments of all features take the box route, and then the first vertices of features and the
-// polygons that these may be inside.
+// The searches behind thick_feature_self_intersection_d(), thick_feature_intersection_d() and
+// fixed_radius_near_features(): the segments of all features take the box route, and then the first
+// vertices of features and the polygons that these may be inside.
 
+#include <CGAL/Arithmetic_tier.h>
+#include <CGAL/Distance_bound.h>
+
+#include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/check_denormals.h>
 #include <CGAL/Thick_intersection_d/internal/doors/box_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/features/Feature_boundaries.h>
@@ -16,15 +20,20 @@
 #include <CGAL/Thick_intersection_d/internal/features/Feature_segments.h>
 #include <CGAL/Thick_intersection_d/internal/features/Known_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/features/feature_kinds.h>
+#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/input/vertices.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Hull_bound.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/are_objects_near.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -50,6 +59,54 @@ constexpr bool check_features()
   static_assert(are_alike, "The features of the two ranges are to have points of one type.");
   return are_features && are_alike;
 }
+
+// Pairs of features that are within a bound. If one is inside the other, their distance is zero.
+template <class Segment>
+class Segments_near
+{
+  using Exact = Common_exact_number_t<Segment>;
+
+public:
+  template <class NT>
+  explicit Segments_near(const Distance_bound<NT>& bound)
+    : bound_(bound), takes_zero_(!bound.is_open() || bound.value() != NT(0))
+  {
+    hull_bound_ = make_hull_bound(bound, bound_);
+  }
+
+  bool operator()(const Segment& a, const Segment& b) const
+  {
+    Arithmetic_tier tier = Arithmetic_tier::INT64;
+    const auto exact_bound = [&]() -> const Squared_bound<Exact>& { return bound_; };
+    return are_kinds_near(a, b, hull_bound_, exact_bound, tier);
+  }
+
+  // Two intervals meet if their distance is at most the reach. The sum is rounded once.
+  Interval grown(const Interval& interval) const
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return {interval.low, std::nextafter(interval.high + bound_.reach(), infinity)};
+  }
+
+  bool takes_insides() const { return takes_zero_; }
+
+private:
+  const Squared_bound<Exact> bound_;
+  const bool takes_zero_;
+  Hull_bound hull_bound_;
+};
+
+// The test of segments for features that intersect, or that are within a bound.
+template <class Segment, class Relation>
+struct Segment_test
+{
+  using type = Relation;
+};
+template <class Segment, class NT>
+struct Segment_test<Segment, Distance_bound<NT>>
+{
+  using type = Segments_near<Segment>;
+};
 
 // Where the second range begins, in the numberings of features, parts and segments. If there is one
 // range, this is at zero.
@@ -82,7 +139,7 @@ public:
       return put(segments_.feature_of(i), segments_.feature_of(second_.segments + j));
     };
     return report_meeting_boxes<ConcurrencyTag>(boundaries, sets, take, progress_)
-           && (segments_.polygon_count() == 0 || search_insides());
+           && (segments_.polygon_count() == 0 || !test.takes_insides() || search_insides());
   }
 
 private:
@@ -122,14 +179,16 @@ private:
   Known_pairs<ConcurrencyTag> known_;
 };
 
-// Reads the features, and reports the pairs. Returns false iff the search was stopped.
-template <class ConcurrencyTag, class Sets, class First, class Second, class Test, class Callback,
-          class NamedParameters>
-bool report_feature_pairs(const First& first, const Second& second, const Test& test,
+// Reads the features, and reports the pairs. `relation` is a bound, or the test of segments itself.
+// Returns false iff the search was stopped.
+template <class ConcurrencyTag, class Sets, class First, class Second, class Relation,
+          class Callback, class NamedParameters>
+bool report_feature_pairs(const First& first, const Second& second, const Relation& relation,
                           Callback& callback, const NamedParameters& np)
 {
   check_denormals();
   using Segments = Feature_segments<Point_of_features<First>>;
+  const typename Segment_test<typename Segments::Segment, Relation>::type test(relation);
   Segments segments;
   Feature_ranges ranges;
   segments.add_features(first);
@@ -140,13 +199,13 @@ bool report_feature_pairs(const First& first, const Second& second, const Test& 
   if(!fits_box_route(segments.feature_count()))
     throw std::length_error("There are too many features: "
                             + std::to_string(segments.feature_count()) + ".");
-  const bool has_polygons = segments.polygon_count() != 0;
+  const bool has_insides = segments.polygon_count() != 0 && test.takes_insides();
   auto&& report = pair_output<ConcurrencyTag>(first, second, callback);
   auto progress = make_progress(
-    np, segments.size()
-          + (has_polygons ? segments.part_count() + segments.polygon_count() : 0));
-  return Feature_search<ConcurrencyTag, Sets, Segments, std::remove_reference_t<decltype(report)>,
-                        decltype(progress)>(segments, ranges, report, progress)
+    np, segments.size() + (has_insides ? segments.part_count() + segments.polygon_count() : 0));
+  using Report = std::remove_reference_t<decltype(report)>;
+  return Feature_search<ConcurrencyTag, Sets, Segments, Report, decltype(progress)>(
+           segments, ranges, report, progress)
     .search(test);
 }
 
@@ -166,27 +225,29 @@ constexpr bool check_feature_search()
     return false;
 }
 
-// Reports the pairs of features of a range that pass the test.
-template <class ConcurrencyTag, class Range, class Test, class Callback, class NamedParameters>
-bool search_features(Range& range, const Test& test, Callback& callback, const NamedParameters& np)
+// Reports the pairs of features of a range.
+template <class ConcurrencyTag, class Range, class Relation, class Callback, class NamedParameters>
+bool search_features(Range& range, const Relation& relation, Callback& callback,
+                     const NamedParameters& np)
 {
   if constexpr(check_feature_search<ConcurrencyTag, Callback, NamedParameters, Range, Range>()) {
     const auto elements = make_elements(range, np);
-    return report_feature_pairs<ConcurrencyTag, One_set>(elements, elements, test, callback, np);
+    return report_feature_pairs<ConcurrencyTag, One_set>(elements, elements, relation, callback,
+                                                         np);
   }
   else
     return false;
 }
 
 // The same of two ranges.
-template <class ConcurrencyTag, class First, class Second, class Test, class Callback,
+template <class ConcurrencyTag, class First, class Second, class Relation, class Callback,
           class NamedParameters>
-bool search_features(First& first, Second& second, const Test& test, Callback& callback,
+bool search_features(First& first, Second& second, const Relation& relation, Callback& callback,
                      const NamedParameters& np)
 {
   if constexpr(check_feature_search<ConcurrencyTag, Callback, NamedParameters, First, Second>())
     return report_feature_pairs<ConcurrencyTag, Two_sets>(
-      make_elements(first, np), make_elements(second, np), test, callback, np);
+      make_elements(first, np), make_elements(second, np), relation, callback, np);
   else
     return false;
 }

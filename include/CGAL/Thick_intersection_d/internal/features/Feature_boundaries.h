@@ -35,6 +35,9 @@ struct Segments_intersect
   }
 
   static Interval grown(const Interval& interval) { return interval; }
+
+  // Whether features are a pair if one is inside the other.
+  static constexpr bool takes_insides() { return true; }
 };
 
 // `Test` is like Segments_intersect.

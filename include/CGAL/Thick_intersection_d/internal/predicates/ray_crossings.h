@@ -16,13 +16,16 @@
 #include <CGAL/Thick_intersection_d/internal/input/vertices.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Kernel_orientation.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Staged_orientation.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/do_kernel_objects_intersect.h>
 
 #include <cstddef>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
+
+template <class Segment>
+using Exact_kernel_of = Kernel_with_exact_predicates<typename Kernel_traits<Segment>::Kernel>;
 
 // Whether a vertex of an edge is above the source of `ray`. Doubles decide nearly always.
 template <class Segment>
@@ -34,9 +37,9 @@ bool is_above_ray(const Segment& edge, int v, const Segment& ray)
     return true;
   if(y.second <= height.first)
     return false;
-  return CGAL::compare(with_exact_predicates(vertex_of(edge, v)).cartesian(1),
-                       with_exact_predicates(vertex_of(ray, 0)).cartesian(1))
-         == LARGER;
+  const auto end = exact_vertex<Exact_kernel_of<Segment>, 2>(edge, static_cast<std::size_t>(v));
+  const auto source = exact_vertex<Exact_kernel_of<Segment>, 2>(ray, 0);
+  return CGAL::compare(end.cartesian(1), source.cartesian(1)) == LARGER;
 }
 
 template <class Orientation>
@@ -61,11 +64,11 @@ Sign turn_to_source(const Segment& edge, const Segment& ray)
   });
   if(are_doubles)
     return turn_of_vertices<Orientation>(vertices);
-  using Kernel = Kernel_with_exact_predicates<typename Kernel_traits<Segment>::Kernel>;
+  using Kernel = Exact_kernel_of<Segment>;
   using Exact_orientation = Kernel_orientation<Kernel, 2, 3>;
   typename Exact_orientation::Vertices exact_vertices
-    = {with_exact_predicates(vertex_of(edge, 0)), with_exact_predicates(vertex_of(edge, 1)),
-       with_exact_predicates(vertex_of(ray, 0))};
+    = {exact_vertex<Kernel, 2>(edge, 0), exact_vertex<Kernel, 2>(edge, 1),
+       exact_vertex<Kernel, 2>(ray, 0)};
   return turn_of_vertices<Exact_orientation>(exact_vertices);
 }
 
