@@ -13,6 +13,7 @@
 #include <CGAL/external_fixed_radius_near_neighbors.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
 #include <CGAL/thick_box_intersection_d.h>
+#include <CGAL/thick_feature_intersection_d.h>
 #include <CGAL/thick_intersection_d.h>
 
 #include <array>
@@ -33,6 +34,7 @@ struct Point_of_any_dimension
 };
 
 const std::vector<Point> points;
+const std::vector<Kernel::Point_3> points_in_space;
 const std::vector<Point_of_any_dimension> points_of_any_dimension;
 const std::vector<std::array<double, 2>> arrays;
 const std::vector<Kernel::Weighted_point_2> weighted_points;
@@ -128,6 +130,14 @@ void make_mistakes()
   // property map to such objects as point_map.
   CGAL::thick_self_intersection_d(
     points, report, CGAL::parameters::geom_traits(CGAL::Thick_ball_traits_d<Point>(balls)));
+
+  // error: The elements of the range are to be polylines or polygons: ranges of Point_2 or
+  // Point_3, Polygon_2 or Polygon_with_holes_2. For others, pass a property map to such features
+  // as point_map.
+  CGAL::thick_feature_self_intersection_d(boxes, report);
+
+  // error: The features of the two ranges are to have points of one type.
+  CGAL::thick_feature_intersection_d(points, points_in_space, report);
 
   // error: The callback is to take two boxes, as the iterators give them.
   CGAL::thick_box_self_intersection_d(boxes_with_ids.begin(), boxes_with_ids.end(), [](int) {});

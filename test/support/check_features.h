@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <initializer_list>
 #include <iterator>
 #include <type_traits>
@@ -172,6 +173,29 @@ void check_feature_scenes(int dimension, std::initializer_list<Scale> scales)
       (check_features_on_kernel<Features<Kernels>, Kernels>(scene, expected, scale), ...);
   }
   BOOST_CHECK_GT(pairs, 100u);
+}
+
+// Pairs within a bound on the squared distance, closed or open.
+template <class Features>
+void check_near_features(int dimension, std::int64_t r2, bool is_open)
+{
+  const CGAL::Distance_bound<double> bound(static_cast<double>(r2), true, is_open);
+  for(const Feature_scene& scene : feature_scenes(dimension)) {
+    std::vector<typename Features::Feature> all;
+    for(const Lattice_feature& feature : scene.features)
+      all.push_back(Features::make(feature, Scale::ONE));
+    const auto middle = all.begin() + static_cast<std::ptrdiff_t>(first_set_size(all.size()));
+    const std::vector<typename Features::Feature> a(all.begin(), middle), b(middle, all.end());
+    check_feature_pairs(
+      near_feature_pairs(scene.features, r2, is_open), all.size(),
+      [&](const Callback& callback) {
+        return CGAL::fixed_radius_near_features<CGAL::Parallel_tag>(all, bound, callback);
+      },
+      [&](const Callback& callback) {
+        return CGAL::fixed_radius_near_features(a, b, bound, callback);
+      },
+      scene.name.c_str());
+  }
 }
 
 } // namespace test_support

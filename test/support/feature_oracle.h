@@ -12,10 +12,14 @@
 #include "hull_oracle.h"
 #include "pairs.h"
 
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Simple_cartesian.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace test_support {
@@ -57,7 +61,7 @@ inline std::vector<Lattice_segment> segments_of(const Lattice_feature& feature)
   return segments;
 }
 
-inline bool do_meet(const Lattice_segment& a, const Lattice_segment& b)
+inline bool do_segments_meet(const Lattice_segment& a, const Lattice_segment& b)
 {
   for(std::size_t axis = 0; axis < 3; ++axis)
     if((std::max)(a[0][axis], a[1][axis]) < (std::min)(b[0][axis], b[1][axis])
@@ -103,7 +107,9 @@ inline bool has_vertex_inside(const Lattice_feature& a, const Lattice_feature& b
   });
 }
 
-inline Pairs intersecting_pairs(const Lattice_features& features)
+// The pairs of features that have segments of which do_pair() says so, or a vertex inside.
+template <class Function>
+Pairs pairs_of_features(const Lattice_features& features, const Function& do_pair)
 {
   std::vector<std::vector<Lattice_segment>> segments;
   for(const Lattice_feature& feature : features)
@@ -111,16 +117,57 @@ inline Pairs intersecting_pairs(const Lattice_features& features)
   Pairs pairs;
   for(std::size_t j = 0; j < features.size(); ++j)
     for(std::size_t i = 0; i < j; ++i) {
-      const bool do_segments_meet
+      const bool are_any
         = std::any_of(segments[i].begin(), segments[i].end(), [&](const auto& a) {
             return std::any_of(segments[j].begin(), segments[j].end(),
-                               [&](const auto& b) { return do_meet(a, b); });
+                               [&](const auto& b) { return do_pair(a, b); });
           });
-      if(do_segments_meet || has_vertex_inside(features[i], features[j])
+      if(are_any || has_vertex_inside(features[i], features[j])
          || has_vertex_inside(features[j], features[i]))
         pairs.emplace_back(i, j);
     }
   return pairs;
+}
+
+inline Pairs intersecting_pairs(const Lattice_features& features)
+{
+  return pairs_of_features(features, do_segments_meet);
+}
+
+// Whether two segments that do not meet are within a bound on the squared distance.
+inline bool are_near(const Lattice_segment& a, const Lattice_segment& b, std::int64_t r2,
+                     bool is_open)
+{
+  using Kernel = CGAL::Simple_cartesian<CGAL::Exact_rational>;
+  for(std::size_t axis = 0; axis < 3; ++axis) {
+    const std::int64_t gap
+      = (std::max)((std::min)(a[0][axis], a[1][axis]) - (std::max)(b[0][axis], b[1][axis]),
+                   (std::min)(b[0][axis], b[1][axis]) - (std::max)(a[0][axis], a[1][axis]));
+    if(gap > 0 && gap * gap > r2)
+      return false;
+  }
+  const auto point = [](const Lattice_point& p) {
+    const auto x = [&](std::size_t axis) { return static_cast<double>(p[axis]); };
+    return Kernel::Point_3(x(0), x(1), x(2));
+  };
+  const auto object = [&](const Lattice_segment& s) {
+    return std::pair(Kernel::Segment_3(point(s[0]), point(s[1])), s[0] == s[1]);
+  };
+  const auto [s, is_s_point] = object(a);
+  const auto [t, is_t_point] = object(b);
+  const CGAL::Exact_rational distance
+    = is_s_point && is_t_point ? CGAL::squared_distance(s.source(), t.source())
+      : is_s_point             ? CGAL::squared_distance(s.source(), t)
+      : is_t_point             ? CGAL::squared_distance(s, t.source())
+                               : CGAL::squared_distance(s, t);
+  return is_open ? distance < r2 : distance <= r2;
+}
+
+inline Pairs near_feature_pairs(const Lattice_features& features, std::int64_t r2, bool is_open)
+{
+  return pairs_of_features(features, [=](const auto& a, const auto& b) {
+    return do_segments_meet(a, b) || are_near(a, b, r2, is_open);
+  });
 }
 
 } // namespace test_support

@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Polylines and polygons that are near each other, and what the functions for features promise
+// besides.
+
+#include "support/check_features.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <iterator>
+#include <limits>
+#include <list>
+#include <stdexcept>
+#include <string>
+
+using namespace test_support;
+
+using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Epick::Point_2;
+using Polyline = std::vector<Point>;
+using Polygon = CGAL::Polygon_2<Epick>;
+using With_holes = CGAL::Polygon_with_holes_2<Epick>;
+
+namespace {
+
+Polygon polygon(const Chain& chain)
+{
+  const Polyline points = Features_2<Epick>::points(chain, Scale::ONE);
+  return Polygon(points.begin(), points.end());
+}
+
+template <class Features>
+std::string message_of(const Features& features)
+{
+  try {
+    CGAL::thick_feature_self_intersection_d(features, [](std::size_t, std::size_t) {});
+  }
+  catch(const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(near_features_of_doubles)
+{
+  check_near_features<Features_2<Epick>>(2, 4, false);
+  check_near_features<Features_2<Epick>>(2, 4, true);
+  check_near_features<Features_2<Epick>>(2, 5, false);
+  check_near_features<Features_2<Epick>>(2, 0, false);
+  check_near_features<Features_3<Epick>>(3, 5, false);
+}
+
+BOOST_AUTO_TEST_CASE(near_features_of_exact_numbers)
+{
+  check_near_features<Features_2<Epeck>>(2, 2, true);
+}
+
+BOOST_AUTO_TEST_CASE(nothing_is_closer_than_zero)
+{
+  const std::vector<Polygon> polygons = {polygon(square(0, 0, 9)), polygon(square(3, 3, 3))};
+  CGAL::fixed_radius_near_features(polygons, CGAL::within_distance(0).open(),
+                                   [](std::size_t, std::size_t) { BOOST_ERROR("a pair"); });
+  BOOST_CHECK_THROW(CGAL::fixed_radius_near_features(polygons, CGAL::within_distance(-1),
+                                                     [](std::size_t, std::size_t) {}),
+                    std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(two_ranges_hold_features_of_different_kinds)
+{
+  const std::list<Polygon> polygons = {polygon(square(0, 0, 9)), polygon(square(20, 0, 9))};
+  const std::vector<Point> points = {Point(9, 9), Point(10, 10), Point(21, 1)};
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  CGAL::thick_feature_intersection_d(points, polygons, std::back_inserter(pairs));
+  BOOST_CHECK(sorted(pairs) == Pairs({{0, 0}, {2, 1}}));
+  std::vector<std::pair<Polygon, Point>> elements;
+  CGAL::thick_feature_intersection_d(polygons, points,
+                                     CGAL::with_elements(std::back_inserter(elements)));
+  BOOST_REQUIRE_EQUAL(elements.size(), 2u);
+  for(const auto& [a, p] : elements)
+    BOOST_CHECK(!a.has_on_unbounded_side(p));
+}
+
+BOOST_AUTO_TEST_CASE(each_pair_is_reported_once_however_many_segments_meet)
+{
+  Polyline zigzag, line = {Point(-1, 0), Point(1001, 0)};
+  for(int i = 0; i <= 1000; ++i)
+    zigzag.emplace_back(i, i % 2 == 0 ? 1 : -1);
+  Pairs pairs;
+  CGAL::thick_feature_self_intersection_d(std::vector<Polyline>{zigzag, line},
+                                          std::back_inserter(pairs));
+  BOOST_CHECK(pairs == Pairs({{0, 1}}));
+}
+
+BOOST_AUTO_TEST_CASE(callback_and_progress_stop_the_search)
+{
+  const std::vector<Polygon> polygons(20, polygon(square(0, 0, 9)));
+  std::size_t count = 0;
+  BOOST_CHECK(!CGAL::thick_feature_self_intersection_d(
+    polygons, [&](std::size_t, std::size_t) { return ++count < 7; }));
+  BOOST_CHECK_EQUAL(count, 7u);
+  std::vector<Polygon> nested;
+  for(int i = 0; i < 20; ++i)
+    nested.push_back(polygon(square(i, i, 100 - 2 * i)));
+  count = 0;
+  BOOST_CHECK(!CGAL::thick_feature_self_intersection_d(
+    nested, [&](std::size_t, std::size_t) { return ++count < 7; }));
+  BOOST_CHECK_EQUAL(count, 7u);
+  double last = 0;
+  BOOST_CHECK(CGAL::thick_feature_self_intersection_d(
+    nested, [](std::size_t, std::size_t) {}, CGAL::parameters::callback([&](double done) {
+      last = done;
+      return true;
+    })));
+  BOOST_CHECK_EQUAL(last, 1);
+  BOOST_CHECK(!CGAL::thick_feature_self_intersection_d(
+    nested, [](std::size_t, std::size_t) {},
+    CGAL::parameters::callback([](double) { return false; })));
+}
+
+BOOST_AUTO_TEST_CASE(errors_name_the_feature)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<Polyline> lines = {{Point(0, 0)}, {}, {Point(0, 0), Point(1, nan)}};
+  BOOST_CHECK_EQUAL(message_of(lines), "Coordinate 1 of vertex of feature 2 is NaN or infinite.");
+  const std::vector<With_holes> polygons = {With_holes(polygon(square(0, 0, 1))), With_holes()};
+  BOOST_CHECK_EQUAL(message_of(polygons), "Feature 1 has no outer boundary.");
+}
+
+BOOST_AUTO_TEST_CASE(features_without_points_are_in_no_pair)
+{
+  const std::vector<std::variant<Polyline, Polygon>> features
+    = {Polyline(), Polygon(), polygon(square(0, 0, 1)), Polyline(1, Point(0, 0))};
+  Pairs pairs;
+  CGAL::thick_feature_self_intersection_d(features, std::back_inserter(pairs));
+  BOOST_CHECK(pairs == Pairs({{2, 3}}));
+}
