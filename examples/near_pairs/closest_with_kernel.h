@@ -6,11 +6,19 @@
 #ifndef NEAR_PAIRS_CLOSEST_WITH_KERNEL_H
 #define NEAR_PAIRS_CLOSEST_WITH_KERNEL_H
 
+#include "closest_between.h"
+#include "error.h"
 #include "exact_number.h"
 #include "rational.h"
 #include "search_with_kernel.h"
 
 #include <CGAL/closest_pair.h>
+#include <CGAL/tags.h>
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace near_pairs {
 
@@ -29,6 +37,19 @@ inline CGAL::Exact_rational exact_squared_distance(const Scene& scene, std::size
   return sum / power_of_ten(2 * scene.scale);
 }
 
+// Positions in the scene.
+template <class ConcurrencyTag, class Point>
+std::pair<std::size_t, std::size_t> closest_by(const std::vector<Point>& points,
+                                               std::optional<std::size_t> first_size)
+{
+  if(!first_size)
+    return CGAL::closest_pair<ConcurrencyTag>(points);
+  if(*first_size == 0 || *first_size == points.size())
+    throw Error("--closest needs a point in each file");
+  const auto [i, j] = Closest_between<ConcurrencyTag, Point>(points, *first_size)();
+  return {i, *first_size + j};
+}
+
 template <class Point>
 Closest_result closest_of_points(const std::vector<Point>& points, const Scene& scene,
                                  const Search_options& options)
@@ -37,10 +58,10 @@ Closest_result closest_of_points(const std::vector<Point>& points, const Scene& 
   const auto start = std::chrono::steady_clock::now();
 #ifdef CGAL_LINKED_WITH_TBB
   if(options.parallel)
-    result.pair = CGAL::closest_pair<CGAL::Parallel_tag>(points);
+    result.pair = closest_by<CGAL::Parallel_tag>(points, scene.first_size);
   else
 #endif
-    result.pair = CGAL::closest_pair(points);
+    result.pair = closest_by<CGAL::Sequential_tag>(points, scene.first_size);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const auto [i, j] = result.pair;
   result.squared_distance = Exact_number({exact_squared_distance(scene, i, j)});

@@ -8,6 +8,8 @@
 #include "decimal.h"
 #include "error.h"
 #include "record.h"
+#include "row_numbers.h"
+#include "text.h"
 
 #include <algorithm>
 #include <cctype>
@@ -44,12 +46,13 @@ bool has_word(const std::string& text, const std::string& prefix)
 
 bool is_latitude(const std::string& name)
 {
-  return has_word(lower_case(name), "lat");
+  return has_word(lower_case(name), "lat") || lower_case(name) == "y";
 }
 
 bool is_longitude(const std::string& name)
 {
-  return has_word(lower_case(name), "lon") || has_word(lower_case(name), "lng");
+  return has_word(lower_case(name), "lon") || has_word(lower_case(name), "lng")
+         || lower_case(name) == "x";
 }
 
 // Whether the bytes may be those of a compressed file, or of a program.
@@ -69,6 +72,12 @@ std::optional<std::size_t> numbered_column(const std::string& text, std::size_t 
   return *number - 1;
 }
 
+std::vector<std::string> in_utf8(std::vector<std::string> names)
+{
+  std::transform(names.begin(), names.end(), names.begin(), utf8);
+  return names;
+}
+
 std::string joined(const std::vector<std::string>& names)
 {
   std::string list;
@@ -80,18 +89,21 @@ std::string joined(const std::vector<std::string>& names)
 } // namespace
 
 Csv_reader::Csv_reader(const Input& input, const Read_options& options)
-  : lines_(input), separator_(options.separator)
+  : lines_(input), separator_(options.separator), comma_numbers_(options.comma_numbers),
+    skip_missing_(options.skip_missing)
 {
+  is_table = true;
   if(!next_record(fields_))
     throw Error(lines_.file(), "is empty");
   fields_per_row_ = fields_.size();
   is_first_row_ready_ = options.no_header || are_numbers(options.columns);
   if(!is_first_row_ready_)
-    header_ = fields_;
+    header_ = in_utf8(fields_);
   if(!header_.empty() || has_header_in_comment(options))
     choose_columns(options);
   else
     choose_columns_by_number(options);
+  check_columns_differ();
   dimension = static_cast<int>(columns_.size());
   if(options.id.empty())
     has_ids = find_column("id", id_column_);
@@ -103,19 +115,47 @@ Csv_reader::Csv_reader(const Input& input, const Read_options& options)
 
 bool Csv_reader::next(Row& row)
 {
-  if(!is_first_row_ready_ && !next_record(fields_))
-    return false;
-  is_first_row_ready_ = false;
-  row.line = first_line_;
-  if(fields_.size() != fields_per_row_)
-    throw Error(lines_.file(), row.line, plural(fields_.size(), "field") + ", but the "
-                + (header_.empty() ? "first row" : "header") + " has "
-                + std::to_string(fields_per_row_));
-  for(std::size_t axis = 0; axis < columns_.size(); ++axis)
-    row.coordinates[axis] = fields_[columns_[axis]];
+  do {
+    if(!is_first_row_ready_ && !next_record(fields_))
+      return false;
+    is_first_row_ready_ = false;
+    check_fields();
+    row.position = rows_++;
+    row.line = first_line_;
+  } while(skip_missing_ && is_coordinate_missing() && ++skipped);
+  for(int axis = 0; axis < dimension; ++axis)
+    row.coordinates[axis] = number_text(axis);
   if(has_ids)
     row.id = fields_[id_column_];
   return true;
+}
+
+void Csv_reader::check_fields() const
+{
+  if(fields_.size() != fields_per_row_)
+    throw Error(lines_.file(), first_line_, plural(fields_.size(), "field") + ", but the "
+                + (header_.empty() ? "first row" : "header") + " has "
+                + std::to_string(fields_per_row_));
+}
+
+bool Csv_reader::is_coordinate_missing() const
+{
+  return std::any_of(columns_.begin(), columns_.end(),
+                     [&](std::size_t column) { return is_missing(fields_[column]); });
+}
+
+// A coordinate of the row in hand, with the decimal point that all formats have.
+std::string Csv_reader::number_text(int axis) const
+{
+  std::string text = fields_[columns_[axis]];
+  if(!comma_numbers_)
+    return text;
+  if(text.find('.') != std::string::npos && parse_decimal(text))
+    throw Error(lines_.file(), first_line_, names[axis] + ": '" + text + "' has a point, and "
+                "--comma-numbers is for commas");
+  if(has_decimal_comma(text))
+    text[text.find(',')] = '.';
+  return text;
 }
 
 // Reads the next record; a line end inside quotes is part of it.
@@ -133,7 +173,7 @@ bool Csv_reader::next_record(std::vector<std::string>& fields)
     record.append(1, '\n').append(line);
   }
   if(separator_ == 0)
-    separator_ = found_separator(record);
+    separator_ = found_separator(record, comma_numbers_ ? "\t;" : "\t;,");
   if(!split_record(record, separator_, fields))
     throw Error(lines_.file(), first_line_, "a quoted field does not end at a separator");
   return true;
@@ -156,7 +196,9 @@ bool Csv_reader::next_text(std::string& record)
 // number.
 bool Csv_reader::are_numbers(const std::vector<std::string>& wanted) const
 {
-  const auto is_number = [](const std::string& field) { return parse_decimal(field).has_value(); };
+  const auto is_number = [&](const std::string& field) {
+    return parse_decimal(field) || (comma_numbers_ && has_decimal_comma(field));
+  };
   if(wanted.empty())
     return std::all_of(fields_.begin(), fields_.end(), is_number);
   return std::all_of(wanted.begin(), wanted.end(), [&](const std::string& name) {
@@ -171,6 +213,7 @@ bool Csv_reader::has_header_in_comment(const Read_options& options)
      !split_record(std::string(trimmed(comment_)), separator_, header_) ||
      header_.size() != fields_per_row_ || !find_usual_columns(options))
     header_.clear();
+  header_ = in_utf8(header_);
   columns_.clear();
   return !header_.empty();
 }
@@ -189,11 +232,27 @@ void Csv_reader::choose_columns(const Read_options& options)
                 "among " + joined(header_)
                 + (has_number ? ", and with --no-header if this is a point" : ""));
   }
+  if(options.geographic)
+    put_latitude_first();
   for(std::size_t axis = 0; axis < columns_.size(); ++axis)
     names[axis] = header_[columns_[axis]];
-  if(options.geographic && is_longitude(names[0]) && is_latitude(names[1]))
-    throw Error(lines_.file(), first_line_, "--columns needs the latitude before the longitude, "
-                "and " + names[0] + " is before " + names[1]);
+}
+
+// The names of two columns may tell which is the longitude, though it was given first.
+void Csv_reader::put_latitude_first()
+{
+  const std::string& first = header_[columns_[0]];
+  const std::string& second = header_[columns_[1]];
+  if((is_longitude(first) && !is_longitude(second)) || (is_latitude(second) && !is_latitude(first)))
+    std::swap(columns_[0], columns_[1]);
+}
+
+void Csv_reader::check_columns_differ() const
+{
+  for(auto column = columns_.begin(); column != columns_.end(); ++column)
+    if(std::find(columns_.begin(), column, *column) != column)
+      throw Error(lines_.file(), first_line_, "--columns takes column "
+                  + std::to_string(*column + 1) + " twice");
 }
 
 // Without a header, the columns that are not given are the first two or three, if the file has no
@@ -209,7 +268,8 @@ void Csv_reader::choose_columns_by_number(const Read_options& options)
   const std::size_t wanted = options.dimension == 0 ? fields_per_row_ : options.dimension;
   if(options.geographic || wanted < 2 || wanted > 3 || wanted > fields_per_row_)
     throw Error(lines_.file(), first_line_, "no header, and " + plural(fields_per_row_, "field")
-                + "; choose the coordinates with --columns, by number from 1");
+                + "; choose the coordinates with --columns, by number from 1"
+                + (options.geographic ? ", the latitude first" : ""));
   for(std::size_t column = 0; column < wanted; ++column)
     columns_.push_back(column);
 }
@@ -233,21 +293,35 @@ std::size_t Csv_reader::named_column(const std::string& name) const
                                  : joined(header_)));
 }
 
+// Case matters only if nothing else tells two columns apart.
 bool Csv_reader::find_column(const std::string& name, std::size_t& column) const
 {
+  const std::string wanted = utf8(name);
+  const auto is_exact = [&](const std::string& other) { return other == wanted; };
   const auto is_it = [&](const std::string& other) {
-    return lower_case(other) == lower_case(name);
+    return lower_case(other) == lower_case(wanted);
   };
-  column = std::find_if(header_.begin(), header_.end(), is_it) - header_.begin();
-  return column < header_.size();
+  const auto find = [&](auto is_wanted) {
+    const auto first = std::find_if(header_.begin(), header_.end(), is_wanted);
+    const auto second = first == header_.end() ? first : std::find_if(first + 1, header_.end(),
+                                                                      is_wanted);
+    if(second != header_.end())
+      throw Error(lines_.file(), first_line_, "columns "
+                  + std::to_string(first - header_.begin() + 1) + " and "
+                  + std::to_string(second - header_.begin() + 1) + " are both named " + *second
+                  + "; choose one by its number");
+    column = first - header_.begin();
+    return first != header_.end();
+  };
+  return find(is_exact) || find(is_it);
 }
 
 bool Csv_reader::find_column_where(bool (*is_it)(const std::string&, const std::string&),
                                    const std::string& prefix, std::size_t& column) const
 {
   const auto is_this = [&](const std::string& name) { return is_it(lower_case(name), prefix); };
-  column = std::find_if(header_.begin(), header_.end(), is_this) - header_.begin();
-  return column < header_.size();
+  const auto first = std::find_if(header_.begin(), header_.end(), is_this);
+  return first != header_.end() && find_column(*first, column);
 }
 
 // Takes x, y and, if it exists and is wanted (0: yes), z.

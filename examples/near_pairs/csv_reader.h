@@ -17,6 +17,8 @@ namespace near_pairs {
 
 // Blank lines are skipped, and so are lines that begin with #.
 //
+// Names of columns may be in UTF-8 or in Latin-1, and are UTF-8 from here on.
+//
 // The first record is a point, and no header, if the user says so, or if numbers stand where the
 // coordinates are. Then the comment before it is taken as the header if it names the coordinates.
 class Csv_reader : public Row_reader
@@ -30,9 +32,14 @@ private:
   bool next_record(std::vector<std::string>& fields);
   bool next_text(std::string& record);
   bool are_numbers(const std::vector<std::string>& wanted) const;
+  bool is_coordinate_missing() const;
+  void check_fields() const;
+  std::string number_text(int axis) const;
   bool has_header_in_comment(const Read_options& options);
   void choose_columns(const Read_options& options);
   void choose_columns_by_number(const Read_options& options);
+  void put_latitude_first();
+  void check_columns_differ() const;
   bool find_usual_columns(const Read_options& options);
   std::size_t named_column(const std::string& name) const;
   bool find_column(const std::string& name, std::size_t& column) const;
@@ -43,12 +50,15 @@ private:
 
   Lines lines_;
   char separator_;             // 0: to be found in the first record
+  const bool comma_numbers_;
+  const bool skip_missing_;
   std::size_t first_line_ = 0; // of the record in hand
   std::string comment_;        // the line before the record in hand, without its #, if it is one
   std::vector<std::string> header_; // empty if there is none
   std::vector<std::string> fields_;
   bool is_first_row_ready_ = false; // in fields_
   std::size_t fields_per_row_ = 0;
+  std::size_t rows_ = 0; // up to now, with those that are skipped
   std::vector<std::size_t> columns_;
   std::size_t id_column_ = 0;
 };

@@ -49,6 +49,7 @@ void print_summary(std::ostream& out, const Options& options, const External_res
   print_name(out, "pairs") << result.pairs << '\n';
   print_name(out, "distance")
     << distance_in_words(options, options.geographic ? "m" : "") << '\n';
+  print_name(out, "on boundary") << "not counted with --memory\n";
   print_kernel(out, options);
   print_costs(out, result.seconds, ", with reading and outputs");
 }
@@ -76,6 +77,8 @@ void run_external(const Options& options)
   std::ostream& out = options.pairs == "-" ? std::cerr : std::cout;
   print_summary(out, options, result);
   finish(out, "the summary");
+  if(pairs)
+    std::cerr << "near_pairs: hint: pairs are positions with --memory, without ids and distances\n";
 }
 
 } // namespace near_pairs

@@ -13,7 +13,9 @@
 #include <boost/iostreams/filtering_stream.hpp>
 #include <boost/iostreams/stream.hpp>
 
+#include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -47,8 +49,8 @@ void take_mark(std::string& line, const std::string& file)
 
 } // namespace
 
-Input::Input(const std::string& name)
-  : name_(name)
+Input::Input(const std::string& name, bool shows_progress)
+  : name_(name), shows_progress_(shows_progress)
 {
   const std::string magic = "\x1f\x8b"; // of gzip
   if(name == "-")
@@ -64,6 +66,8 @@ Input::Input(const std::string& name)
       std::string begin(magic.size(), '\0');
       file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
       is_compressed_ = begin == magic;
+      if(!is_compressed_)
+        size_ = std::filesystem::file_size(name, ignored);
       return;
     }
     bytes_ = all_bytes(file, name);
@@ -89,20 +93,35 @@ std::unique_ptr<std::istream> Input::open() const
   return std::make_unique<std::ifstream>(name_, std::ios::binary);
 }
 
+void Input::show_bytes(std::size_t bytes) const
+{
+  if(!shows_progress_)
+    return;
+  const std::size_t mebibytes = bytes >> 20;
+  if(size_ == 0)
+    std::fprintf(stderr, "reading %5zu MiB\r", mebibytes);
+  else
+    std::fprintf(stderr, "reading   %3zu %%  \r", 100 * std::min(bytes, size_) / (size_ + 1));
+}
+
 Lines::Lines(const Input& input)
-  : file_(input.name()), stream_(input.open())
+  : input_(input), stream_(input.open())
 {}
 
 bool Lines::next(std::string& line)
 {
   if(!std::getline(*stream_, line)) {
     if(stream_->bad())
-      throw Error(file_, "cannot be read to its end");
+      throw Error(file(), "cannot be read to its end");
     return false;
   }
   ++number_;
+  const std::size_t shown = bytes_ >> 20;
+  bytes_ += line.size() + 1;
+  if(number_ == 1 || bytes_ >> 20 != shown)
+    input_.show_bytes(bytes_);
   if(number_ == 1)
-    take_mark(line, file_);
+    take_mark(line, file());
   if(!line.empty() && line.back() == '\r')
     line.pop_back();
   return true;

@@ -17,7 +17,7 @@ class Input
 {
 public:
   // "-" is the standard input. Throws Error if there is nothing to read from.
-  explicit Input(const std::string& name);
+  explicit Input(const std::string& name, bool shows_progress = false);
 
   // The bytes from the first one on, each time; they are decompressed if they begin like a gzip
   // file. The stream must not outlive this object.
@@ -25,8 +25,13 @@ public:
 
   const std::string& name() const { return name_; }
 
+  // Shows that so many bytes of the stream have been read, if that is wanted.
+  void show_bytes(std::size_t bytes) const;
+
 private:
   std::string name_;
+  bool shows_progress_;
+  std::size_t size_ = 0; // in bytes; 0: not known
   bool is_kept_ = false;
   bool is_compressed_ = false;
   std::string bytes_; // what can be read only once, if is_kept_
@@ -45,12 +50,13 @@ public:
   bool skip_bytes(std::size_t count);
 
   std::size_t number() const { return number_; }
-  const std::string& file() const { return file_; }
+  const std::string& file() const { return input_.name(); }
 
 private:
-  std::string file_;
+  const Input& input_;
   std::unique_ptr<std::istream> stream_;
   std::size_t number_ = 0;
+  std::size_t bytes_ = 0; // of the lines, with their ends
 };
 
 } // namespace near_pairs

@@ -56,6 +56,12 @@ void print_points(std::ostream& out, const Scene& scene)
   if(scene.first_size)
     out << *scene.first_size << " and ";
   out << scene.size() - scene.first_size.value_or(0) << '\n';
+  if(scene.rows.empty())
+    return;
+  print_name(out, "skipped") << scene.skipped.front();
+  if(scene.first_size)
+    out << " and " << scene.skipped.back();
+  out << " rows\n";
 }
 
 void print_summary(std::ostream& out, const Scene& scene, const Options& options,
@@ -76,7 +82,7 @@ void print_summary(std::ostream& out, const Scene& scene, const Options& options
 {
   const auto [i, j] = result.pair;
   print_points(out, scene);
-  print_name(out, "closest pair") << i << ' ' << j;
+  print_name(out, "closest pair") << scene.position(i) << ' ' << scene.position(j);
   if(!scene.ids.empty())
     out << ", " << scene.ids[i] << " and " << scene.ids[j];
   out << '\n';

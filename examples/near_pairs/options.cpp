@@ -30,6 +30,8 @@ namespace {
 
 namespace po = boost::program_options;
 
+using Texts = std::vector<std::string>; // of an option that may be given for each file
+
 // Each description has one line, so that the help has one screen.
 constexpr unsigned columns = 80, columns_of_descriptions = 54;
 
@@ -49,6 +51,11 @@ void add_scene_options(po::options_description& all, Options& options)
     ("open", po::bool_switch(&options.open), "strictly closer pairs only")
     ("closest", po::bool_switch(&options.closest),
      "the closest pair and its exact squared distance");
+  all.add(scene);
+}
+
+void add_reading_options(po::options_description& all, Options& options)
+{
   po::options_description points = group("How a file is read");
   points.add_options()
     ("format", po::value<std::string>(&options.format)->value_name("NAME"),
@@ -56,16 +63,21 @@ void add_scene_options(po::options_description& all, Options& options)
     ("separator", po::value<std::string>()->value_name("CHAR"),
      "of a table; also tab, blanks (default: found)")
     ("no-header", po::bool_switch(&options.no_header), "the first row of a table is a point")
-    ("columns", po::value<std::string>()->value_name("A,B[,C]"),
-     "names or numbers (default: x,y[,z] or lat*,lon*)")
-    ("id", po::value<std::string>(&options.id)->value_name("COLUMN"),
-     "names the points (default: id)")
+    ("columns", po::value<Texts>()->value_name("A,B[,C]"),
+     "names or numbers (default: x,y[,z] or lat*,lon*) (1)")
+    ("id", po::value<Texts>()->value_name("COLUMN"),
+     "names the points (default: id) (1)")
+    ("comma-numbers", po::bool_switch(&options.comma_numbers),
+     "numbers in a table have a comma, as 3,14")
+    ("skip-missing", po::bool_switch(&options.skip_missing),
+     "leave out rows with an empty or NA coordinate")
     ("dimension", po::value<int>(&options.dimension)->value_name("2|3"),
      "use so many coordinates (default: all)")
     ("geographic", po::bool_switch(&options.geographic),
      "degrees on a sphere; R is straight: m, km, nmi, mi, ft")
-    ("decimal", po::bool_switch(&options.decimal), "take decimals exactly, not as doubles");
-  all.add(scene).add(points);
+    ("decimal", po::bool_switch(&options.decimal),
+     "take decimals exactly, not as doubles (2)");
+  all.add(points);
 }
 
 void add_search_options(po::options_description& all, Options& options)
@@ -118,8 +130,6 @@ void read_files(const po::variables_map& map, Options& options)
     options.files = map["file"].as<std::vector<std::string>>();
   if(options.files.empty() || options.files.size() > 2)
     throw Error("give one or two input files (--help lists the options)");
-  if(options.files.size() == 2 && options.closest)
-    throw Error("--closest is for one file");
   if(options.files == std::vector<std::string>{"-", "-"})
     throw Error("the standard input can be read only once");
 }
@@ -160,8 +170,8 @@ void read_distance(const po::variables_map& map, Options& options)
   if(map.count("distance") + map.count("squared-distance") + options.closest != 1)
     throw Error("give one of --distance, --squared-distance and --closest");
   if(options.closest) {
-    if(options.open || options.explain || options.progress)
-      throw Error("--open, --explain and --progress are for the pairs within a distance");
+    if(options.open || options.explain)
+      throw Error("--open and --explain are for the pairs within a distance");
     return;
   }
   options.squared = map.count("squared-distance") != 0;
@@ -178,20 +188,53 @@ void read_distance(const po::variables_map& map, Options& options)
   options.distance = *distance;
 }
 
-void read_columns(const po::variables_map& map, Options& options)
+// Splits the names of columns of coordinates.
+Texts parse_columns(const std::string& text, const Options& options)
 {
-  if(!map.count("columns"))
-    return;
-  std::istringstream list(map["columns"].as<std::string>());
+  Texts columns;
+  std::istringstream list(text);
   for(std::string name; std::getline(list, name, ','); )
-    options.columns.emplace_back(trimmed(name));
+    columns.emplace_back(trimmed(name));
   const std::size_t most = options.geographic ? 2 : 3;
-  if(options.columns.size() < 2 || options.columns.size() > most)
+  if(columns.size() < 2 || columns.size() > most)
     throw Error(options.geographic ? "--columns needs two names with --geographic"
                                    : "--columns needs two or three names");
-  const int given = static_cast<int>(options.columns.size());
+  const int given = static_cast<int>(columns.size());
   if(!options.geographic && options.dimension != 0 && options.dimension != given)
     throw Error("--columns and --dimension disagree");
+  return columns;
+}
+
+// The text of an option for file `file`: that of all files if it was given once. An empty text
+// stands for the default.
+std::string text_for_file(const po::variables_map& map, const std::string& option,
+                          std::size_t file)
+{
+  if(!map.count(option))
+    return "";
+  const Texts& texts = map[option].as<Texts>();
+  return texts.size() == 1 ? texts.front() : texts[file];
+}
+
+// The options of tables are for the tables among the files. If there is none, the readers refuse
+// them.
+void read_readings(const po::variables_map& map, Options& options)
+{
+  for(const char* option : {"columns", "id"})
+    if(map.count(option) && map[option].as<Texts>().size() > options.files.size())
+      throw Error(std::string("--") + option + " is given once, or once for each file");
+  const auto is_one = [&](const std::string& file) { return is_table(file, options); };
+  const bool has_table = std::any_of(options.files.begin(), options.files.end(), is_one);
+  for(std::size_t file = 0; file < options.files.size(); ++file) {
+    Read_options reading = options;
+    reading.id = text_for_file(map, "id", file);
+    const std::string columns = text_for_file(map, "columns", file);
+    if(!columns.empty())
+      reading.columns = parse_columns(columns, options);
+    if(has_table && !is_one(options.files[file]))
+      reading.take_no_table();
+    options.readings.push_back(reading);
+  }
 }
 
 void check_choices(const po::variables_map& map, const Options& options)
@@ -242,8 +285,8 @@ std::string canonical_name(const std::string& name)
 // Refuses names that promise a format that no table is written in.
 void check_table(const std::string& option, const std::string& name)
 {
-  const std::set<std::string> others = {".gz", ".json", ".svg", ".tsv", ".xls", ".xlsx"};
-  if(others.count(extension(name)))
+  const std::set<std::string> formats = {"", ".csv", ".geojson"};
+  if(!formats.count(extension(name)))
     throw Error("--" + option + ": a table is a CSV file, and a map a GeoJSON file, so name it "
                 ".csv or .geojson");
 }
@@ -304,6 +347,8 @@ void read_memory(const po::variables_map& map, Options& options)
       throw Error(std::string("--memory has no --") + name + ": not all points are there at once");
   if(options.closest || options.coordinates || options.components || options.explain)
     throw Error("--memory has no --closest, --coordinates, --components and --explain");
+  if(options.skip_missing)
+    throw Error("--memory has no --skip-missing: it numbers the points as they come");
 }
 
 // Boost's messages in one line each are good enough for what it finds by itself.
@@ -312,6 +357,7 @@ Options parse_and_check(int argc, const char* const* argv)
   Options options;
   po::options_description visible(columns, columns_of_descriptions);
   add_scene_options(visible, options);
+  add_reading_options(visible, options);
   add_search_options(visible, options);
   const po::variables_map map = parse(argc, argv, visible);
   if(options.help || options.version)
@@ -323,7 +369,7 @@ Options parse_and_check(int argc, const char* const* argv)
   check_choices(map, options);
   read_outputs(map, options);
   read_memory(map, options);
-  read_columns(map, options);
+  read_readings(map, options);
   return options;
 }
 
@@ -341,16 +387,21 @@ Options parse_options(int argc, const char* const* argv)
 
 std::string help_text()
 {
+  const char* const notes
+    = "\n(1) Given twice, it is for the first file and for the second one.\n"
+      "(2) 0.1 is a tenth, not the double beside it: no tie is lost, and the search of\n"
+      "    short decimals takes half the time. For the decimal comma: --comma-numbers.\n";
   Options ignored;
   po::options_description visible(columns, columns_of_descriptions);
   add_scene_options(visible, ignored);
+  add_reading_options(visible, ignored);
   add_search_options(visible, ignored);
   std::ostringstream text;
   text << "near_pairs [options] FILE [FILE]\n"
           "reports every pair of points of FILE, or between two files, within a distance.\n"
           "FILE is a table (.csv), .xyz, .off, .ply, .obj, .pdb or .tsp, also .gz, or -,\n"
           "or three doubles per point, least byte first (.bin).\n"
-       << visible << "\nExit status: 0, or 2 with one line on the standard error.\n";
+       << visible << notes << "\nExit status: 0, or 2 with one line on the standard error.\n";
   return text.str();
 }
 

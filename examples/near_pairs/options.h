@@ -20,6 +20,9 @@ struct Options : Search_options, Read_options
 {
   std::vector<std::string> files; // "-" is the standard input
 
+  // What the reader of each file is told: --id and --columns may be given for each.
+  std::vector<Read_options> readings;
+
   std::string distance_text; // as typed, without its unit
   std::string distance_unit; // as typed; empty: that of the scene
   bool closest = false;      // the closest pair instead; there is no distance then

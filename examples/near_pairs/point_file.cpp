@@ -28,7 +28,7 @@ public:
     : options_(options)
   {
     for(const std::string& file : options.files)
-      inputs_.emplace_back(file);
+      inputs_.emplace_back(file, options.progress);
   }
 
   // With --decimal the input is read twice, so that no text is kept: once for the scale, once for
@@ -37,10 +37,13 @@ public:
   {
     if(options_.decimal)
       scene_.scale = common_scale();
-    add(inputs_.front());
-    if(inputs_.size() == 2) {
-      scene_.first_size = scene_.size();
-      add(inputs_.back());
+    for(std::size_t file = 0; file < inputs_.size(); ++file) {
+      if(file == 1)
+        scene_.first_size = scene_.size();
+      add(inputs_[file], options_.readings[file]);
+      if(options_.skip_missing) // of other files than tables, all rows are points
+        for(std::size_t point = scene_.rows.size(); point < scene_.size(); ++point)
+          scene_.rows.push_back(point - scene_.first_size.value_or(0));
     }
     if(!scene_.ids.empty())
       scene_.ids.resize(scene_.size());
@@ -52,10 +55,11 @@ private:
   int common_scale() const
   {
     int scale = 0;
-    for(const Input& input : inputs_) {
-      if(is_binary(input, options_))
+    for(std::size_t file = 0; file < inputs_.size(); ++file) {
+      const Input& input = inputs_[file];
+      if(is_binary(input, options_.readings[file]))
         throw Error(input.name(), "--decimal is for numbers that are written in decimal");
-      const auto reader = open_rows(input, options_);
+      const auto reader = open_rows(input, options_.readings[file]);
       for(Row row; reader->next(row); )
         for(int axis = 0; axis < reader->dimension; ++axis)
           scale = std::max(scale, -read_decimal({input, *reader, row}, axis).exponent);
@@ -63,13 +67,13 @@ private:
     return scale;
   }
 
-  void add(const Input& input)
+  void add(const Input& input, const Read_options& reading)
   {
-    if(is_binary(input, options_)) {
-      add_binary(input);
+    if(is_binary(input, reading)) {
+      add_binary(input, reading);
       return;
     }
-    const auto reader = open_rows(input, options_);
+    const auto reader = open_rows(input, reading);
     begin(input, reader->dimension);
     scene_.names = reader->names;
     if(!options_.geographic)
@@ -79,16 +83,19 @@ private:
     const bool keeps_ids = reader->has_ids && names_points;
     for(Row row; reader->next(row); ) {
       add_point({input, *reader, row});
+      if(reading.skip_missing)
+        scene_.rows.push_back(row.position);
       if(keeps_ids) {
         scene_.ids.resize(scene_.size() - 1); // points of a file without ids have empty ones
         scene_.ids.push_back(row.id);
       }
     }
+    scene_.skipped.push_back(reader->skipped);
   }
 
-  void add_binary(const Input& input)
+  void add_binary(const Input& input, const Read_options& reading)
   {
-    Point_stream points(input, options_);
+    Point_stream points(input, reading);
     begin(input, points.dimension());
     scene_.names = {"x", "y", "z"};
     for(std::array<double, 3> point; points.next(point); )

@@ -15,7 +15,7 @@ namespace near_pairs {
 inline void show_progress(double done)
 {
   const int percent = static_cast<int>(100 * done);
-  std::fprintf(stderr, "%3d %%%s", percent, percent >= 100 ? "\n" : "\r");
+  std::fprintf(stderr, "searching %3d %%  %s", percent, percent >= 100 ? "\n" : "\r");
 }
 
 } // namespace near_pairs

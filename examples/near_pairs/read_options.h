@@ -18,9 +18,20 @@ struct Read_options
   std::string format;             // the extension it goes by; empty: that of the file
   char separator = 0;             // of a table; 0: to be found, ' ': any number of blanks and tabs
   bool no_header = false;
+  bool comma_numbers = false;     // decimals have a comma where others have a point
+  bool skip_missing = false;      // leave out rows of a table without a coordinate
   std::vector<std::string> columns;
   std::string id;                 // the column of names; empty: the one that is called so
   bool decimal = false;
+
+  // Forgets what is for tables only.
+  void take_no_table()
+  {
+    separator = 0;
+    no_header = comma_numbers = skip_missing = false;
+    columns.clear();
+    id.clear();
+  }
 };
 
 } // namespace near_pairs

@@ -8,9 +8,9 @@
 #include "decimal.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <string_view>
+#include <vector>
 
 namespace near_pairs {
 namespace {
@@ -60,10 +60,9 @@ std::string take_field(const std::string& record, char separator, std::size_t& p
 
 } // namespace
 
-char found_separator(const std::string& record)
+char found_separator(const std::string& record, const std::string& candidates)
 {
-  const std::string candidates = "\t;,";
-  std::array<std::size_t, 3> counts = {0, 0, 0};
+  std::vector<std::size_t> counts(candidates.size());
   bool is_quoted = false;
   for(char letter : record) {
     is_quoted ^= letter == '"';

@@ -15,8 +15,8 @@ namespace near_pairs {
 // The separator that stands for any number of blanks and tabs.
 constexpr char blanks = ' ';
 
-// The tab, semicolon or comma that a record has most of outside quotes; blanks if it has none.
-char found_separator(const std::string& record);
+// The one of the candidates that a record has most of outside quotes; blanks if it has none.
+char found_separator(const std::string& record, const std::string& candidates);
 
 // Whether a quoted field of a record goes on behind this line of it.
 bool has_odd_quotes(const std::string& line);

@@ -8,31 +8,28 @@
 #include "error.h"
 #include "scene.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <initializer_list>
 #include <optional>
 #include <string>
 
 namespace near_pairs {
 namespace {
 
-bool has_decimal_comma(std::string text)
-{
-  const std::size_t comma = text.find(',');
-  if(comma == std::string::npos)
-    return false;
-  text[comma] = '.';
-  return parse_decimal(text).has_value();
-}
-
 // Says what is wrong with coordinate `axis` of a row.
 Error bad_coordinate(const Place& place, int axis)
 {
   const std::string name = place.reader.names[axis];
   const std::string& text = place.row.coordinates[axis];
-  const std::string what = has_decimal_comma(text)
-    ? " has a comma in the place of the decimal point" : " is no finite number";
-  return Error(place.input.name(), place.row.line,
-               text.empty() ? name + " is empty" : name + ": '" + text + "'" + what);
+  const bool has_comma = has_decimal_comma(text);
+  const std::string what = text.empty() ? name + " is empty" : name + ": '" + text + "'"
+    + (has_comma ? " has a comma in the place of the decimal point" : " is no finite number");
+  const std::string advice = !place.reader.is_table ? ""
+    : has_comma ? "; --comma-numbers takes it"
+    : is_missing(text) ? "; --skip-missing leaves such rows out" : "";
+  return Error(place.input.name(), place.row.line, what + advice);
 }
 
 // Reads degrees of at most so many in both directions.
@@ -47,6 +44,22 @@ double read_degrees(const Place& place, int axis, const char* what, int most)
 }
 
 } // namespace
+
+bool is_missing(const std::string& text)
+{
+  std::string letters;
+  for(char letter : text)
+    letters += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  const std::initializer_list<const char*> names = {"", "na", "n/a", "#n/a", "nan", "null", "none"};
+  return std::find(names.begin(), names.end(), letters) != names.end();
+}
+
+bool has_decimal_comma(const std::string& text)
+{
+  const std::size_t comma = text.find(',');
+  return comma != std::string::npos
+         && parse_decimal(std::string(text).replace(comma, 1, 1, '.')).has_value();
+}
 
 Decimal read_decimal(const Place& place, int axis)
 {

@@ -22,6 +22,12 @@ struct Place
   const Row& row;
 };
 
+// Whether the text of a number says that there is none: it is empty, NA, NaN, null or the like.
+bool is_missing(const std::string& text);
+
+// Whether the text is a number with a comma in the place of the decimal point.
+bool has_decimal_comma(const std::string& text);
+
 // A coordinate of a row. They throw Error if it is no finite number.
 Decimal read_decimal(const Place& place, int axis);
 double read_double(const Place& place, int axis);

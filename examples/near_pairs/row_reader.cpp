@@ -132,13 +132,13 @@ private:
   std::size_t promised_ = 0; // 0: the head does not say
 };
 
-std::string format_of(const Input& input, const Read_options& options)
+std::string format_of(const std::string& file, const Read_options& options)
 {
   if(!options.format.empty())
     return options.format;
-  if(input.name() == "-")
+  if(file == "-")
     return "csv";
-  std::filesystem::path name = input.name();
+  std::filesystem::path name = file;
   if(extension(name.string()) == ".gz")
     name.replace_extension();
   const std::string format = extension(name.string());
@@ -152,6 +152,8 @@ std::string option_for_tables(const Read_options& options)
          : !options.columns.empty() ? "--columns"
          : !options.id.empty() ? "--id"
          : options.no_header ? "--no-header"
+         : options.comma_numbers ? "--comma-numbers"
+         : options.skip_missing ? "--skip-missing"
          : options.separator != 0 ? "--separator" : "";
 }
 
@@ -192,9 +194,8 @@ void refuse_options_for_tables(const Input& input, const Read_options& options)
 
 std::unique_ptr<Row_reader> open_rows(const Input& input, const Read_options& options)
 {
-  const std::string format = format_of(input, options);
-  const std::initializer_list<const char*> tables = {"csv", "tsv", "txt", "dat"};
-  if(std::find(tables.begin(), tables.end(), format) != tables.end())
+  const std::string format = format_of(input.name(), options);
+  if(is_table(input.name(), options))
     return std::make_unique<Csv_reader>(input, options);
   auto reader = reader_of(format, input, options);
   if(!reader)
@@ -204,9 +205,15 @@ std::unique_ptr<Row_reader> open_rows(const Input& input, const Read_options& op
   return reader;
 }
 
+bool is_table(const std::string& file, const Read_options& options)
+{
+  const std::initializer_list<const char*> tables = {"csv", "tsv", "txt", "dat"};
+  return std::find(tables.begin(), tables.end(), format_of(file, options)) != tables.end();
+}
+
 bool is_binary(const Input& input, const Read_options& options)
 {
-  if(format_of(input, options) != "bin")
+  if(format_of(input.name(), options) != "bin")
     return false;
   refuse_options_for_tables(input, options);
   return true;

@@ -24,6 +24,7 @@ struct Row
   std::size_t line = 0;
   std::array<std::string, 3> coordinates; // as many as the reader's dimension
   std::string id;                         // empty if the file has no ids
+  std::size_t position = 0; // among the rows of the file, with those that are skipped
 };
 
 class Row_reader
@@ -42,11 +43,16 @@ public:
   std::string unit;
 
   bool has_ids = false;
+  bool is_table = false;
+  std::size_t skipped = 0; // rows that were left out, up to now
 };
 
 // Reads the input by options.format or, if that is empty, by its extension.
 // With --geographic the coordinates of a row are latitude and longitude, in this order.
 std::unique_ptr<Row_reader> open_rows(const Input& input, const Read_options& options);
+
+// Whether the file is a table: the options of these are for no others.
+bool is_table(const std::string& file, const Read_options& options);
 
 // Whether the input is no text, but three doubles for each point (.bin).
 bool is_binary(const Input& input, const Read_options& options);

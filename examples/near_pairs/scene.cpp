@@ -17,6 +17,8 @@ std::size_t Scene::size() const
 
 std::size_t Scene::position(std::size_t point) const
 {
+  if(!rows.empty())
+    return rows[point];
   return first_size && point >= *first_size ? point - *first_size : point;
 }
 

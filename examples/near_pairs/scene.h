@@ -30,6 +30,10 @@ struct Scene
   // The points of the first of two files, which come first. Pairs have a point of each file then.
   std::optional<std::size_t> first_size;
 
+  // Of the points in their files, if rows may have been skipped.
+  std::vector<std::size_t> rows;
+  std::vector<std::size_t> skipped; // how many, in each file
+
   std::vector<std::string> ids; // of the points, if pairs are to be named and a file has ids
   std::array<std::string, 3> names;
   bool is_geographic = false; // coordinates are computed, in meters from the center of a sphere
@@ -40,7 +44,7 @@ struct Scene
 
   std::size_t size() const;
 
-  // Of a point in its file.
+  // Of a point among the rows of its file.
   std::size_t position(std::size_t point) const;
   int file(std::size_t point) const; // 1 or 2
 

@@ -43,7 +43,9 @@ Search_result search_epick(const Scene& scene, const Search_options& options,
 Search_result search_exact(const Scene& scene, const Search_options& options,
                            const Pair_sink& sink);
 
-// The closest pair. Throws std::invalid_argument if there are fewer than two points.
+// The closest pair, or that of a point of each of two files; the first one of those at the same
+// distance. Throws std::invalid_argument if there are fewer than two points, or Error if a file has
+// none.
 Closest_result closest_epick(const Scene& scene, const Search_options& options);
 Closest_result closest_exact(const Scene& scene, const Search_options& options);
 

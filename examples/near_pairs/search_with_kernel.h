@@ -26,6 +26,7 @@
 #include <optional>
 #include <sstream>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace near_pairs {
@@ -66,6 +67,15 @@ inline CGAL::Distance_bound<CGAL::Exact_rational> bound_of(const Scene& scene,
   return options.open ? bound.open() : bound;
 }
 
+// The points of each of two files.
+template <class Point>
+auto ranges_of(const std::vector<Point>& points, std::size_t first_size)
+{
+  const auto middle = points.begin() + static_cast<std::ptrdiff_t>(first_size);
+  return std::make_pair(CGAL::make_range(points.begin(), middle),
+                        CGAL::make_range(middle, points.end()));
+}
+
 // Searches one set, or two if the first of them has a size.
 template <class ConcurrencyTag, class Point, class Bound, class Callback, class NamedParameters>
 bool report_pairs_by(const std::vector<Point>& points, std::optional<std::size_t> first_size,
@@ -75,10 +85,9 @@ bool report_pairs_by(const std::vector<Point>& points, std::optional<std::size_t
   if(!first_size)
     return CGAL::fixed_radius_near_neighbors<ConcurrencyTag>(points, bound, callback, profile,
                                                              parameters);
-  const auto middle = points.begin() + static_cast<std::ptrdiff_t>(*first_size);
-  return CGAL::fixed_radius_near_neighbors<ConcurrencyTag>(
-    CGAL::make_range(points.begin(), middle), CGAL::make_range(middle, points.end()), bound,
-    callback, profile, parameters);
+  const auto [first, second] = ranges_of(points, *first_size);
+  return CGAL::fixed_radius_near_neighbors<ConcurrencyTag>(first, second, bound, callback, profile,
+                                                           parameters);
 }
 
 // Describes the scene in `profile`. Returns false iff the search was stopped.

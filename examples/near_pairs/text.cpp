@@ -44,6 +44,21 @@ std::string readable(const std::string& text)
   return result;
 }
 
+std::string utf8(const std::string& text)
+{
+  if(is_utf8(text))
+    return text;
+  std::string result;
+  for(char letter : text) {
+    const auto byte = static_cast<unsigned char>(letter);
+    if(byte < 0x80)
+      result += letter;
+    else
+      result.append({static_cast<char>(0xC0 | byte >> 6), static_cast<char>(0x80 | (byte & 0x3F))});
+  }
+  return result;
+}
+
 std::size_t letters(const std::string& text)
 {
   return std::count_if(text.begin(), text.end(), begins_letter);

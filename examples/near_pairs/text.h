@@ -15,6 +15,9 @@ namespace near_pairs {
 // A text that may have any bytes, with ? for each one that is not allowed.
 std::string readable(const std::string& text);
 
+// The text in UTF-8, which it is in already, or else in Latin-1.
+std::string utf8(const std::string& text);
+
 // How many letters a text of UTF-8 has.
 std::size_t letters(const std::string& text);
 

@@ -100,6 +100,13 @@ printf 'x,y\n0,0\n2,3\n3,2\n10,10\n' > thirteen.csv
 printf 'x,y\n0,0\n1,0\n3,0\n' > thirds.csv
 printf 'id,x,y,z,note\n"a, b",0,0,0,"says ""hi"""\nc,1,0,0,"two\nlines"\nd,1,1,5,\n' > quoted.csv
 printf 'x,y\n' > empty.csv
+printf 'x,y\nN/A,0\n' > gaps_na.csv
+printf 'x,y\n0,0\n,\n1,1\n' > thirds_gap.csv
+printf 'name,e,n,h\nP,0,0,0\nQ,0,0,9\nR,5,5,5.6\n' > other_names3.csv
+printf 'lat,lon\n60,10\n60,10.02\n' > lon_last.csv
+printf 'y,x\n60,10\n60,10.01\n' > x_and_y.csv
+printf 'x,y\n0,0\n1,oops\n' > word.csv
+printf 'x,y\n0,0\n1,-inf\n' > infinite.csv
 printf 'x,y\n1,2\n' > single.csv
 printf 'x,y\n7,7\n7,7\n7,7\n' > equal.csv
 printf '\xEF\xBB\xBFx,y\r\n0,0\r\n1,0\r\n' > windows.csv
@@ -282,7 +289,81 @@ expect_pairs "all pairs of ships but those within a file" $((4931 - within)) \
 verdict "  the picture has both" grep -q 'point of other_ships.csv' picture.svg
 expect_error "files in the plane and in space" "points.xyz: has 3 coordinates, and ties.csv has 2" ties.csv points.xyz --distance 1
 expect_error "the standard input twice" "can be read only once" - - --distance 1
-expect_error "closest of two files" "--closest is for one file" ties.csv thirds.csv --closest
+
+# ---------------------------------------------------------------- files as they are
+
+printf 'id;x;y\nA;0,5;1\nB;1,25;1\nC;9;1e0\n' > commas_in_numbers.csv
+printf '0,5;1\n1,25;1\n' > commas_bare.csv
+printf '"x","y"\n"0,5","1"\n"1,25","1"\n' > commas_quoted.csv
+printf 'x;y\n0,5;1.5\n' > comma_and_point.csv
+expect_scene "numbers with commas" 3 1 commas_in_numbers.csv --distance 0.75 --comma-numbers
+expect_boundary 1
+expect_scene "  as decimals" 3 1 commas_in_numbers.csv --distance 3/4 --comma-numbers --decimal
+expect_scene "  without a header" 2 1 commas_bare.csv --distance 0.75 --comma-numbers
+expect_scene "  between commas" 2 1 commas_quoted.csv --distance 0.75 --comma-numbers --separator ,
+expect_error "a comma that is not expected" "comma_and_point.csv:2: x: '0,5' has a comma in the place of the decimal point; --comma-numbers takes it" \
+             comma_and_point.csv --distance 1
+expect_error "a point that is not expected" "comma_and_point.csv:2: y: '1.5' has a point, and --comma-numbers is for commas" \
+             comma_and_point.csv --distance 1 --comma-numbers
+expect_error "commas in no table" "--comma-numbers needs a table" points.xyz --distance 1 --comma-numbers
+
+printf 'id,x,y\nA,0,0\nB,,1\nC,1,0\nD,NA,1\nE,1,nan\nF,1,0.5\n' > gaps.csv
+expect_error "an empty cell" "gaps.csv:3: x is empty; --skip-missing leaves such rows out" gaps.csv --distance 1
+expect_error "N/A" "gaps_na.csv:2: x: 'N/A' is no finite number; --skip-missing leaves such rows out" \
+             gaps_na.csv --distance 1
+expect_scene "rows without coordinates are skipped" 3 2 gaps.csv --distance 1 --skip-missing --pairs pairs.csv \
+             --points points.csv
+verdict "  and counted" test "$(summary skipped)" = "3 rows"
+printf '%s\n' 0,2,A,C,1 2,5,C,F,0.5 i,j,id_i,id_j,distance > expected
+sort pairs.csv > sorted
+verdict "  positions are those of rows" cmp -s sorted expected
+verdict "  of the points as well" test "$(tail -n 1 points.csv)" = "5,F,1,0"
+expect_scene "  of two files" "3 and 2" 4 gaps.csv thirds_gap.csv --distance 1 --skip-missing --pairs pairs.csv
+verdict "  which are counted apart" test "$(summary skipped)" = "3 and 1 rows"
+verdict "  with the rows of both" grep -qx '5,2,F,,0.5' pairs.csv
+expect_closest "  and the closest pair" "2 5, C and F" 0.25 gaps.csv --skip-missing
+expect_scene "  beside a file that is no table" "3 and 3" 3 gaps.csv points.xyz --distance 0.5 --skip-missing --dimension 2
+expect_error "a word is not skipped" "word.csv:3: y: 'oops'" word.csv --distance 1 --skip-missing
+expect_error "infinity is not skipped" "infinite.csv:3: y: '-inf'" infinite.csv --distance 1 --skip-missing
+
+printf 'name,e,n\nP,0,0.5\n' > other_names.csv
+expect_scene "columns of each file" "3 and 1" 3 gaps.csv other_names.csv --skip-missing --distance 1.2 --columns x,y \
+             --columns e,n --id id --id name --pairs pairs.csv
+verdict "  and its ids" grep -q ',F,P,1$' pairs.csv
+expect_scene "  or the usual ones of one" "3 and 1" 3 gaps.csv other_names.csv --skip-missing --distance 1.2 \
+             --columns '' --columns 2,3
+expect_scene "  beside no table" "3 and 3" 2 other_names3.csv points.xyz --distance 0.55 --columns e,n,h --id name
+expect_error "more columns than files" "--columns is given once, or once for each file" ties.csv --distance 1 \
+             --columns x,y --columns x,y
+expect_error "more ids than files" "--id is given once, or once for each file" ties.csv --distance 1 --id x --id y
+
+for columns in lat,lon lon,lat 1,2 2,1; do
+  expect_pairs "degrees in the order $columns" 1 lon_last.csv --geographic --distance 1112m --columns $columns
+done
+expect_pairs "x is a longitude" 1 x_and_y.csv --geographic --distance 600m --columns x,y
+expect_pairs "  in any order" 1 x_and_y.csv --geographic --distance 600m --columns y,x
+expect_error "degrees without names" "by number from 1, the latitude first" bare.csv --geographic --distance 1
+
+printf 'L\344nge,Breite\n0,0\n1,0\n' > latin.csv
+expect_scene "column names in Latin-1" 2 1 latin.csv --distance 1 --columns Länge,breite
+expect_scene "  asked for in Latin-1" 2 1 latin.csv --distance 1 --columns $'L\344nge,Breite'
+expect_error "  are listed in UTF-8" "no column 'z' among Länge, Breite" latin.csv --distance 1 --columns z,breite
+printf 'x,y,x\n0,0,5\n1,0,5\n' > twins.csv
+printf 'x,y,X\n0,0,5\n1,0,5\n' > near_twins.csv
+printf 'id,x,y,id\n0,0,0,5\n1,1,0,5\n' > twin_ids.csv
+expect_error "two columns of one name" "twins.csv:1: columns 1 and 3 are both named x; choose one by its number" twins.csv --distance 1
+expect_error "  also of ids" "twin_ids.csv:1: columns 1 and 4 are both named id" twin_ids.csv --distance 1
+expect_scene "  are known by number" 2 1 twins.csv --distance 1 --columns 1,2
+expect_scene "  or by case" 2 1 near_twins.csv --distance 1
+expect_error "a column twice" "ties.csv:1: --columns takes column 1 twice" ties.csv --distance 1 --columns x,x
+
+{ echo x,y; yes 1234567,7654321 | head -n 150000; } > long_table.csv
+run long_table.csv long_table.csv --closest --progress
+verdict "--progress tells of reading" grep -qE 'reading +[1-9][0-9] %' err
+run - --closest --progress < long_table.csv
+verdict "  from a pipe as well" grep -qE 'reading +2 MiB' err
+run long_table.csv --closest
+verdict "  if it is asked for" test ! -s err
 
 # ---------------------------------------------------------------- units and hints
 
@@ -352,6 +433,26 @@ expect_closest "equal points" "0 1" 0 equal.csv
 expect_closest "with ids" "0 1, a, b and c" 1 quoted.csv
 expect_closest "by columns" "0 1, a, b and c" 1 quoted.csv --columns x,y
 expect_closest "in space" "0 1" 0.25 points.xyz
+expect_closest "two files" "1 2, c and " 0 named.csv plane.txt --decimal
+expect_closest "  of doubles" "1 2, c and " 0 named.csv plane.txt
+printf 'x,y\n5,5\n-3,0\n' > ends.csv
+expect_closest "  the first of ties" "0 1" 9 <(printf 'x,y\n0,0\n8,5\n') ends.csv --format csv
+{ echo x,y; yes 1,2 | head -n 20000; } > same.csv
+printf 'x,y\n0,0\n1,2\n' > end.csv
+expect_closest "  of very many" "1 0" 0 end.csv same.csv
+expect_closest "  of very many on both sides" "0 0" 0 same.csv same.csv
+{ echo x,y; seq -f '0.%05g,0' 0 9999; } > near_zero.csv
+{ echo x,y; seq -f '7.%05g,0' 10000 19999; } > near_seven.csv
+expect_closest "  of all at nearly one distance" "9999 0" 49.0001400001 near_zero.csv near_seven.csv \
+               --decimal
+for kernel in epick exact; do
+  expect_closest "  of ships, $kernel" "4961 3842, 4961 and 8842" 0.0000000005 first_ships.csv \
+                 other_ships.csv --decimal --kernel $kernel
+done
+run first_ships.csv other_ships.csv --decimal --squared-distance 0.0000000005 --pairs pairs.csv
+verdict "  is the first at this distance" test "$(summary 'on boundary') $(tail -n +2 pairs.csv | sort -n | head -n 1)" \
+        = "$(summary pairs) 4961,3842,4961,8842,2.236067977e-05"
+expect_error "the closest pair with no points" "--closest needs a point in each file" equal.csv empty.csv --closest
 run quoted.csv --closest --pairs pairs.csv --picture picture.svg
 printf 'i,j,id_i,id_j,distance\n0,1,"a, b",c,1\n' > expected
 verdict "the closest pair as a table" cmp -s pairs.csv expected
@@ -373,10 +474,10 @@ fi
 "$binary" thirteen.csv --squared-distance 13 --open --pairs /dev/stdout 2> err | cat > out
 verdict "  by its other name" cmp -s out expected
 verdict "  with the summary on stderr" grep -q '^pairs  *1$' err
-"$binary" ties.csv --distance 1 --pairs summary.txt > summary.txt 2> err
+"$binary" ties.csv --distance 1 --pairs summary.csv > summary.csv 2> err
 status=$?
 true > out
-verdict "pairs in the file of the summary" is_one_error "summary.txt: is the standard output"
+verdict "pairs in the file of the summary" is_one_error "summary.csv: is the standard output"
 run ties.csv --distance 1 --picture -
 verdict "the picture on stdout" test "$(tail -n 1 out)" = "</svg>"
 verdict "  with the summary on stderr" grep -q '^pairs  *' err
@@ -476,7 +577,7 @@ ln -s . here
 for name in ./none.csv here/none.csv; do
   expect_error "two names of one output" "two outputs have the name" ties.csv --distance 1 --points $name
 done
-for name in none.csv.gz none.json none.TSV; do
+for name in none.csv.gz none.json none.TSV none.txt; do
   expect_error "a table $name" "so name it .csv or .geojson" ties.csv --distance 1 --points $name
 done
 expect_error "a map of the plane" "a map has latitudes and longitudes" ties.csv --distance 1 --points none.geojson
@@ -530,15 +631,13 @@ END
   verdict "  without pairs" python3 -c 'import json; assert json.load(open("pairs.geojson"))["features"] == []'
 fi
 run --help
-fits_a_screen() { [ "$(wc -l < out)" -le 44 ] && ! grep -qE '^.{81}' out; }
+fits_a_screen() { [ "$(wc -l < out)" -le 48 ] && ! grep -qE '^.{81}' out; }
 verdict "the help has one screen" fits_a_screen
 
 # ---------------------------------------------------------------- errors
 
-printf 'x,y\n0,0\n1,oops\n' > word.csv
 printf 'x,y\n0,0\n\n,1\n' > hole.csv
 printf 'x,y\n0,0\n1,nan\n' > nan.csv
-printf 'x,y\n0,0\n1,-inf\n' > infinite.csv
 printf 'x,y\n0,0\n1,1e400\n' > huge.csv
 printf 'x,y\n0,0\n1\n' > short.csv
 printf 'x,y\n0,"0\n' > open_quote.csv
@@ -583,7 +682,6 @@ expect_error "a decimal comma" "decimal_comma.csv:3: y: '-2,5' has a comma in th
 expect_error "UTF-16" "wide.csv: is in UTF-16; save it in UTF-8" wide.csv --distance 1
 expect_error "a link to itself" "near_pairs: circle.csv: Too many levels" circle.csv --distance 1
 expect_error "longitude beyond a round" "round.csv:3: lon: longitude -360.5 is outside [-360, 360]" round.csv --distance 1 --geographic
-expect_error "longitude before latitude" "needs the latitude before the longitude" equator.csv --distance 1 --geographic --columns lon,lat
 expect_error "latitude and longitude in one column" "no columns lat* and lon*" one_column.csv --distance 1 --geographic
 expect_error "decimals beyond 53 bits" "use --kernel exact" long.csv --distance 1 --decimal
 expect_error "short line" "short.xyz:3: 2 numbers" short.xyz --distance 1
@@ -811,6 +909,8 @@ verdict "  have the same pairs" same_pairs many_pairs.csv part_pairs.csv
 verdict "  and leave no scratch file" test -z "$(ls -A scratch)"
 run three.bin --distance 2 --memory 1G --pairs -
 verdict "pairs of points that fit" test "$(tail -n +2 out | sort | tr '\n' ' ')" = "0,1 1,2 "
+verdict "  of which no ids and distances are written" grep -q 'hint: .* without ids and distances' err
+verdict "  and ties are not counted" grep -q '^on boundary  not counted' err
 run long.bin --distance 1 --memory 1G
 verdict "part of a point" is_one_error "long.bin: ends inside a point"
 run nan.bin --distance 1 --memory 1G
@@ -833,7 +933,7 @@ if [ -w /dev/full ]; then
   verdict "a full device ends the search" ends_early
 fi
 for wrong in "--memory 5X" "--memory 0" "--scratch ." "--memory 1G --components" \
-             "--memory 1G --points points.csv" "--memory 1G --decimal" "--memory 1G ties.csv"; do
+             "--memory 1G --points points.csv" "--memory 1G --skip-missing" "--memory 1G --decimal" "--memory 1G ties.csv"; do
   run many.csv --distance 1 $wrong
   verdict "refused: $wrong" is_one_error "--${wrong:2:6}"
 done
