@@ -60,8 +60,9 @@ void check(const near_pairs::Scene& scene, std::size_t most_points)
                       [](double coordinate) { return std::isfinite(coordinate); }));
 }
 
-void read(const near_pairs::Options& options, std::size_t most_points)
+void read(near_pairs::Options options, std::size_t most_points)
 {
+  options.readings.assign(1, options);
   try {
     check(near_pairs::read_scene(options), most_points);
   }
@@ -96,6 +97,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   options.no_header = true;
   options.separator = ' ';
   options.id = "1";
+  options.comma_numbers = options.skip_missing = true;
   read(options, most_points);
   return 0;
 }
