@@ -69,7 +69,7 @@ private:
     move_one_in_ = shift_ == 0 && !is_decimal_ ? 1000 : is_chance(2) ? 6 : 60;
     flat_axis_ = is_chance(8) ? static_cast<std::size_t>(below(dimension_)) : 3;
     const std::int64_t offsets[]
-      = {0, 0, 0, -side_ << shift_, 1000000, std::int64_t(1) << 51, -(std::int64_t(1) << 51)};
+      = {0, 0, 0, -(side_ << shift_), 1000000, std::int64_t(1) << 51, -(std::int64_t(1) << 51)};
     for(std::int64_t& x : offset_)
       x = is_decimal_ ? 0 : offsets[random_.below(7)];
   }

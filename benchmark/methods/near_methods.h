@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The searches of near objects: ours, and what else there is. Each library is compiled in a file of
+// its own. All of them list the pairs, and decide by the doubles of the scene.
+
+#ifndef THICK_INTERSECTION_BENCHMARK_METHODS_NEAR_METHODS_H
+#define THICK_INTERSECTION_BENCHMARK_METHODS_NEAR_METHODS_H
+
+#include "Method.h"
+
+#include "measuring/Pair_list.h"
+#include "scenes/Near_scene.h"
+
+namespace thick_benchmark {
+
+using Near_method = Method<Pair_list, Near_scene>;
+
+Near_method near_objects(); // fixed_radius_near_neighbors
+
+// The pairs of boxes that meet, each grown by half of the distance: thick_self_intersection_d.
+Near_method grown_boxes();
+
+// CGAL, with squared_distance(): box_self_intersection_d of grown boxes, and an AABB_tree that is
+// asked for the objects in the grown box of each, in space.
+Near_method near_by_boxes(std::ptrdiff_t cutoff);
+Near_method near_by_aabb_tree();
+
+// GEOS, in the plane: an STRtree, and the predicate "distance within".
+Near_method near_by_geos();
+
+// Embree, in space: the collisions of grown boxes of floats, and squared_distance() of CGAL.
+Near_method near_by_embree();
+
+// FCL, triangles in space: its tree of boxes, and its distance of two triangles.
+Near_method near_by_fcl();
+
+// Slowly, in rational numbers, by the oracle of the tests.
+Pair_list near_pairs_by_oracle(const Near_scene& scene);
+
+} // namespace thick_benchmark
+
+#endif // THICK_INTERSECTION_BENCHMARK_METHODS_NEAR_METHODS_H
