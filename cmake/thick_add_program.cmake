@@ -11,6 +11,7 @@
 #   MPI               an implementation of MPI, without its C++ bindings
 #   Program_options   Boost.Program_options
 #   Iostreams         Boost.Iostreams, with its filters for gzip
+#   JSON              nlohmann's library of JSON, which has headers only
 #   Unit_test         Boost.Test, linked dynamically, with a main function
 #
 # When one of them is missing the target is not made, and the reason is printed; with
@@ -57,6 +58,10 @@ if(TARGET Boost::program_options)
 endif()
 if(TARGET Boost::iostreams)
   thick_provide_support(Iostreams Boost::iostreams)
+endif()
+find_package(nlohmann_json QUIET)
+if(TARGET nlohmann_json::nlohmann_json)
+  thick_provide_support(JSON nlohmann_json::nlohmann_json)
 endif()
 if(TARGET Boost::unit_test_framework)
   add_library(thick_test_main STATIC EXCLUDE_FROM_ALL

@@ -8,6 +8,7 @@
 #include "error.h"
 #include "exact_number.h"
 #include "external.h"
+#include "feature_pairs.h"
 #include "groups.h"
 #include "hints.h"
 #include "options.h"
@@ -42,12 +43,6 @@ Closest_result find_closest(const Scene& scene, const Options& options)
   if(options.kernel == "exact")
     return closest_exact(scene, options);
   return closest_epick(scene, options);
-}
-
-// Returns nothing if the name is empty.
-std::unique_ptr<Output_file> open_output(const std::string& name, const Options& options)
-{
-  return name.empty() ? nullptr : std::make_unique<Output_file>(name, options.files);
 }
 
 void print_points(std::ostream& out, const Scene& scene)
@@ -109,9 +104,9 @@ class Outputs
 {
 public:
   Outputs(const Options& options, const Scene& scene)
-    : options_(options), scene_(scene), pairs_file_(open_output(options.pairs, options)),
-      points_file_(open_output(options.points, options)),
-      picture_file_(open_output(options.picture, options))
+    : options_(options), scene_(scene), pairs_file_(open_output(options.pairs, options.files)),
+      points_file_(open_output(options.points, options.files)),
+      picture_file_(open_output(options.picture, options.files))
   {
     check_map(options.pairs, scene);
     check_map(options.points, scene);
@@ -251,6 +246,8 @@ int main(int argc, char** argv)
       near_pairs::finish(std::cout << near_pairs::help_text(), "the help");
     else if(options.version)
       near_pairs::finish(std::cout << near_pairs::version_text(), "the version");
+    else if(near_pairs::have_features(options))
+      near_pairs::run_features(options);
     else if(options.memory != 0)
       near_pairs::run_external(options);
     else

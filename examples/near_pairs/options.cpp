@@ -8,6 +8,7 @@
 #include "decimal.h"
 #include "error.h"
 #include "exact_number.h"
+#include "feature.h"
 #include "row_reader.h"
 
 #include <CGAL/Thick_intersection_d/version.h>
@@ -59,7 +60,7 @@ void add_reading_options(po::options_description& all, Options& options)
   po::options_description points = group("How a file is read");
   points.add_options()
     ("format", po::value<std::string>(&options.format)->value_name("NAME"),
-     "csv (any table), xyz, off, ply, obj, pdb, tsp or bin")
+     "csv, xyz, off, ply, obj, pdb, tsp, bin, wkt, geojson")
     ("separator", po::value<std::string>()->value_name("CHAR"),
      "of a table; also tab, blanks (default: found)")
     ("no-header", po::bool_switch(&options.no_header), "the first row of a table is a point")
@@ -231,8 +232,11 @@ void read_readings(const po::variables_map& map, Options& options)
     const std::string columns = text_for_file(map, "columns", file);
     if(!columns.empty())
       reading.columns = parse_columns(columns, options);
+    const std::string id = reading.id;
     if(has_table && !is_one(options.files[file]))
       reading.take_no_table();
+    if(has_features(options.files[file], options))
+      reading.id = id; // a property
     options.readings.push_back(reading);
   }
 }
@@ -400,7 +404,8 @@ std::string help_text()
   text << "near_pairs [options] FILE [FILE]\n"
           "reports every pair of points of FILE, or between two files, within a distance.\n"
           "FILE is a table (.csv), .xyz, .off, .ply, .obj, .pdb or .tsp, also .gz, or -,\n"
-          "or three doubles per point, least byte first (.bin).\n"
+          "or three doubles per point, least byte first (.bin). Points, lines and polygons\n"
+          "of .wkt and .geojson are near if some of their points are: --distance 0 to meet.\n"
        << visible << notes << "\nExit status: 0, or 2 with one line on the standard error.\n";
   return text.str();
 }

@@ -95,4 +95,10 @@ void Output_file::commit()
   temporary_.clear();
 }
 
+std::unique_ptr<Output_file> open_output(const std::string& file,
+                                         const std::vector<std::string>& inputs)
+{
+  return file.empty() ? nullptr : std::make_unique<Output_file>(file, inputs);
+}
+
 } // namespace near_pairs

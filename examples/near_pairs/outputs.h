@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -41,6 +42,10 @@ private:
   std::filesystem::path temporary_; // empty if the target is written directly
   std::ofstream file_;
 };
+
+// Returns nothing if the name is empty.
+std::unique_ptr<Output_file> open_output(const std::string& file,
+                                         const std::vector<std::string>& inputs);
 
 } // namespace near_pairs
 

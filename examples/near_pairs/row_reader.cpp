@@ -132,6 +132,8 @@ private:
   std::size_t promised_ = 0; // 0: the head does not say
 };
 
+} // namespace
+
 std::string format_of(const std::string& file, const Read_options& options)
 {
   if(!options.format.empty())
@@ -144,6 +146,8 @@ std::string format_of(const std::string& file, const Read_options& options)
   const std::string format = extension(name.string());
   return format.substr(format.empty() ? 0 : 1);
 }
+
+namespace {
 
 // The option of these that only tables have, or an empty text.
 std::string option_for_tables(const Read_options& options)
@@ -200,7 +204,7 @@ std::unique_ptr<Row_reader> open_rows(const Input& input, const Read_options& op
   auto reader = reader_of(format, input, options);
   if(!reader)
     throw Error(input.name(), "unknown format; name one of csv (for any table), xyz, off, ply, "
-                "obj, pdb, tsp and bin by --format" + advice_on(format));
+                "obj, pdb, tsp, bin, wkt and geojson by --format" + advice_on(format));
   refuse_options_for_tables(input, options);
   return reader;
 }

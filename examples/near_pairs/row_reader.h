@@ -51,6 +51,9 @@ public:
 // With --geographic the coordinates of a row are latitude and longitude, in this order.
 std::unique_ptr<Row_reader> open_rows(const Input& input, const Read_options& options);
 
+// The format that a file is read by: an extension, without its point.
+std::string format_of(const std::string& file, const Read_options& options);
+
 // Whether the file is a table: the options of these are for no others.
 bool is_table(const std::string& file, const Read_options& options);
 

@@ -258,7 +258,7 @@ for file in "$data"/*; do
   [ "$name" = README.md ] && continue
   points=$(awk -F '|' -v name="\`$name\`" '$2 ~ name { gsub(/[ ,]/, "", $5); print $5 }' "$data/README.md")
   run "$file" --distance 0.001
-  verdict "$name is read as it is" test "$status $(summary points)" = "0 $points"
+  verdict "$name is read as it is" test "$status $(summary points)$(summary features)" = "0 $points"
 done
 
 # ---------------------------------------------------------------- two files
@@ -633,6 +633,163 @@ fi
 run --help
 fits_a_screen() { [ "$(wc -l < out)" -le 48 ] && ! grep -qE '^.{81}' out; }
 verdict "the help has one screen" fits_a_screen
+
+# ---------------------------------------------------------------- features
+
+cat > shapes.wkt << 'END'
+# a square with a hole, a point in the hole, one in the square, and a line that ends on an edge
+POLYGON((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 3, 3 3, 3 1, 1 1))
+POINT Z (2 2 7)
+
+SRID=4326;POINT(0.5 0.5)
+LineString (4 2, 9 2, 9 9)
+MULTIPOINT((2.5 2), 20 20)
+GEOMETRYCOLLECTION(POINT(30 30), MULTILINESTRING((40 40, 41 41)), MULTIPOLYGON(((8 8,10 8,10 10,8 8))))
+POINT EMPTY
+END
+cat > shapes.geojson << 'END'
+{"type": "FeatureCollection", "features": [
+{"type": "Feature", "id": "b,c", "properties": {"name": "tower", "height": 12.5},
+ "geometry": {"type": "Point", "coordinates": [0.5, 0.5, 99]}},
+{"type": "Feature", "id": 7, "properties": null, "geometry": null},
+{"type": "Feature", "properties": {"id": "x", "name": "wall"},
+ "geometry": {"type": "GeometryCollection", "geometries": [
+  {"type": "MultiPolygon", "coordinates": [[[[7, 1], [8, 1], [8, 3], [7, 1]]]]},
+  {"type": "LineString", "coordinates": [[30, 30], [31, 31]]}]}}]}
+END
+printf 'id,x,y\nP,9,5\nQ,2,2\n' > shape_points.csv
+
+# The program must end well, with these features and this list of pairs.
+expect_features() { # NAME FEATURES PAIRS ARGUMENT...
+  local name=$1 features=$2 pairs=$3
+  shift 3
+  run "$@" --pairs features.csv
+  verdict "$name: $features features, pairs $pairs" \
+          test "$status $(summary features) $(echo $(sorted_pairs features.csv))" = "0 $features $pairs"
+}
+expect_features "features that meet" 7 "0,2 0,3 3,5" shapes.wkt --distance 0
+expect_features "  strictly closer than a half" 7 "0,2 0,3 3,5" shapes.wkt --distance 1/2 --open
+expect_features "  at most a half" 7 "0,2 0,3 0,4 1,4 3,5" shapes.wkt --distance 1/2
+expect_features "  by the square" 7 "0,2 0,3 0,4 1,4 3,5" shapes.wkt --squared-distance 1/4
+expect_features "features of two files" "7 and 3" "0,0 2,0 3,2 5,2" shapes.wkt shapes.geojson --distance 0
+run shapes.geojson shapes.wkt --distance 0 --pairs features.csv
+verdict "  with ids and properties" grep -qxF \
+        '0,2,"b,c",,"{""height"":12.5,""name"":""tower""}",' features.csv
+run shapes.geojson shapes.wkt --distance 0 --pairs features.csv --id name
+verdict "  named by a property" grep -q '^2,3,wall,,' features.csv
+expect_features "points and features" "2 and 7" "0,3 1,1" shape_points.csv shapes.wkt --distance 0
+verdict "  with the ids of points" grep -qx '0,3,P,' features.csv
+verdict "  that are counted" test "$(summary 'in pairs')" = "2 and 2 of the features"
+expect_features "a geometry alone" 1 "" --distance 0 - --format geojson \
+                <<< '{"type":"Point","coordinates":[1,2]}'
+run shapes.wkt --distance 1/2 --picture features.svg
+verdict "the picture of features" grep -q '^</svg>' features.svg
+if command -v python3 > /dev/null; then
+  is_inside_features() { python3 inside.py features.svg 2> err; }
+  verdict "  has its texts inside" is_inside_features
+fi
+
+expect_wkt_error() { # MESSAGE TEXT
+  printf '\n%s\n' "$2" > wrong.wkt
+  expect_error "WKT ${2:0:40}" "wrong.wkt:2: $1" wrong.wkt --distance 1
+}
+expect_wkt_error "'CIRCLE' is no kind of geometry" "CIRCLE(0 0)"
+expect_wkt_error "'nan' is no finite number" "POINT(0 nan)"
+expect_wkt_error "')' is no finite number" "POINT(0)"
+expect_wkt_error "')' is missing" "POINT(0 0"
+expect_wkt_error "'x' is behind the geometry" "POINT(0 0) x"
+expect_wkt_error "a line has fewer than two" "LINESTRING(0 0)"
+expect_wkt_error "a ring has fewer than four" "POLYGON((0 0,1 1,0 0))"
+expect_wkt_error "a ring does not end where it begins" "POLYGON((0 0,1 0,1 1,0 1))"
+expect_wkt_error "collections are nested too deep" \
+                 "$(yes 'GEOMETRYCOLLECTION(' | head -n 100000 | tr -d '\n')"
+expect_json_error() { # MESSAGE TEXT
+  printf '%s' "$2" > wrong.geojson
+  expect_error "GeoJSON ${2:0:40}" "wrong.geojson: $1" wrong.geojson --distance 1
+}
+expect_json_error "parse error at line 1, column 2" "{"
+expect_json_error "feature 0 (from 0): an object is missing" "[]"
+expect_json_error 'feature 0 (from 0): type "Circle" is no kind' '{"type":"Circle","coordinates":[0,0]}'
+expect_json_error 'feature 0 (from 0): a position is no list of two' '{"type":"Point","coordinates":[0]}'
+expect_json_error 'feature 0 (from 0): a ring does not end' \
+                  '{"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1],[0,1]]]}'
+expect_json_error "number overflow" '{"type":"Point","coordinates":[1e999,0]}'
+for option in "--closest" "--distance 1 --decimal" "--distance 1 --geographic" \
+              "--distance 1 --components" "--distance 1 --kernel exact" \
+              "--distance 1 --points points.csv"; do
+  run shapes.wkt $option
+  verdict "no $option of features" is_one_error \
+          "is for points, and a file of WKT or GeoJSON has features"
+done
+expect_error "features in space" "features are in the plane" points.xyz shapes.wkt --distance 1
+
+# The same by GEOS, on random features with corners in a lattice: many of them touch. No two of them
+# are at a distance of exactly 0.7.
+geos=$(for python in python3 /usr/bin/python3; do
+         "$python" -c 'import shapely' 2> /dev/null && echo "$python"; done | head -n 1)
+if [ -n "$geos" ]; then
+  cat > geos.py << 'END'
+import json, random, sys
+from shapely.geometry import mapping, box, GeometryCollection, LineString, MultiPoint, MultiPolygon, Point, Polygon
+random.seed(7)
+def at(): return random.randrange(60), random.randrange(60)
+def near(p, most=6): return p[0] + random.randint(-most, most), p[1] + random.randint(-most, most)
+def shape():
+    p, kind = at(), random.randrange(7)
+    if kind == 0: return Point(p)
+    if kind == 1: return MultiPoint([p, near(p)])
+    if kind == 2: return LineString([p, near(p), near(p)])
+    if kind == 3: return Polygon([p, (p[0] + random.randint(1, 6), p[1]), (near(p)[0], p[1] + 5)])
+    square = box(*p, p[0] + 8, p[1] + 8)
+    if kind == 4: return Polygon(square.exterior, [box(p[0] + 1, p[1] + 1, p[0] + 6, p[1] + 7).exterior])
+    if kind == 5: return MultiPolygon([square, box(p[0] + 8, p[1] + 9, p[0] + 11, p[1] + 10)])
+    return GeometryCollection([Point(p), LineString([near(p), near(p)]), Polygon([p, (p[0] + 1, p[1]), p])])
+shapes = [[s for s in (shape() for _ in range(150)) if s.is_valid] for _ in range(2)]
+for name, part in zip("ab", shapes):
+    open(name + ".wkt", "w").write("".join(s.wkt + "\n" for s in part))
+    json.dump({"type": "FeatureCollection", "features": [
+        {"type": "Feature", "properties": {}, "geometry": mapping(s)} for s in part]}, open(name + ".geojson", "w"))
+def meet(a, b, r): return a.intersects(b) if r == 0 else a.distance(b) <= r
+for name, r in ("meet", 0), ("near", 0.7):
+    a, b = shapes
+    own = [(i, j) for j in range(len(a)) for i in range(j) if meet(a[i], a[j], r)]
+    two = [(i, j) for i in range(len(a)) for j in range(len(b)) if meet(a[i], b[j], r)]
+    for file, pairs in ("own", own), ("two", two):
+        open(file + "_" + name, "w").write("i,j\n" + "".join("%d,%d\n" % pair for pair in pairs))
+END
+  "$geos" geos.py
+  for scene in "meet 0" "near 0.7"; do
+    read -r name distance <<< "$scene"
+    for format in wkt geojson; do
+      run a.$format --distance $distance --pairs features.csv
+      verdict "random features, .$format, $name: $(($(wc -l < own_$name) - 1)) pairs, as by GEOS" \
+              same_pairs features.csv own_$name
+      run a.wkt b.$format --distance $distance --pairs features.csv
+      verdict "  of two files: $(($(wc -l < two_$name) - 1)) pairs" \
+              same_pairs features.csv two_$name
+    done
+  done
+  run a.wkt b.wkt --distance 0.7 --parallel --pairs features.csv
+  grep -q "built without TBB" err || verdict "  in parallel" same_pairs features.csv two_near
+
+  cat > shore.py << 'END'
+import csv, json, sys
+from shapely.geometry import Point, shape
+ships = [Point(float(row["lon_deg"]), float(row["lat_deg"])) for row in csv.DictReader(open(sys.argv[1]))]
+print("i,j")
+for j, feature in enumerate(json.load(open(sys.argv[2]))["features"]):
+    shore = shape(feature["geometry"])
+    x, y, right, top = shore.bounds
+    for i, ship in enumerate(ships):
+        if x - 1 < ship.x < right + 1 and y - 1 < ship.y < top + 1 and shore.distance(ship) <= 0.002:
+            print("%d,%d" % (i, j))
+END
+  "$geos" shore.py "$ships" "$data/puget_sound.geojson" > shore
+fi
+run "$ships" "$data/puget_sound.geojson" --distance 0.002 --pairs features.csv
+verdict "ships by the shore of Puget Sound: 849 pairs" \
+        test "$status $(summary pairs) $(summary 'in pairs')" = "0 849 848 and 20 of the features"
+[ -z "$geos" ] || verdict "  as by GEOS" same_pairs features.csv shore
 
 # ---------------------------------------------------------------- errors
 

@@ -5,6 +5,7 @@
 // refuse them, by Error, or return a scene that keeps its promises; nothing else.
 
 #include "error.h"
+#include "feature.h"
 #include "point_file.h"
 
 #include <algorithm>
@@ -64,7 +65,10 @@ void read(near_pairs::Options options, std::size_t most_points)
 {
   options.readings.assign(1, options);
   try {
-    check(near_pairs::read_scene(options), most_points);
+    if(near_pairs::has_features(options.files.front(), options))
+      near_pairs::read_features(near_pairs::Input(options.files.front()), options);
+    else
+      check(near_pairs::read_scene(options), most_points);
   }
   catch(const near_pairs::Error&) {
   }

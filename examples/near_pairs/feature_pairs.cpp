@@ -1,0 +1,174 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Pairs of features of files; see feature_pairs.h.
+
+#include "feature_pairs.h"
+
+#include "error.h"
+#include "exact_number.h"
+#include "feature_picture.h"
+#include "outputs.h"
+#include "row_reader.h"
+#include "standard_streams.h"
+#include "summary.h"
+#include "text.h"
+
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace near_pairs {
+namespace {
+
+using Files = std::vector<std::vector<Feature>>;
+
+// Features are in the plane, and have doubles as coordinates.
+void refuse_options_for_points(const Options& options)
+{
+  const std::pair<const char*, bool> for_points[]
+    = {{"closest", options.closest}, {"geographic", options.geographic},
+       {"decimal", options.decimal}, {"kernel exact", options.kernel == "exact"},
+       {"memory", options.memory != 0}, {"points", !options.points.empty()},
+       {"coordinates", options.coordinates}, {"components", options.components},
+       {"explain", options.explain}, {"dimension 3", options.dimension == 3}};
+  for(const auto& [name, is_given] : for_points)
+    if(is_given)
+      throw Error(std::string("--") + name + " is for points, and a file of WKT or GeoJSON has "
+                  "features");
+  if(extension(options.pairs) == ".geojson")
+    throw Error("--pairs: pairs of features are a table, so name it .csv");
+}
+
+// Writes positions, and ids and properties if a file has some.
+class Feature_pair_table
+{
+public:
+  Feature_pair_table(std::ostream& out, const Files& files)
+    : out_(out), first_(files.front()), second_(files.back()),
+      has_ids_(have([](const Feature& feature) { return !feature.id.empty(); })),
+      has_properties_(have([](const Feature& feature) { return !feature.properties.empty(); }))
+  {
+    out_ << "i,j" << (has_ids_ ? ",id_i,id_j" : "")
+         << (has_properties_ ? ",properties_i,properties_j" : "") << '\n';
+  }
+
+  void add(std::size_t i, std::size_t j)
+  {
+    const Feature& a = first_[i];
+    const Feature& b = second_[j];
+    out_ << i << ',' << j;
+    if(has_ids_)
+      out_ << ',' << csv_field(a.id) << ',' << csv_field(b.id);
+    if(has_properties_)
+      out_ << ',' << csv_field(a.properties) << ',' << csv_field(b.properties);
+    out_ << '\n';
+  }
+
+private:
+  template <class Predicate>
+  bool have(Predicate has) const
+  {
+    return std::any_of(first_.begin(), first_.end(), has)
+           || std::any_of(second_.begin(), second_.end(), has);
+  }
+
+  std::ostream& out_;
+  const std::vector<Feature>& first_;
+  const std::vector<Feature>& second_;
+  bool has_ids_, has_properties_;
+};
+
+// Which features are in a pair.
+class In_pairs
+{
+public:
+  explicit In_pairs(const Files& files)
+  {
+    for(const std::vector<Feature>& features : files)
+      are_in_.emplace_back(features.size());
+  }
+
+  void add(std::size_t i, std::size_t j)
+  {
+    are_in_.front()[i] = true;
+    are_in_.back()[j] = true;
+  }
+
+  const std::vector<std::vector<bool>>& operator()() const { return are_in_; }
+
+private:
+  std::vector<std::vector<bool>> are_in_;
+};
+
+template <class Value>
+std::string of_each_file(const Files& files, Value value)
+{
+  const std::string first = std::to_string(value(0));
+  return files.size() == 1 ? first : first + " and " + std::to_string(value(1));
+}
+
+void print_summary(std::ostream& out, const Files& files, const Options& options,
+                   const In_pairs& in_pairs, std::size_t pairs, double seconds)
+{
+  print_name(out, "features")
+    << of_each_file(files, [&](std::size_t file) { return files[file].size(); }) << '\n';
+  print_name(out, "pairs") << pairs << '\n';
+  const auto count_in_pairs = [&](std::size_t file) {
+    return std::count(in_pairs()[file].begin(), in_pairs()[file].end(), true);
+  };
+  print_name(out, "in pairs") << of_each_file(files, count_in_pairs) << " of the features\n";
+  print_name(out, "distance") << distance_in_words(options, "") << '\n';
+  print_kernel(out, options);
+  print_costs(out, seconds, ", with its outputs");
+}
+
+} // namespace
+
+bool have_features(const Options& options)
+{
+  for(std::size_t file = 0; file < options.files.size(); ++file)
+    if(has_features(options.files[file], options.readings[file]))
+      return true;
+  return false;
+}
+
+void run_features(const Options& options)
+{
+  refuse_options_for_points(options);
+  Files files;
+  for(std::size_t file = 0; file < options.files.size(); ++file)
+    files.push_back(read_features(Input(options.files[file], options.progress),
+                                  options.readings[file]));
+  catch_signals();
+  const std::unique_ptr<Output_file> table_file = open_output(options.pairs, options.files);
+  const std::unique_ptr<Output_file> picture_file = open_output(options.picture, options.files);
+  std::optional<Feature_pair_table> table;
+  if(table_file)
+    table.emplace(table_file->stream(), files);
+  In_pairs in_pairs(files);
+  std::size_t pairs = 0;
+  const auto start = std::chrono::steady_clock::now();
+  search_features(files, options, [&](std::size_t i, std::size_t j) {
+    ++pairs;
+    in_pairs.add(i, j);
+    if(table) {
+      table->add(i, j);
+      table_file->check(); // a full disk ends the search
+    }
+  });
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  if(picture_file)
+    draw_features(picture_file->stream(), files, in_pairs(), options, pairs);
+  for(Output_file* file : {picture_file.get(), table_file.get()})
+    if(file)
+      file->commit();
+  std::ostream& out = options.pairs == "-" || options.picture == "-" ? std::cerr : std::cout;
+  print_summary(out, files, options, in_pairs, pairs, seconds.count());
+  finish(out, "the summary");
+}
+
+} // namespace near_pairs
