@@ -12,9 +12,9 @@
 #include <CGAL/Arithmetic_tier.h>
 #include <CGAL/Distance_bound.h>
 
-#include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/check_denormals.h>
 #include <CGAL/Thick_intersection_d/internal/doors/box_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/doors/near_objects_search.h>
 #include <CGAL/Thick_intersection_d/internal/features/Feature_boundaries.h>
 #include <CGAL/Thick_intersection_d/internal/features/Feature_insides.h>
 #include <CGAL/Thick_intersection_d/internal/features/Feature_segments.h>
@@ -23,9 +23,6 @@
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
-#include <CGAL/Thick_intersection_d/internal/input/vertices.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Hull_bound.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/are_objects_near.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
@@ -64,36 +61,27 @@ constexpr bool check_features()
 template <class Segment>
 class Segments_near
 {
-  using Exact = Common_exact_number_t<Segment>;
-
 public:
   template <class NT>
   explicit Segments_near(const Distance_bound<NT>& bound)
-    : bound_(bound), takes_zero_(!bound.is_open() || bound.value() != NT(0))
-  {
-    hull_bound_ = make_hull_bound(bound, bound_);
-  }
+    : are_near_(bound, Arithmetic_tier::INT64, nullptr),
+      takes_zero_(!bound.is_open() || bound.value() != NT(0))
+  {}
 
-  bool operator()(const Segment& a, const Segment& b) const
-  {
-    Arithmetic_tier tier = Arithmetic_tier::INT64;
-    const auto exact_bound = [&]() -> const Squared_bound<Exact>& { return bound_; };
-    return are_kinds_near(a, b, hull_bound_, exact_bound, tier);
-  }
+  bool operator()(const Segment& a, const Segment& b) const { return are_near_(a, b); }
 
   // Two intervals meet if their distance is at most the reach. The sum is rounded once.
   Interval grown(const Interval& interval) const
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    return {interval.low, std::nextafter(interval.high + bound_.reach(), infinity)};
+    return {interval.low, std::nextafter(interval.high + are_near_.reach(), infinity)};
   }
 
   bool takes_insides() const { return takes_zero_; }
 
 private:
-  const Squared_bound<Exact> bound_;
+  const Are_objects_near<Segment> are_near_;
   const bool takes_zero_;
-  Hull_bound hull_bound_;
 };
 
 // The test of segments for features that intersect, or that are within a bound.
