@@ -73,6 +73,13 @@ auto exact_vertex(const Object& object, std::size_t k)
   }
 }
 
+// Returns a point in a kernel whose predicates are exact for it.
+template <class Point>
+auto with_exact_predicates(const Point& p)
+{
+  return exact_vertex<Kernel_with_exact_predicates<typename Kernel_traits<Point>::Kernel>, 1>(p, 0);
+}
+
 // Makes the bounding box of a lazy object final. Otherwise the box would shrink when a predicate
 // evaluates the object exactly, in the middle of a search that has ordered objects by their boxes.
 // Doubles are final as they are.

@@ -1,0 +1,271 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Objects of two types, near objects of one's own, and what the profile says of distances.
+
+#include "support/pairs.h"
+
+#include <CGAL/Arithmetic_tier.h>
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Scene_profile.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/fixed_radius_near_neighbors.h>
+#include <CGAL/thick_intersection_d.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+using namespace test_support;
+
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_2;
+using Segment = Kernel::Segment_2;
+using Ball = std::pair<Point, double>;
+
+// ---- objects of one's own -----------------------------------------------------------------------
+
+// Neither can be copied, and nothing tells where they are but the traits.
+struct Ship
+{
+  Ship(double first, double last) : first(first), last(last) {}
+  Ship(Ship&&) = default;
+  double first, last;
+};
+struct Lighthouse
+{
+  explicit Lighthouse(double place) : place(place) {}
+  Lighthouse(Lighthouse&&) = default;
+  double place;
+};
+
+struct Interval_of_sea
+{
+  std::pair<double, double> operator()(const Ship& ship, int) const
+  {
+    return {ship.first, ship.last};
+  }
+  std::pair<double, double> operator()(const Lighthouse& lighthouse, int) const
+  {
+    return {lighthouse.place - range, lighthouse.place + range};
+  }
+  double range;
+};
+
+// A model of ThickIntersectionIntervalTraits_d for ships and lighthouses, in this order.
+class Sea_traits
+{
+public:
+  explicit Sea_traits(double range) : range_(range) {}
+  int dimension() const { return 1; }
+  Interval_of_sea interval_d_object() const { return {range_}; }
+  auto do_intersect_d_object() const
+  {
+    return [range = range_](const Ship& ship, const Lighthouse& lighthouse) {
+      return ship.first <= lighthouse.place + range && lighthouse.place - range <= ship.last;
+    };
+  }
+
+private:
+  double range_;
+};
+
+// A model of ThickDistanceTraits_d for them, and for ships alone.
+struct Distances_at_sea
+{
+  int dimension() const { return 1; }
+  Interval_of_sea interval_d_object() const { return {0}; }
+  struct Is_within_distance_d
+  {
+    template <class NT>
+    bool operator()(const Ship& ship, const Lighthouse& lighthouse,
+                    const CGAL::Distance_bound<NT>& bound) const
+    {
+      return is_within(lighthouse.place - ship.last, ship.first - lighthouse.place, bound);
+    }
+    template <class NT>
+    bool operator()(const Ship& a, const Ship& b, const CGAL::Distance_bound<NT>& bound) const
+    {
+      return is_within(b.first - a.last, a.first - b.last, bound);
+    }
+    template <class NT>
+    static bool is_within(double left, double right, const CGAL::Distance_bound<NT>& bound)
+    {
+      const double distance = std::max({left, right, 0.});
+      const double compared = bound.is_squared() ? distance * distance : distance;
+      return bound.is_open() ? compared < bound.value() : compared <= bound.value();
+    }
+  };
+  Is_within_distance_d is_within_distance_d_object() const { return {}; }
+};
+
+std::vector<Ship> ships()
+{
+  std::vector<Ship> ships;
+  for(const double x : {0, 3, 10, 20})
+    ships.emplace_back(x, x + 2);
+  return ships;
+}
+
+std::vector<Lighthouse> lighthouses()
+{
+  std::vector<Lighthouse> lighthouses;
+  for(const double x : {6, 21})
+    lighthouses.emplace_back(x);
+  return lighthouses;
+}
+
+// An object with bbox() and do_intersect().
+struct Buoy
+{
+  CGAL::Bbox_2 bbox() const { return {place, 0, place, 0}; }
+  double place;
+};
+bool do_intersect(const Segment& segment, const Buoy& buoy)
+{
+  return segment.has_on(Point(buoy.place, 0));
+}
+
+template <class... Arguments>
+Pairs found_pairs(const Arguments&... arguments)
+{
+  Pairs pairs;
+  const auto add = [&](std::size_t i, std::size_t j) { pairs.emplace_back(i, j); };
+  CGAL::fixed_radius_near_neighbors(arguments..., add);
+  return sorted(pairs);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(own_kinds)
+
+BOOST_AUTO_TEST_CASE(traits_for_two_types)
+{
+  const std::vector<Ship> a = ships();
+  const std::vector<Lighthouse> b = lighthouses();
+  Pairs pairs;
+  const auto add = [&](std::size_t i, std::size_t j) { pairs.emplace_back(i, j); };
+  CGAL::thick_intersection_d(a, b, add, CGAL::parameters::geom_traits(Sea_traits(1)));
+  BOOST_CHECK((sorted(pairs) == Pairs{{1, 0}, {3, 1}}));
+  pairs.clear();
+  CGAL::thick_intersection_d(a, b, add, CGAL::parameters::geom_traits(Sea_traits(4)));
+  BOOST_CHECK((sorted(pairs) == Pairs{{0, 0}, {1, 0}, {2, 0}, {3, 1}}));
+}
+
+BOOST_AUTO_TEST_CASE(own_object_beside_one_of_a_kernel)
+{
+  const std::vector<Segment> segments = {{Point(0, 0), Point(4, 0)}, {Point(3, -1), Point(3, 1)}};
+  const std::vector<Buoy> buoys = {{1}, {3}, {9}};
+  Pairs pairs;
+  CGAL::thick_intersection_d(segments, buoys,
+                             [&](std::size_t i, std::size_t j) { pairs.emplace_back(i, j); });
+  BOOST_CHECK((sorted(pairs) == Pairs{{0, 0}, {0, 1}, {1, 1}}));
+}
+
+BOOST_AUTO_TEST_CASE(distances_of_own_objects)
+{
+  const std::vector<Ship> a = ships();
+  const std::vector<Lighthouse> b = lighthouses();
+  const auto near = [&](const auto& bound, const auto&... ranges) {
+    Pairs pairs;
+    CGAL::fixed_radius_near_neighbors(
+      ranges..., bound, [&](std::size_t i, std::size_t j) { pairs.emplace_back(i, j); },
+      CGAL::parameters::geom_traits(Distances_at_sea()));
+    return sorted(pairs);
+  };
+  BOOST_CHECK((near(CGAL::within_distance(1), a) == Pairs{{0, 1}}));
+  BOOST_CHECK((near(CGAL::within_distance(1).open(), a).empty()));
+  BOOST_CHECK((near(CGAL::within_squared_distance(16), a, b)
+               == Pairs{{0, 0}, {1, 0}, {2, 0}, {3, 1}}));
+  BOOST_CHECK((near(CGAL::within_squared_distance(16).open(), a, b) == Pairs{{1, 0}, {3, 1}}));
+}
+
+// ---- errors -------------------------------------------------------------------------------------
+
+BOOST_AUTO_TEST_CASE(errors_name_the_position_in_both_ranges)
+{
+  using Object = std::variant<Segment, Ball>;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<Point> points = {Point(0, 0), Point(1, 1)};
+  const auto has = [](const std::string& text) {
+    return [text](const std::invalid_argument& error) {
+      return std::string(error.what()).find(text) != std::string::npos;
+    };
+  };
+  const std::vector<Object> with_nan = {Segment(Point(0, 0), Point(nan, 0))};
+  BOOST_CHECK_EXCEPTION(found_pairs(points, with_nan, CGAL::within_distance(1)),
+                        std::invalid_argument, has("vertex of object 2"));
+  const std::vector<Object> with_radius = {Ball(Point(0, 0), -1)};
+  BOOST_CHECK_EXCEPTION(found_pairs(with_radius, CGAL::within_distance(1)), std::invalid_argument,
+                        has("radius of object 0"));
+  BOOST_CHECK_THROW(found_pairs(with_nan, CGAL::within_distance(nan)), std::invalid_argument);
+}
+
+// ---- the profile --------------------------------------------------------------------------------
+
+// Segments of length 1 at the points of a lattice of step 2: neighbors are 1 or 2 apart.
+std::vector<Segment> lattice(double step)
+{
+  std::vector<Segment> segments;
+  for(int x = 0; x < 8; ++x)
+    for(int y = 0; y < 8; ++y)
+      segments.emplace_back(Point(2 * x * step, 2 * y * step),
+                            Point((2 * x + 1) * step, 2 * y * step));
+  return segments;
+}
+
+BOOST_AUTO_TEST_CASE(integers_decide_ties_on_a_grid)
+{
+  CGAL::Scene_profile profile;
+  std::size_t count = 0;
+  const auto add = [&](std::size_t, std::size_t) { ++count; };
+  CGAL::fixed_radius_near_neighbors(lattice(1), CGAL::within_distance(1), add, profile);
+  BOOST_CHECK_EQUAL(count, 7u * 8u);
+  BOOST_CHECK_EQUAL(profile.degree(), 4);
+  BOOST_CHECK(profile.is_of_distances());
+  BOOST_CHECK(profile.tier() == CGAL::Arithmetic_tier::INT128);
+  BOOST_CHECK_EQUAL(profile.decided(CGAL::Arithmetic_tier::INT128), 7u * 8u);
+  BOOST_CHECK_EQUAL(profile.decided(CGAL::Arithmetic_tier::FILTERED_EXACT), 0u);
+
+  profile.force_tier(CGAL::Arithmetic_tier::FILTERED_EXACT);
+  CGAL::fixed_radius_near_neighbors(lattice(1), CGAL::within_distance(1), add, profile);
+  BOOST_CHECK_EQUAL(count, 2 * 7u * 8u);
+  BOOST_CHECK_EQUAL(profile.decided(CGAL::Arithmetic_tier::INT128), 0u);
+  BOOST_CHECK_EQUAL(profile.decided(CGAL::Arithmetic_tier::FILTERED_EXACT), 7u * 8u);
+}
+
+BOOST_AUTO_TEST_CASE(exact_numbers_decide_ties_of_long_numbers)
+{
+  CGAL::Scene_profile profile;
+  CGAL::fixed_radius_near_neighbors(lattice(.1), CGAL::within_distance(.1),
+                                    [](std::size_t, std::size_t) {}, profile);
+  BOOST_CHECK(profile.tier() == CGAL::Arithmetic_tier::FILTERED_EXACT);
+  BOOST_CHECK_GT(profile.decided(CGAL::Arithmetic_tier::FILTERED_EXACT), 0u);
+  BOOST_CHECK_THROW(profile.force_tier(CGAL::Arithmetic_tier::INT128), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(degrees)
+{
+  CGAL::Scene_profile profile;
+  const auto ignore = [](std::size_t, std::size_t) {};
+  const std::vector<Ball> balls = {Ball(Point(0, 0), 1), Ball(Point(2, 0), 1)};
+  CGAL::thick_self_intersection_d(balls, ignore, profile);
+  BOOST_CHECK_EQUAL(profile.degree(), 2);
+  CGAL::thick_intersection_d(balls, lattice(1), ignore, profile);
+  BOOST_CHECK_EQUAL(profile.degree(), 4);
+  const std::vector<Point> points = {Point(0, 0)};
+  CGAL::thick_intersection_d(points, lattice(1), ignore, profile);
+  BOOST_CHECK_EQUAL(profile.degree(), 2);
+  BOOST_CHECK(!profile.is_of_distances());
+}
+
+BOOST_AUTO_TEST_SUITE_END()
