@@ -32,7 +32,8 @@ the intervals are used, and the predicates of that concept only if an interval i
 
 <b>Two types.</b> The two ranges of `CGAL::thick_intersection_d()` may hold objects of two types.
 Then a model need not have the type `Object_d`. `Interval_d` takes objects of either type, and
-`Do_intersect_d` takes an object of the first range and one of the second, in this order.
+`Do_intersect_d` takes an object of the first range and one of the second, in this order. Then the
+traits object is copied, and a function `check()` is not called.
 
 A model may have a member function `check(object, position)`. It is called for each object and its
 position in the range before anything else, and may throw.
