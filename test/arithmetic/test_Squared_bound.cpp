@@ -85,16 +85,27 @@ BOOST_AUTO_TEST_CASE(the_reach_of_a_squared_bound_is_not_below_its_root)
 }
 
 // r^2 is beyond the range of doubles, and r is not.
-BOOST_AUTO_TEST_CASE(the_reach_of_an_exact_squared_bound_is_tight_at_all_scales)
+template <class Exact, class NT>
+void check_tight_reach()
 {
-  using Exact = internal::Exact_number_t<double>;
   for(const double r : {5e-324, 1e-321, 3e-310, 1e-200, 1e-80, 1e80, 1e200, 1.2e308}) {
-    const Exact root(r);
-    const internal::Squared_bound<Exact> bound(CGAL::within_squared_distance(Exact(root * root)));
+    const NT root(r);
+    const internal::Squared_bound<Exact> bound(CGAL::within_squared_distance(NT(root * root)));
     BOOST_CHECK_GE(bound.reach(), r);
     BOOST_CHECK_LE(bound.reach(), std::nextafter(std::nextafter(r * (1 + 1e-15), infinity),
                                                  infinity));
   }
+}
+
+BOOST_AUTO_TEST_CASE(the_reach_of_an_exact_squared_bound_is_tight_at_all_scales)
+{
+  using Exact = internal::Exact_number_t<double>;
+  using Lazy = CGAL::Lazy_exact_nt<CGAL::Exact_rational>;
+  check_tight_reach<Exact, Exact>();
+  check_tight_reach<Exact, CGAL::Exact_rational>();
+  check_tight_reach<CGAL::Exact_rational, CGAL::Exact_rational>();
+  check_tight_reach<Lazy, Lazy>();
+  check_tight_reach<CGAL::Exact_rational, Lazy>();
 }
 
 // floor(r^2 / 4^e) + 1, or r^2 / 4^e itself if that is an integer and the bound is open.

@@ -71,9 +71,13 @@ public:
 
     const std::pair<double, double> value = bounds(bound.value());
     set_doubles(value, bound.is_squared());
-    if constexpr(std::is_same_v<NT, Exact>)
-      if(bound.is_squared() && (value.second < 0x1p-600 || value.second > 0x1p600))
-        set_reach();
+    if constexpr(!is_held_by_double_v<NT>)
+      if(bound.is_squared() && (value.second < 0x1p-600 || value.second > 0x1p600)) {
+        if constexpr(std::is_same_v<NT, Exact> && !Is_lazy<NT>::value)
+          set_reach(bound.value());
+        else // products of lazy numbers that are beyond the doubles have no bounds
+          set_reach(to_exact_rational(bound.value()));
+      }
   }
 
   bool is_open() const { return open_; }
@@ -170,16 +174,16 @@ private:
   }
 
   // Sets the reach from r^2, which may be beyond the range of doubles while r is not.
-  CGAL_RARELY_CALLED void set_reach()
+  template <class Number>
+  CGAL_RARELY_CALLED void set_reach(Number square)
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     constexpr int step = 256;
-    Exact square(numerator_); // times 4^-exponent
-    int exponent = 0;
+    int exponent = 0; // of the power of four that the square has been divided by
     for(; exponent > -5 * step && bounds(square).second < 0x1p-600; exponent -= step)
-      square = square * Exact(std::ldexp(1., 2 * step));
+      square = square * Number(std::ldexp(1., 2 * step));
     for(; exponent < 5 * step && bounds(square).second > 0x1p600; exponent += step)
-      square = square * Exact(std::ldexp(1., -2 * step));
+      square = square * Number(std::ldexp(1., -2 * step));
     const double root = std::nextafter(std::sqrt(bounds(square).second), infinity);
     reach_ = std::nextafter(std::ldexp(root, exponent), infinity);
   }
