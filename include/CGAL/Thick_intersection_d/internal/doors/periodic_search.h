@@ -1,0 +1,298 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_PERIODIC_SEARCH_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_PERIODIC_SEARCH_H
+
+// The search behind the functions for periodic domains: a search of the points without periods, and
+// one of the few images beyond a boundary of the domain, for points near them.
+
+#include <CGAL/Arithmetic_tier.h>
+#include <CGAL/Distance_bound.h>
+#include <CGAL/Scene_profile.h>
+
+#include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/doors/near_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/doors/pair_search.h>
+#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
+#include <CGAL/Thick_intersection_d/internal/input/Scene.h>
+#include <CGAL/Thick_intersection_d/internal/input/check_range.h>
+#include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
+#include <CGAL/Thick_intersection_d/internal/periodic/Cell_fractions.h>
+#include <CGAL/Thick_intersection_d/internal/periodic/Images.h>
+#include <CGAL/Thick_intersection_d/internal/periodic/Lattice_basis.h>
+#include <CGAL/Thick_intersection_d/internal/periodic/Periods.h>
+#include <CGAL/Thick_intersection_d/internal/periodic/Scene_images.h>
+#include <CGAL/Thick_intersection_d/internal/periodic/check_in_box.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Image_output.h>
+#include <CGAL/Thick_intersection_d/internal/reports/parameters_of_part.h>
+#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+template <class ConcurrencyTag, class Elements, class Sets, class Domain, class NT>
+class Periodic_search
+{
+  using Point = typename Elements::value_type;
+  using Lattice = decltype(lattice_of(std::declval<const Domain&>()));
+
+public:
+  static constexpr int dimension = Lattice::dimension;
+  using Exact = Common_exact_t<Coordinate_t<Point>, typename Lattice::FT>;
+  using Offsets = Offset<dimension>;
+
+  // Checks the bound, the domain and the points.
+  CGAL_RARELY_CALLED
+  Periodic_search(const Elements& points, const Sets& sets, const Domain& domain,
+                  const Distance_bound<NT>& bound)
+    : points_(points), sets_(sets), bound_(bound), reach_(finite_reach(bound)),
+      scene_(scan_points<ConcurrencyTag>(points, "point", false)),
+      periods_(lattice_of(domain)), basis_(lattice_of(domain))
+  {
+    if(points.size() == 0)
+      return;
+    check_size(points.size());
+    if constexpr(!is_lattice_v<Domain>)
+      check_in_box(points, scene_, domain);
+    images_.emplace(points, sets, basis_, Cell_fractions<dimension>(basis_, scene_), reach_,
+                    is_lattice_v<Domain>);
+  }
+
+  // Calls report(i, j, offset) for each pair of images once. Returns false iff the search was
+  // stopped. Replaces the profile unless it is null.
+  template <class Report, class NamedParameters>
+  bool report(Report& report, const NamedParameters& np, Scene_profile* profile) const
+  {
+    if(!images_)
+      return true;
+    const Moved near(points_, periods_, images_->near());
+    const double share = static_cast<double>(points_.size())
+                         / static_cast<double>(points_.size() + near.size());
+    const auto np_of_homes = parameters_of_part(np, 0, images_->have_near() ? share : 1);
+    Scene_profile profile_of_near;
+    if(profile != nullptr && profile->forced_tier()) { // refused before anything is reported
+      profile_of_near = Scene_profile(scan_points<ConcurrencyTag>(near, "image"), reach_);
+      profile_of_near.force_tier(*profile->forced_tier());
+    }
+    if(!report_homes(report, np_of_homes, profile))
+      return false;
+    if(!images_->have_near())
+      return true;
+    const bool is_complete = report_near(near, report, parameters_of_part(np, share, 1),
+                                         profile == nullptr ? nullptr : &profile_of_near);
+    if(profile != nullptr)
+      *profile = joined_profile(*profile, profile_of_near);
+    return is_complete;
+  }
+
+  // The number of vectors of the basis.
+  int rank() const { return basis_.rank(); }
+
+  // Returns the offset by a vector of the basis, or the opposite one if that is positive.
+  Offsets basis_offset(int k) const
+  {
+    Offsets offset, opposite;
+    for(std::size_t i = 0; i < offset.size(); ++i) {
+      offset[i] = static_cast<int>(basis_.steps(k)[i]);
+      opposite[i] = -offset[i];
+    }
+    return (std::max)(offset, opposite);
+  }
+
+  // Calls task(elements) with the homes of the points.
+  template <class Task>
+  void with_homes(const Task& task) const
+  {
+    if(images_->are_moved())
+      task(Moved(points_, periods_, images_->homes()));
+    else
+      task(points_);
+  }
+
+  // Returns the offset of the second of two points whose homes are not moved.
+  Offsets offset_of_homes(std::size_t i, std::size_t j) const
+  {
+    Offsets offset = {};
+    if(images_->are_moved())
+      for(std::size_t k = 0; k < offset.size(); ++k)
+        offset[k] = images_->homes()[j].offset[k] - images_->homes()[i].offset[k];
+    return offset;
+  }
+
+  Exact squared_distance(std::size_t i, std::size_t j, const Offsets& offset) const
+  {
+    Exact sum(0);
+    for(int axis = 0; axis < dimension; ++axis) {
+      const Exact difference = to_exact<Exact>(coordinate(points_[i], axis))
+                               - periods_.moved(coordinate(points_[j], axis), offset, axis);
+      sum += difference * difference;
+    }
+    return sum;
+  }
+
+private:
+  using Moved = Images<Elements, dimension, Exact>;
+
+  // Reports the pairs that no offset between homes moves.
+  template <class Report, class NamedParameters>
+  bool report_homes(Report& report, const NamedParameters& np, Scene_profile* profile) const
+  {
+    if constexpr(is_lattice_v<Domain>)
+      if(images_->are_moved()) {
+        const std::size_t second = first_of_second();
+        return search(Moved(points_, periods_, images_->homes()), sets_,
+                      [&, &homes = images_->homes()](std::size_t i, std::size_t j) {
+                        return report_images(report, homes[i], homes[second + j]);
+                      }, np, profile);
+      }
+    return search(points_, sets_, [&](std::size_t i, std::size_t j) {
+      return report(i, j, Offsets{});
+    }, np, profile);
+  }
+
+  // Reports the pairs of a home and a moved home.
+  template <class Report, class NamedParameters>
+  bool report_near(const Moved& near, Report& report, const NamedParameters& np,
+                   Scene_profile* profile) const
+  {
+    const auto& images = images_->near();
+    const Two_sets sets{images_->first_near_size()};
+    return search(near, sets, [&](std::size_t i, std::size_t j) {
+      return report_images(report, images[i], images[sets.first_size + j]);
+    }, np, profile);
+  }
+
+  // Reports two images in the order of their points. Those of one point are ordered by the offset.
+  template <class Report>
+  auto report_images(Report& report, const Image<dimension>& a,
+                     const Image<dimension>& b) const
+  {
+    Offsets offset, opposite;
+    for(std::size_t k = 0; k < offset.size(); ++k) {
+      offset[k] = b.offset[k] - a.offset[k];
+      opposite[k] = -offset[k];
+    }
+    if constexpr(Sets::are_two)
+      return report(a.position, b.position - sets_.first_size, offset);
+    else if(a.position < b.position || (a.position == b.position && offset > Offsets{}))
+      return report(a.position, b.position, offset);
+    else
+      return report(b.position, a.position, opposite);
+  }
+
+  std::size_t first_of_second() const
+  {
+    if constexpr(Sets::are_two)
+      return sets_.first_size;
+    else
+      return 0;
+  }
+
+  template <class Some_elements, class Some_sets, class Callback, class NamedParameters>
+  bool search(const Some_elements& elements, const Some_sets& sets, const Callback& callback,
+              const NamedParameters& np, Scene_profile* profile) const
+  {
+    return profile == nullptr
+             ? report_near_pairs<ConcurrencyTag>(elements, sets, bound_, callback, np)
+             : report_near_pairs<ConcurrencyTag>(elements, sets, bound_, callback, *profile, np);
+  }
+
+  // Returns the profile of the homes and of the images near them.
+  Scene_profile joined_profile(const Scene_profile& homes, const Scene_profile& near) const
+  {
+    std::vector<std::pair<double, double>> box;
+    for(int axis = 0; axis < dimension; ++axis)
+      box.emplace_back((std::min)(homes.range(axis).first, near.range(axis).first),
+                       (std::max)(homes.range(axis).second, near.range(axis).second));
+    std::optional<int> grid_exponent;
+    if(homes.has_grid() && near.has_grid())
+      grid_exponent = (std::min)(homes.grid_exponent(), near.grid_exponent());
+    Scene_profile profile(points_.size(), box, reach_, grid_exponent);
+    if(homes.forced_tier())
+      profile.force_tier(*homes.forced_tier());
+    Decision_counts counts;
+    for(std::size_t tier = 0; tier < arithmetic_tier_count; ++tier)
+      for(const Scene_profile* part : {&homes, &near})
+        counts.add(static_cast<Arithmetic_tier>(tier),
+                   part->decided(static_cast<Arithmetic_tier>(tier)));
+    profile.set_counts(counts);
+    profile.set_coordinates(homes.coordinate_bits(), homes.are_coordinates_rounded());
+    return profile;
+  }
+
+  static double finite_reach(const Distance_bound<NT>& bound)
+  {
+    const double reach = Squared_bound<Exact>(bound).reach();
+    if(!std::isfinite(reach))
+      throw std::invalid_argument("The bound of a periodic search is infinite.");
+    return reach;
+  }
+
+  const Elements& points_;
+  const Sets& sets_;
+  const Distance_bound<NT>& bound_;
+  const double reach_;
+  const Scene scene_;
+  const Periods<dimension, Exact> periods_;
+  const Lattice_basis<dimension> basis_;
+  std::optional<Scene_images<dimension>> images_; // none without points
+};
+
+// Returns search(elements, sets) for the points of one range, or of two. Explains to the compiler's
+// user what cannot be searched.
+template <class ConcurrencyTag, class Domain, class NamedParameters, class Search, class... Ranges>
+auto with_periodic_sets(const NamedParameters& np, const Search& search, Ranges&... ranges)
+{
+  const auto checked = [&](const auto& elements, const auto& sets) {
+    using Point = typename std::decay_t<decltype(elements)>::value_type;
+    constexpr int dimension = dimension_or<Point>(0);
+    constexpr bool fits = dimension == decltype(lattice_of(std::declval<Domain>()))::dimension;
+    static_assert(fits, "The domain is to be an Iso_rectangle_2 for points in the plane, an "
+                        "Iso_cuboid_3 in space, or a Periodic_lattice_d of this dimension.");
+    return search(elements, sets);
+  };
+  static_assert((check_range_of_points<ConcurrencyTag, Ranges, NamedParameters>() && ...));
+  return with_sets(checked, make_elements(ranges, np)...);
+}
+
+template <class ConcurrencyTag, class Domain, class NT, class Callback, class NamedParameters,
+          class... Ranges>
+bool report_periodic_pairs(const Domain& domain, const Distance_bound<NT>& bound,
+                           Callback& callback, Scene_profile* profile, const NamedParameters& np,
+                           Ranges&... ranges)
+{
+  const auto search_sets = [&](const auto& elements, const auto& sets) {
+    const Periodic_search<ConcurrencyTag, std::decay_t<decltype(elements)>,
+                          std::decay_t<decltype(sets)>, Domain, NT>
+      search(elements, sets, domain, bound);
+    auto&& report
+      = image_output<ConcurrencyTag, Offset<decltype(lattice_of(domain))::dimension>>(
+        elements.first(), elements.second(), callback);
+    return search.report(report, np, profile);
+  };
+  return with_periodic_sets<ConcurrencyTag, Domain>(np, search_sets, ranges...);
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_PERIODIC_SEARCH_H

@@ -1,0 +1,138 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_PERIODIC_PERIODS_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_PERIODIC_PERIODS_H
+
+// The periods of a domain, as exact vectors. An offset moves a point by an integer multiple of each
+// period. A moved coordinate is never rounded: it is an exact number, with doubles around it.
+
+#include <CGAL/Periodic_lattice_d.h>
+
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <limits>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// How many times each period is added.
+template <int Dimension>
+using Offset = std::array<int, static_cast<std::size_t>(Dimension)>;
+
+template <class Domain>
+inline constexpr bool is_lattice_v = false;
+template <class Vector>
+inline constexpr bool is_lattice_v<Periodic_lattice_d<Vector>> = true;
+
+// The lattice of a domain, which is a lattice or an iso-box.
+template <class Domain>
+auto lattice_of(const Domain& domain)
+{
+  if constexpr(is_lattice_v<Domain>)
+    return domain;
+  else
+    return Periodic_lattice_d(domain);
+}
+
+// A type for sums of numbers of both types, without error.
+template <class NT, class Other>
+using Common_exact_t
+  = std::conditional_t<std::is_same_v<Exact_number_t<NT>, Exact_number_t<Other>>,
+                       Exact_number_t<NT>, Exact_rational>;
+
+template <class Exact, class NT>
+Exact to_exact(const NT& x)
+{
+  if constexpr(std::is_same_v<Exact, Exact_number_t<NT>>)
+    return to_exact_number(x);
+  else
+    return to_exact_rational(x);
+}
+
+template <int Dimension, class Exact_>
+class Periods
+{
+public:
+  using Exact = Exact_;
+
+  // Throws if a component is NaN or infinite.
+  template <class Vector>
+  CGAL_RARELY_CALLED explicit Periods(const Periodic_lattice_d<Vector>& lattice)
+  {
+    for(int k = 0; k < Dimension; ++k) {
+      for(int axis = 0; axis < Dimension; ++axis) {
+        const auto& [from, to] = lattice.ends(k, axis);
+        if(!is_finite_number(from) || !is_finite_number(to))
+          throw std::invalid_argument("A period is NaN or infinite.");
+        vectors_[k][axis] = to_exact<Exact>(to) - to_exact<Exact>(from);
+        moves_[k][axis] = lattice.repeats(k) && vectors_[k][axis] != Exact(0);
+        bounds_[k][axis] = bounds(vectors_[k][axis]);
+      }
+    }
+  }
+
+  // Returns x, a coordinate along an axis, moved by an offset.
+  template <class NT>
+  CGAL_RARELY_CALLED
+  Exact moved(const NT& x, const Offset<Dimension>& offset, int axis) const
+  {
+    Exact sum(to_exact<Exact>(x));
+    for(int k = 0; k < Dimension; ++k)
+      if(offset[k] != 0 && moves_[k][axis])
+        sum += Exact(static_cast<double>(offset[k])) * vectors_[k][axis];
+    return sum;
+  }
+
+  // Returns doubles that enclose the sum: equal ones if it is a double.
+  template <class Point>
+  std::pair<double, double> moved_bounds(const Point& p, const Offset<Dimension>& offset,
+                                         int axis) const
+  {
+    std::pair<double, double> sum = coordinate_bounds(p, axis);
+    for(int k = 0; k < Dimension; ++k)
+      if(offset[k] != 0 && moves_[k][axis]) {
+        const std::pair<double, double>& period = bounds_[k][axis];
+        if(std::abs(offset[k]) != 1)
+          return bounds(moved(coordinate(p, axis), offset, axis));
+        sum = offset[k] == 1 ? enclosed_sum(sum, period)
+                             : enclosed_sum(sum, {-period.second, -period.first});
+      }
+    return sum;
+  }
+
+private:
+  static std::pair<double, double> enclosed_sum(const std::pair<double, double>& x,
+                                                const std::pair<double, double>& y)
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const double low = x.first + y.first, high = x.second + y.second;
+    return {is_sum(low, x.first, y.first) ? low : std::nextafter(low, -infinity),
+            is_sum(high, x.second, y.second) ? high : std::nextafter(high, infinity)};
+  }
+
+  // Whether s, the computed sum x + y, is not rounded. The difference of s and the number of larger
+  // absolute value is exact, in every rounding mode.
+  static bool is_sum(double s, double x, double y) { return s - x == y && s - y == x; }
+
+  std::array<std::array<Exact, Dimension>, Dimension> vectors_;
+  std::array<std::array<std::pair<double, double>, Dimension>, Dimension> bounds_;
+  std::array<std::array<bool, Dimension>, Dimension> moves_;
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_PERIODIC_PERIODS_H
