@@ -30,7 +30,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 
 namespace CGAL {
@@ -146,7 +145,6 @@ private:
     if(dot_product(v, v) <= squares.near)
       return true;
     next_vertex_ = look_along(v);
-    is_in_hull_ = true;
     if(is_beyond(squares.far))
       return false;
     return Uncertain<bool>::indeterminate();
@@ -168,11 +166,9 @@ private:
     return mean;
   }
 
-  // Infinite if no point of C is known.
+  // If no point of C is known, all levels are zero: the tolerance leaves out none.
   double tolerance() const
   {
-    if(!is_in_hull_)
-      return std::numeric_limits<double>::infinity();
     const double length = std::sqrt(square_);
     const double gap = (std::max)(square_ - least_product_, 0.) + 8 * slack_ * length;
     return 4 * largest_ * (std::sqrt(gap) + 2 * slack_) + slack_ * length;
@@ -201,7 +197,6 @@ private:
   std::array<Vector, Size_b> b_;
   double largest_; // absolute value of a coordinate
   double slack_;
-  bool is_in_hull_ = false; // whether the last v is in C, up to the slack
   Vector next_vertex_;
   double square_ = 0, least_product_ = 0; // of the last v
   std::array<double, Size_a> levels_of_a_ = {}; // products with v

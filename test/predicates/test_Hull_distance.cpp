@@ -1,0 +1,457 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Distances of hulls of doubles against the oracle: no answer is wrong, few are missing, and the
+// vertices that are left for exact numbers are enough and few.
+
+#include "support/distance_oracle.h"
+#include "support/point_generators.h"
+#include "support/rounding_mode.h"
+
+#include <CGAL/Thick_intersection_d/internal/predicates/Hull.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Hull_distance.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Hull_simplex.h>
+
+#include <CGAL/Uncertain.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+BOOST_AUTO_TEST_SUITE(Hull_distance)
+
+using namespace test_support;
+namespace internal = CGAL::Thick_intersection_d::internal;
+using boost::multiprecision::mpz_int;
+
+// Hulls of integers, which are doubles times a power of two.
+using Integers = Hull_vectors<std::int64_t>;
+
+template <int Dimension>
+std::array<double, Dimension> as_doubles(const Hull_vector<std::int64_t>& p, int exponent = 0)
+{
+  std::array<double, Dimension> x;
+  for(std::size_t axis = 0; axis < Dimension; ++axis)
+    x[axis] = std::ldexp(static_cast<double>(p[axis]), exponent);
+  return x;
+}
+
+// The squared distance of a and b. Numbers are small, or of any length.
+Rational true_square(const Integers& a, const Integers& b, bool are_small)
+{
+  if(are_small)
+    return squared_distance_of_hulls(a, b);
+  const auto lengthened = [](const Integers& vertices) {
+    Hull_vectors<mpz_int> result;
+    for(const auto& p : vertices)
+      result.push_back({mpz_int(p[0]), mpz_int(p[1]), mpz_int(p[2])});
+    return result;
+  };
+  return squared_distance_of_hulls(lengthened(a), lengthened(b));
+}
+
+double true_square(const Integers& a)
+{
+  return static_cast<double>(true_square(Integers(1, Hull_vector<std::int64_t>{}), a, true));
+}
+
+template <int Dimension>
+Hull_vector<std::int64_t> lattice_point(Random& random, std::size_t side)
+{
+  Hull_vector<std::int64_t> p = {};
+  for(std::size_t axis = 0; axis < Dimension; ++axis)
+    p[axis] = static_cast<std::int64_t>(random.below(2 * side + 1)) - static_cast<int>(side);
+  return p;
+}
+
+// ---- simplices ----------------------------------------------------------------------------------
+
+template <int Dimension>
+double square_of(const std::array<double, Dimension>& p)
+{
+  return internal::dot_product(p, p);
+}
+
+bool is_nearly(double x, double y) { return std::fabs(x - y) <= 1e-11 * (1 + std::fabs(y)); }
+
+// Whether no vertex, edge or face is of length zero.
+bool is_proper(const Integers& p)
+{
+  const auto from_first = [&](std::size_t k) { return difference(p[k], p[0]); };
+  return p.size() == 1   ? true
+         : p.size() == 2 ? !is_null(from_first(1))
+         : p.size() == 3 ? !is_null(cross(from_first(1), from_first(2)))
+                         : dot(cross(from_first(1), from_first(2)), from_first(3)) != 0;
+}
+
+// The nearest point is right, and that of the vertices that are kept.
+template <int Dimension>
+void check_simplices(std::size_t count)
+{
+  Random random(count);
+  std::size_t proper = 0, wrong = 0;
+  for(const std::size_t side : {2, 5, 12})
+    for(int i = 0; i < 2000; ++i) {
+      Integers vertices;
+      internal::Hull_simplex<Dimension> simplex;
+      for(std::size_t k = 0; k < count; ++k) {
+        vertices.push_back(lattice_point<Dimension>(random, side));
+        simplex.add(as_doubles<Dimension>(vertices.back()));
+      }
+      if(!is_proper(vertices))
+        continue;
+      ++proper;
+      const double square = true_square(vertices);
+      const auto first = simplex.nearest();
+      const std::size_t kept = simplex.size();
+      const auto again = simplex.nearest();
+      wrong += !is_nearly(square_of<Dimension>(first), square)
+               || !is_nearly(square_of<Dimension>(again), square) || kept == 0
+               || (square != 0 && kept > Dimension);
+    }
+  BOOST_CHECK_EQUAL(wrong, 0u);
+  BOOST_CHECK_GT(proper, 500u);
+}
+
+BOOST_AUTO_TEST_CASE(nearest_point_of_a_simplex)
+{
+  for(std::size_t count = 1; count <= 3; ++count) {
+    check_simplices<2>(count);
+    check_simplices<3>(count);
+  }
+  check_simplices<3>(4);
+}
+
+BOOST_AUTO_TEST_CASE(simplex_has_the_vertices_that_it_keeps)
+{
+  internal::Hull_simplex<2> simplex;
+  for(const std::array<double, 2>& p : {std::array<double, 2>{1, 1}, {1, -1}, {5, 0}})
+    simplex.add(p);
+  BOOST_CHECK(simplex.has({5, 0}));
+  BOOST_CHECK((simplex.nearest() == std::array<double, 2>{1, 0}));
+  BOOST_CHECK_EQUAL(simplex.size(), 2u);
+  BOOST_CHECK(simplex.has({1, 1}) && simplex.has({1, -1}) && !simplex.has({5, 0}));
+}
+
+// Of parallel segments, any point of the difference may be told.
+template <int Dimension>
+void check_segments()
+{
+  Random random(Dimension);
+  std::size_t wrong = 0;
+  for(int i = 0; i < 5000; ++i) {
+    Integers vertices;
+    for(int k = 0; k < 4; ++k)
+      vertices.push_back(lattice_point<Dimension>(random, 6));
+    const Integers a = {vertices[0], vertices[1]}, b = {vertices[2], vertices[3]};
+    const auto x = [&](std::size_t k) { return as_doubles<Dimension>(vertices[k]); };
+    const double found
+      = square_of<Dimension>(internal::nearest_of_segments(x(0), x(1), x(2), x(3)));
+    const double truth = static_cast<double>(true_square(a, b, true));
+    const bool are_parallel = is_null(cross(difference(a[1], a[0]), difference(b[1], b[0])));
+    wrong += are_parallel ? !(found > truth - 1e-9) : !is_nearly(found, truth);
+  }
+  BOOST_CHECK_EQUAL(wrong, 0u);
+}
+
+BOOST_AUTO_TEST_CASE(nearest_point_of_two_segments)
+{
+  check_segments<2>();
+  check_segments<3>();
+}
+
+// ---- distances ----------------------------------------------------------------------------------
+
+// The answers to questions with a bound at the distance and around it.
+struct Answers
+{
+  std::size_t asked = 0, wrong = 0, unknown = 0;
+  std::size_t kept = 0; // vertices for exact numbers
+
+  void check(const CGAL::Uncertain<bool>& answer, bool truth)
+  {
+    ++asked;
+    if(!CGAL::is_certain(answer))
+      ++unknown;
+    else
+      wrong += CGAL::get_certain(answer) != truth;
+  }
+};
+
+template <int Dimension, std::size_t Size>
+internal::Hull<Dimension, Size> hull(const Integers& vertices, int exponent)
+{
+  internal::Hull<Dimension, Size> hull;
+  for(std::size_t k = 0; k < Size; ++k)
+    hull.vertices[k] = as_doubles<Dimension>(vertices[k], exponent);
+  return hull;
+}
+
+// Two hulls, and their squared distance.
+template <int Dimension, std::size_t Size_a, std::size_t Size_b>
+struct Question
+{
+  using Distance = internal::Hull_distance<Dimension, Size_a, Size_b>;
+
+  Question(const Integers& a, const Integers& b, bool are_small)
+    : a(a), b(b), square(true_square(a, b, are_small))
+  {}
+
+  Distance distance() const
+  {
+    return Distance(hull<Dimension, Size_a>(a, exponent), hull<Dimension, Size_b>(b, exponent));
+  }
+
+  // Whether the hulls are within r steps.
+  void ask(double r, Answers& answers) const
+  {
+    const bool truth = square <= Rational(r) * Rational(r);
+    const double bound = std::ldexp(r, exponent);
+    answers.check(distance().is_within(bound, bound), truth);
+  }
+
+  // Whether the vertices that are left have the same distance. Counts them.
+  bool are_enough(Answers& answers, bool are_small) const
+  {
+    Distance asked = distance();
+    const double r = std::ldexp(std::sqrt(static_cast<double>(square)), exponent);
+    if(CGAL::is_certain(asked.is_within(r, r)))
+      return true;
+    Integers left_a, left_b;
+    for(std::size_t k = 0; k < Size_a; ++k)
+      if(asked.may_be_nearest_of_a(k))
+        left_a.push_back(a[k]);
+    for(std::size_t k = 0; k < Size_b; ++k)
+      if(asked.may_be_nearest_of_b(k))
+        left_b.push_back(b[k]);
+    answers.kept += left_a.size() + left_b.size();
+    return !left_a.empty() && !left_b.empty() && true_square(left_a, left_b, are_small) == square;
+  }
+
+  Integers a, b;
+  Rational square;
+  int exponent = 0; // of a step
+};
+
+template <int Dimension, std::size_t Size>
+Integers lattice_hull(Random& random, std::size_t side)
+{
+  Integers vertices;
+  for(std::size_t k = 0; k < Size; ++k)
+    vertices.push_back(lattice_point<Dimension>(random, side));
+  return vertices;
+}
+
+// Small integers: doubles know all but ties.
+template <int Dimension, std::size_t Size_a, std::size_t Size_b>
+void check_small_hulls()
+{
+  Random random(10 * Size_a + Size_b);
+  Answers around, ties;
+  std::size_t too_few = 0, apart = 0;
+  for(const std::size_t side : {1, 2, 4, 9})
+    for(int i = 0; i < 300; ++i) {
+      Question<Dimension, Size_a, Size_b> question(lattice_hull<Dimension, Size_a>(random, side),
+                                                   lattice_hull<Dimension, Size_b>(random, side),
+                                                   true);
+      const int exponents[] = {0, 0, -60, 150, 20};
+      question.exponent = exponents[random.below(5)];
+      const Rounding_mode rounding(rounding_modes[random.below(4)]);
+      const double r = std::sqrt(static_cast<double>(question.square));
+      if(question.square == 0) {
+        question.ask(0, ties);
+        question.ask(.01, ties);
+        continue;
+      }
+      ++apart;
+      for(const double factor : {.5, 1 - 1e-9, 1 + 1e-9, 2.})
+        question.ask(factor * r, around);
+      for(const double bound : {r, std::nextafter(r, 0), std::nextafter(r, 1e9)})
+        question.ask(bound, ties);
+      too_few += !question.are_enough(ties, true);
+    }
+  BOOST_TEST_CONTEXT(Size_a << " and " << Size_b << " vertices in dimension " << Dimension)
+  {
+    BOOST_CHECK_EQUAL(around.wrong + ties.wrong, 0u);
+    BOOST_CHECK_EQUAL(around.unknown, 0u);
+    BOOST_CHECK_EQUAL(too_few, 0u);
+    BOOST_CHECK_GT(apart, 20u);
+    BOOST_CHECK_LT(ties.kept, 5 * apart); // a vertex and a triangle, or two edges, make four
+  }
+}
+
+BOOST_AUTO_TEST_CASE(small_hulls)
+{
+  check_small_hulls<2, 1, 2>();
+  check_small_hulls<2, 2, 2>();
+  check_small_hulls<2, 3, 3>();
+  check_small_hulls<2, 4, 4>();
+  check_small_hulls<3, 1, 1>();
+  check_small_hulls<3, 1, 4>();
+  check_small_hulls<3, 2, 2>();
+  check_small_hulls<3, 3, 2>();
+  check_small_hulls<3, 3, 3>();
+  check_small_hulls<3, 4, 4>();
+  check_small_hulls<3, 2, 8>();
+  check_small_hulls<3, 4, 8>();
+}
+
+// Hulls that are far longer than their distance.
+template <int Dimension, std::size_t Size_a, std::size_t Size_b>
+void check_long_hulls()
+{
+  Random random(100 * Size_a + Size_b);
+  Answers answers;
+  std::size_t too_few = 0;
+  for(int i = 0; i < 400; ++i) {
+    const std::size_t side = std::size_t(1) << (10 + random.below(38));
+    Integers a = lattice_hull<Dimension, Size_a>(random, side);
+    Integers b = lattice_hull<Dimension, Size_b>(random, side);
+    const Hull_vector<std::int64_t> gap = lattice_point<Dimension>(random, 1 << random.below(20));
+    for(std::size_t axis = 0; axis < Dimension; ++axis) // a vertex of b is near the middle of a
+      b[0][axis] = (a[0][axis] + a[Size_a - 1][axis]) / 2 + gap[axis];
+    const Question<Dimension, Size_a, Size_b> question(a, b, false);
+    if(question.square == 0)
+      continue;
+    const Rounding_mode rounding(rounding_modes[random.below(4)]);
+    const double r = std::sqrt(static_cast<double>(question.square));
+    for(const double bound : {r, r * (1 - 0x1p-50), r * (1 + 0x1p-50), r * (1 - 0x1p-30),
+                              r * (1 + 0x1p-30)})
+      question.ask(bound, answers);
+    too_few += !question.are_enough(answers, false);
+  }
+  BOOST_TEST_CONTEXT(Size_a << " and " << Size_b << " vertices in dimension " << Dimension)
+  {
+    BOOST_CHECK_EQUAL(answers.wrong, 0u);
+    BOOST_CHECK_GT(answers.asked, 200u);
+    BOOST_CHECK_EQUAL(too_few, 0u);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(long_hulls)
+{
+  check_long_hulls<2, 1, 2>();
+  check_long_hulls<2, 2, 2>();
+  check_long_hulls<2, 3, 3>();
+  check_long_hulls<3, 2, 2>();
+  check_long_hulls<3, 3, 1>();
+  check_long_hulls<3, 3, 3>();
+  check_long_hulls<3, 4, 4>();
+}
+
+// Hulls next to a line.
+template <int Dimension, std::size_t Size>
+Integers thin_hull(Random& random, const Hull_vector<std::int64_t>& direction, std::size_t width)
+{
+  Integers vertices = lattice_hull<Dimension, Size>(random, width);
+  for(auto& p : vertices) {
+    const auto factor = static_cast<std::int64_t>(random.below(std::size_t(1) << 21));
+    for(std::size_t axis = 0; axis < Dimension; ++axis)
+      p[axis] += factor * direction[axis];
+  }
+  return vertices;
+}
+
+template <std::size_t Size_a, std::size_t Size_b>
+void check_thin_hulls()
+{
+  Random random(1000 * Size_a + Size_b);
+  Answers answers;
+  std::size_t too_few = 0;
+  for(int i = 0; i < 1000; ++i) {
+    const Hull_vector<std::int64_t> direction
+      = lattice_point<3>(random, std::size_t(1) << random.below(21));
+    const Question<3, Size_a, Size_b> question(
+      thin_hull<3, Size_a>(random, direction, std::size_t(1) << random.below(24)),
+      thin_hull<3, Size_b>(random, direction, std::size_t(1) << random.below(24)), false);
+    if(question.square == 0)
+      continue;
+    question.ask(std::sqrt(static_cast<double>(question.square)), answers);
+    too_few += !question.are_enough(answers, false);
+  }
+  BOOST_CHECK_EQUAL(answers.wrong, 0u);
+  BOOST_CHECK_EQUAL(too_few, 0u);
+}
+
+BOOST_AUTO_TEST_CASE(thin_hulls)
+{
+  check_thin_hulls<2, 2>();
+  check_thin_hulls<3, 1>();
+  check_thin_hulls<3, 3>();
+  check_thin_hulls<4, 4>();
+}
+
+// ---- what is not known --------------------------------------------------------------------------
+
+BOOST_AUTO_TEST_CASE(bounds_between_two_doubles)
+{
+  const Question<2, 1, 2> question({{0, 0, 0}}, {{3, 4, 0}, {3, -4, 0}}, true); // at distance 3
+  const auto answer = [&](double low, double high) {
+    return question.distance().is_within(low, high);
+  };
+  BOOST_CHECK(CGAL::certainly(answer(3.1, 3.2)));
+  BOOST_CHECK(CGAL::certainly_not(answer(2.8, 2.9)));
+  BOOST_CHECK(!CGAL::is_certain(answer(2.9, 3.1)));
+  BOOST_CHECK(!CGAL::is_certain(answer(0, 3.1)));
+}
+
+// Squares overflow or vanish, and no vertex is left out.
+BOOST_AUTO_TEST_CASE(numbers_that_are_too_large_or_too_small)
+{
+  for(const int exponent : {-1074, -600, -110, 210, 600, 1000}) {
+    Question<2, 2, 2> question({{1, 1, 0}, {9, 1, 0}}, {{1, 2, 0}, {9, 5, 0}}, true);
+    question.exponent = exponent;
+    auto distance = question.distance();
+    const double bound = std::ldexp(100, exponent);
+    BOOST_CHECK(!CGAL::is_certain(distance.is_within(bound, bound)));
+    for(std::size_t k = 0; k < 2; ++k)
+      BOOST_CHECK(distance.may_be_nearest_of_a(k) && distance.may_be_nearest_of_b(k));
+  }
+}
+
+// Coordinates that are up to the error less than those of the object.
+template <int Dimension, std::size_t Size>
+void lower_vertices(internal::Hull<Dimension, Size>& hull, double error, Random& random)
+{
+  hull.error = error;
+  for(auto& vertex : hull.vertices)
+    for(double& x : vertex)
+      x -= error * static_cast<double>(random.below(3)) / 2;
+}
+
+BOOST_AUTO_TEST_CASE(vertices_that_are_off)
+{
+  Random random(3);
+  const double errors[] = {0, 0x1p-30, 0x1p-10, 0x1p-5};
+  Answers around, far;
+  BOOST_CHECK(CGAL::certainly(
+    internal::Hull_distance<2, 1, 1>({{{{1, 1}}}, 0x1p-50}, {{{{1, 1}}}, 0}).is_within(1, 1)));
+  for(int i = 0; i < 4000; ++i) {
+    const Question<3, 2, 3> question(lattice_hull<3, 2>(random, 6), lattice_hull<3, 3>(random, 6),
+                                     true);
+    if(question.square == 0)
+      continue;
+    auto a = hull<3, 2>(question.a, 0);
+    auto b = hull<3, 3>(question.b, 0);
+    lower_vertices(a, errors[random.below(4)], random);
+    lower_vertices(b, errors[random.below(4)], random);
+    const double r = std::sqrt(static_cast<double>(question.square));
+    const auto ask = [&](double bound, Answers& answers) {
+      answers.check(internal::Hull_distance<3, 2, 3>(a, b).is_within(bound, bound), bound > r);
+    };
+    for(const double move : {-0x1p-4, -0x1p-5, -0x1p-9, -0x1p-30, 0x1p-30, 0x1p-9, 0x1p-5, 0x1p-4})
+      ask(r + move, around);
+    ask(r + 1, far);
+    if(r > 1)
+      ask(r - 1, far);
+  }
+  BOOST_CHECK_EQUAL(around.wrong + far.wrong, 0u);
+  BOOST_CHECK_EQUAL(far.unknown, 0u);
+  BOOST_CHECK_GT(far.asked, 1000u);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
