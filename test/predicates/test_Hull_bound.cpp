@@ -1,0 +1,198 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// What doubles know of a bound on a distance, and the integers that decide about hulls on a grid,
+// against the oracle.
+
+#include "support/distance_oracle.h"
+#include "support/point_generators.h"
+#include "support/rounding_mode.h"
+
+#include <CGAL/Distance_bound.h>
+#include <CGAL/Exact_rational.h>
+
+#include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Hull_bound.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(Hull_bound)
+
+using namespace test_support;
+namespace internal = CGAL::Thick_intersection_d::internal;
+
+// ---- bounds in doubles --------------------------------------------------------------------------
+
+template <class NT>
+internal::Hull_bound hull_bound(const CGAL::Distance_bound<NT>& bound)
+{
+  internal::Hull_bound result;
+  const internal::Squared_bound<internal::Exact_number_t<NT>> squared(bound);
+  internal::set_hull_bound(result, bound, squared);
+  return result;
+}
+
+BOOST_AUTO_TEST_CASE(a_double_is_its_bound)
+{
+  const internal::Hull_bound bound = hull_bound(CGAL::within_distance(.1));
+  BOOST_CHECK(bound.is_exact_radius && !bound.is_open);
+  BOOST_CHECK_EQUAL(bound.radius.low, .1);
+  BOOST_CHECK_GE(bound.radius.high, .1);
+  BOOST_CHECK(hull_bound(CGAL::within_distance(.1).open()).is_open);
+}
+
+// Whether the radius encloses the root of x, closely.
+void check_root(const internal::Hull_bound& bound, const Rational& x)
+{
+  const Rational low(bound.radius.low), high(bound.radius.high);
+  BOOST_CHECK(!bound.is_exact_radius);
+  BOOST_CHECK(low * low < x && x < high * high);
+  BOOST_CHECK_LT(bound.radius.high - bound.radius.low, 1e-15 * bound.radius.high);
+}
+
+BOOST_AUTO_TEST_CASE(roots_and_fractions_are_enclosed)
+{
+  for(const double x : {2., 3., 5e-9, 1e30})
+    check_root(hull_bound(CGAL::within_squared_distance(x)), Rational(x));
+  for(const int x : {3, 7, 11, 1000003})
+    check_root(hull_bound(CGAL::within_distance(CGAL::Exact_rational(1) / x)),
+               Rational(1) / Rational(x) / Rational(x));
+}
+
+BOOST_AUTO_TEST_CASE(sums_are_enclosed_in_every_rounding_mode)
+{
+  Random random(1);
+  for(int i = 0; i < 2000; ++i) {
+    const double x[] = {random.uniform(), random.uniform() * 0x1p-30, random.uniform() * 0x1p3};
+    internal::Hull_bound bound;
+    bound.radius = {x[0], x[0]};
+    internal::Interval reach;
+    {
+      const Rounding_mode rounding(rounding_modes[i % 4]);
+      reach = internal::reach_of_hulls(bound, {x[1], x[1]}, {x[2], x[2]});
+    }
+    const Rational sum = Rational(x[0]) + Rational(x[1]) + Rational(x[2]);
+    BOOST_CHECK(Rational(reach.low) <= sum && sum <= Rational(reach.high));
+    BOOST_CHECK_LT(reach.high - reach.low, 1e-14 * reach.high);
+  }
+}
+
+// ---- integers -----------------------------------------------------------------------------------
+
+using Integers = Hull_vectors<std::int64_t>;
+
+template <int Dimension>
+std::vector<std::array<double, Dimension>> as_doubles(const Integers& vertices, double unit,
+                                                      double offset)
+{
+  std::vector<std::array<double, Dimension>> result(vertices.size());
+  for(std::size_t k = 0; k < vertices.size(); ++k)
+    for(std::size_t axis = 0; axis < Dimension; ++axis)
+      result[k][axis] = (static_cast<double>(vertices[k][axis]) + offset) * unit;
+  return result;
+}
+
+Rational square_of_long_hulls(const Integers& a, const Integers& b)
+{
+  using boost::multiprecision::mpz_int;
+  const auto lengthened = [](const Integers& vertices) {
+    Hull_vectors<mpz_int> result;
+    for(const auto& p : vertices)
+      result.push_back({mpz_int(p[0]), mpz_int(p[1]), mpz_int(p[2])});
+    return result;
+  };
+  return squared_distance_of_hulls(lengthened(a), lengthened(b));
+}
+
+// Vertices on a lattice of few places, `step` apart.
+template <int Dimension>
+Integers lattice_hull(Random& random, std::size_t count, std::size_t side, std::int64_t step)
+{
+  Integers vertices(count, Hull_vector<std::int64_t>{});
+  for(auto& p : vertices)
+    for(std::size_t axis = 0; axis < Dimension; ++axis)
+      p[axis] = step * static_cast<std::int64_t>(random.below(side));
+  return vertices;
+}
+
+template <int Dimension>
+std::optional<bool> answer(const Integers& a, const Integers& b, const std::array<double, 3>& radii,
+                           double unit, double offset, bool is_open)
+{
+  const auto doubles_a = as_doubles<Dimension>(a, unit, offset);
+  const auto doubles_b = as_doubles<Dimension>(b, unit, offset);
+  return internal::Integer_hulls<Dimension>(doubles_a, doubles_b, radii[0] * unit, radii[1] * unit,
+                                            radii[2] * unit)
+    .are_near(is_open);
+}
+
+// With a bound at the distance, or next to it, in integers as long as they may be.
+template <int Dimension>
+void check_hulls(std::int64_t limit)
+{
+  Random random(Dimension);
+  std::size_t wrong = 0, unknown = 0, ties = 0;
+  for(int i = 0; i < 4000; ++i) {
+    const std::size_t side = 2 + random.below(8);
+    const std::int64_t step = random.below(2) == 0 ? (limit - 1) / static_cast<int>(side) : 1;
+    const Integers a = lattice_hull<Dimension>(random, 1 + random.below(3), side, step);
+    const Integers b = lattice_hull<Dimension>(random, 1 + random.below(3), side, step);
+    const Rational square = square_of_long_hulls(a, b);
+    if(square == 0)
+      continue;
+    const double root = std::floor(std::sqrt(static_cast<double>(square)));
+    const double reach = (std::max)(0., root + static_cast<double>(random.below(3)) - 1);
+    const double first = std::floor(reach * random.uniform());
+    const double second = std::floor((reach - first) * random.uniform());
+    const double unit = random.below(2) == 0 ? 1 : 0x1p-20;
+    const double offset = random.below(2) == 0 ? 0 : 0x1p24;
+    const int sign = square.compare(Rational(reach) * Rational(reach));
+    for(const bool is_open : {false, true}) {
+      const auto found = answer<Dimension>(a, b, {first, second, reach - first - second}, unit,
+                                           offset, is_open);
+      unknown += !found;
+      wrong += found && *found != (is_open ? sign < 0 : sign <= 0);
+    }
+    ties += sign == 0;
+  }
+  BOOST_CHECK_EQUAL(wrong, 0u);
+  BOOST_CHECK_EQUAL(unknown, 0u);
+  BOOST_CHECK_GT(ties, 100u);
+}
+
+BOOST_AUTO_TEST_CASE(hulls_on_a_grid)
+{
+  check_hulls<2>(std::int64_t(1) << 27);
+  check_hulls<3>(std::int64_t(1) << 17);
+}
+
+template <int Dimension>
+void check_limit(std::int64_t limit)
+{
+  const auto is_known = [](std::int64_t x, double radius) {
+    return answer<Dimension>({{0, 0, 0}, {x, 0, 0}}, {{1, 1, 0}}, {0, 0, radius}, 1, 0, false)
+      .has_value();
+  };
+  BOOST_CHECK(is_known(limit - 1, 1) && is_known(1 - limit, 1));
+  BOOST_CHECK(!is_known(limit, 1) && !is_known(-limit, 1));
+  BOOST_CHECK(is_known(5, static_cast<double>(limit - 1)));
+  BOOST_CHECK(!is_known(5, static_cast<double>(limit)));
+  BOOST_CHECK(!is_known(5, 0x1p-30));
+}
+
+BOOST_AUTO_TEST_CASE(integers_that_are_too_long)
+{
+  check_limit<2>(std::int64_t(1) << 28);
+  check_limit<3>(std::int64_t(1) << 18);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
