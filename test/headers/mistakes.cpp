@@ -6,7 +6,9 @@
 
 #include <CGAL/Box_intersection_d/Box_d.h>
 #include <CGAL/Dimension.h>
+#include <CGAL/Distance_bound.h>
 #include <CGAL/Memory_budget.h>
+#include <CGAL/Scene_profile.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Thick_ball_traits_d.h>
 #include <CGAL/closest_pair.h>
@@ -20,6 +22,7 @@
 #include <cstddef>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -33,6 +36,22 @@ struct Point_of_any_dimension
   double cartesian(int axis) const;
 };
 
+// A model of ThickDistanceTraits_d.
+struct Traits_of_strings
+{
+  int dimension() const;
+  struct Interval_d
+  {
+    std::pair<double, double> operator()(const std::string&, int) const;
+  };
+  struct Is_within_distance_d
+  {
+    bool operator()(const std::string&, const std::string&, CGAL::Distance_bound<double>) const;
+  };
+  Interval_d interval_d_object() const;
+  Is_within_distance_d is_within_distance_d_object() const;
+};
+
 const std::vector<Point> points;
 const std::vector<Kernel::Point_3> points_in_space;
 const std::vector<Point_of_any_dimension> points_of_any_dimension;
@@ -41,11 +60,13 @@ const std::vector<Kernel::Weighted_point_2> weighted_points;
 const std::vector<Ball> balls;
 const std::vector<Kernel::Circle_2> circles;
 const std::vector<std::string> strings;
+const std::vector<std::variant<Kernel::Segment_2, Kernel::Segment_3>> variants;
 const std::vector<CGAL::Bbox_2> boxes;
 const std::vector<CGAL::Box_intersection_d::Box_d<double, 2>> boxes_with_ids;
 const auto bound = CGAL::within_distance(1);
 const auto report = [](std::size_t, std::size_t) {};
 const CGAL::Memory_budget budget(1 << 30);
+CGAL::Scene_profile profile;
 
 void make_mistakes()
 {
@@ -105,6 +126,16 @@ void make_mistakes()
   // error: The bound is to be within_distance(r) or within_squared_distance(r2), not a bare
   // number.
   CGAL::external_fixed_radius_near_neighbors(points, 1L, budget, report);
+
+  // error: The objects are to be all in the plane, or all in space.
+  CGAL::fixed_radius_near_neighbors(variants, bound, report);
+
+  // error: The objects are to be all in the plane, or all in space.
+  CGAL::thick_intersection_d(boxes, points_in_space, report);
+
+  // error: A Scene_profile is for points and objects of a kernel, without geom_traits.
+  CGAL::fixed_radius_near_neighbors(strings, bound, report, profile,
+                                    CGAL::parameters::geom_traits(Traits_of_strings()));
 
   // error: A weighted point is no ball: make it a pair of a center and a radius.
   CGAL::thick_self_intersection_d(weighted_points, report);

@@ -9,9 +9,9 @@
 // are within the reach along an axis iff they meet when each is longer by the reach.
 
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
-#include <CGAL/Thick_intersection_d/internal/input/kinds.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
+#include <CGAL/Thick_intersection_d/internal/input/kinds.h>
 
 #include <cmath>
 #include <cstddef>

@@ -147,7 +147,20 @@ constexpr bool check_near_objects()
                 "The elements of the range are to be points or objects of a kernel of CGAL: pass a "
                 "property map to such elements as point_map, or a model of ThickDistanceTraits_d "
                 "as geom_traits.");
-  return (are_known && !has_weight) || has_predicate;
+  if constexpr(are_known && !has_weight && !has_predicate)
+    return check_one_dimension<Object>();
+  else
+    return has_predicate;
+}
+
+// Checks the objects of such a search with a profile. The coordinates of others are not known.
+template <class Object, class Traits>
+constexpr bool check_profiled_near_objects()
+{
+  constexpr bool has_predicate = Has_distance_predicate<Traits>::value;
+  static_assert(!has_predicate,
+                "A Scene_profile is for points and objects of a kernel, without geom_traits.");
+  return check_near_objects<Object, Traits>() && !has_predicate;
 }
 
 // Checks the objects, and makes their lazy coordinates final.
@@ -204,7 +217,7 @@ bool report_near_objects(const Elements& objects, const Sets& sets, const Distan
                          Callback& callback, Scene_profile& profile, const NamedParameters& np)
 {
   using Object = typename Elements::value_type;
-  if constexpr(!check_near_objects<Object, Given_traits<NamedParameters>>())
+  if constexpr(!check_profiled_near_objects<Object, Given_traits<NamedParameters>>())
     return false;
   else {
     Shared_decision_counts counts;

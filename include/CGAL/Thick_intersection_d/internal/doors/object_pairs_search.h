@@ -19,9 +19,10 @@
 #include <CGAL/Thick_intersection_d/internal/doors/Object_route.h>
 #include <CGAL/Thick_intersection_d/internal/doors/Two_type_traits.h>
 #include <CGAL/Thick_intersection_d/internal/doors/box_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/input/Scene.h>
+#include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
-#include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/kinds.h>
 #include <CGAL/Thick_intersection_d/internal/input/scan_objects.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
@@ -60,7 +61,10 @@ constexpr bool check_kernel_objects()
   static_assert(are_kinds || has_weight,
                 "The elements of the range are to be objects with bbox() and do_intersect(): pass "
                 "a property map to such objects as point_map, or traits as geom_traits.");
-  return are_kinds && !has_weight;
+  if constexpr(are_kinds && !has_weight)
+    return check_one_dimension<Object>();
+  else
+    return false;
 }
 
 struct No_objects {};
@@ -143,7 +147,10 @@ constexpr bool check_profiled_objects()
     = !parameters::is_default_parameter<NamedParameters, internal_np::geom_traits_t>::value;
   static_assert(is_known && !has_traits,
                 "A Scene_profile is for objects of a kernel or boxes, without geom_traits.");
-  return is_known && !has_traits;
+  if constexpr(is_known && !has_traits)
+    return check_one_dimension<Object>();
+  else
+    return false;
 }
 
 // Returns the traits given as `geom_traits`. Otherwise makes the traits for kernel objects. Only

@@ -111,6 +111,22 @@ auto bounding_box(const Object& object)
   }
 }
 
+// Whether objects of a kind, which have a box, are in the plane.
+template <class Kind>
+struct Is_planar
+  : std::is_same<std::decay_t<decltype(bounding_box(std::declval<const Kind&>()))>, Bbox_2>
+{};
+
+// Checks that the kinds of an object are of one dimension.
+template <class Object>
+constexpr bool check_one_dimension()
+{
+  constexpr bool has_one
+    = Kinds<Object>::template are_all<Is_planar> || !Kinds<Object>::template is_any<Is_planar>;
+  static_assert(has_one, "The objects are to be all in the plane, or all in space.");
+  return has_one;
+}
+
 template <class Object>
 struct Is_hypersphere : std::false_type {};
 template <class K>
