@@ -7,6 +7,7 @@
 
 #include <CGAL/Arithmetic_tier.h>
 #include <CGAL/Bbox_2.h>
+#include <CGAL/Dimension.h>
 #include <CGAL/Scene_profile.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
@@ -16,7 +17,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <forward_list>
+#include <iterator>
 #include <limits>
+#include <list>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -61,11 +65,20 @@ struct Interval_of_sea
   double range;
 };
 
-// A model of ThickIntersectionIntervalTraits_d for ships and lighthouses, in this order.
+void check_place(const Lighthouse& lighthouse, std::size_t position)
+{
+  if(lighthouse.place < 0)
+    throw std::domain_error(std::to_string(position));
+}
+
+// A model of ThickIntersectionIntervalTraits_d for ships and lighthouses, in this order. It cannot
+// be copied.
 class Sea_traits
 {
 public:
   explicit Sea_traits(double range) : range_(range) {}
+  Sea_traits(const Sea_traits&) = delete;
+  using Dimension = CGAL::Dimension_tag<1>;
   int dimension() const { return 1; }
   Interval_of_sea interval_d_object() const { return {range_}; }
   auto do_intersect_d_object() const
@@ -73,6 +86,11 @@ public:
     return [range = range_](const Ship& ship, const Lighthouse& lighthouse) {
       return ship.first <= lighthouse.place + range && lighthouse.place - range <= ship.last;
     };
+  }
+
+  void check(const Lighthouse& lighthouse, std::size_t position) const
+  {
+    check_place(lighthouse, position);
   }
 
 private:
@@ -106,6 +124,16 @@ struct Distances_at_sea
     }
   };
   Is_within_distance_d is_within_distance_d_object() const { return {}; }
+
+  void check(const Lighthouse& lighthouse, std::size_t position) const
+  {
+    check_place(lighthouse, position);
+  }
+  void check(const Ship& ship, std::size_t position) const
+  {
+    if(ship.last < ship.first)
+      throw std::domain_error(std::to_string(position));
+  }
 };
 
 std::vector<Ship> ships()
@@ -154,10 +182,11 @@ BOOST_AUTO_TEST_CASE(traits_for_two_types)
   const std::vector<Lighthouse> b = lighthouses();
   Pairs pairs;
   const auto add = [&](std::size_t i, std::size_t j) { pairs.emplace_back(i, j); };
-  CGAL::thick_intersection_d(a, b, add, CGAL::parameters::geom_traits(Sea_traits(1)));
+  const Sea_traits near_traits(1), far_traits(4);
+  CGAL::thick_intersection_d(a, b, add, CGAL::parameters::geom_traits(near_traits));
   BOOST_CHECK((sorted(pairs) == Pairs{{1, 0}, {3, 1}}));
   pairs.clear();
-  CGAL::thick_intersection_d(a, b, add, CGAL::parameters::geom_traits(Sea_traits(4)));
+  CGAL::thick_intersection_d(a, b, add, CGAL::parameters::geom_traits(far_traits));
   BOOST_CHECK((sorted(pairs) == Pairs{{0, 0}, {1, 0}, {2, 0}, {3, 1}}));
 }
 
@@ -187,6 +216,67 @@ BOOST_AUTO_TEST_CASE(distances_of_own_objects)
   BOOST_CHECK((near(CGAL::within_squared_distance(16), a, b)
                == Pairs{{0, 0}, {1, 0}, {2, 0}, {3, 1}}));
   BOOST_CHECK((near(CGAL::within_squared_distance(16).open(), a, b) == Pairs{{1, 0}, {3, 1}}));
+}
+
+BOOST_AUTO_TEST_CASE(traits_for_two_types_check_what_they_take)
+{
+  std::vector<Ship> a = ships();
+  std::vector<Lighthouse> b = lighthouses();
+  b.emplace_back(-1);
+  const auto has = [](const std::string& text) {
+    return [text](const std::domain_error& error) { return error.what() == text; };
+  };
+  const auto fail = [](std::size_t, std::size_t) { BOOST_ERROR("a pair before the checks"); };
+  const Sea_traits traits(1);
+  const auto is_thrown = has("6"); // the third one, after four ships
+  BOOST_CHECK_EXCEPTION(
+    CGAL::thick_intersection_d(a, b, fail, CGAL::parameters::geom_traits(traits)),
+    std::domain_error, is_thrown);
+  const auto search = [&] {
+    CGAL::fixed_radius_near_neighbors(a, b, CGAL::within_distance(9), fail,
+                                      CGAL::parameters::geom_traits(Distances_at_sea()));
+  };
+  BOOST_CHECK_EXCEPTION(search(), std::domain_error, is_thrown);
+  a.emplace_back(8, 7);
+  BOOST_CHECK_EXCEPTION(search(), std::domain_error, has("4"));
+}
+
+// ---- near objects of two types ------------------------------------------------------------------
+
+BOOST_AUTO_TEST_CASE(callback_and_progress_stop_a_search_of_two_types)
+{
+  const std::list<Segment> segments(30, Segment(Point(0, 0), Point(1, 0)));
+  const std::forward_list<Ball> balls(20, Ball(Point(0, 3), 1));
+  const CGAL::Distance_bound<double> bound = CGAL::within_distance(2.);
+  std::size_t count = 0;
+  BOOST_CHECK(!CGAL::fixed_radius_near_neighbors(
+    segments, balls, bound, [&](std::size_t, std::size_t) { return ++count < 7; }));
+  BOOST_CHECK_EQUAL(count, 7u);
+  const auto ignore = [](std::size_t, std::size_t) {};
+  BOOST_CHECK(!CGAL::fixed_radius_near_neighbors(
+    segments, balls, bound, ignore, CGAL::parameters::callback([](double) { return false; })));
+  BOOST_CHECK(CGAL::fixed_radius_near_neighbors(segments, balls, bound, ignore));
+  BOOST_CHECK_EQUAL(found_pairs(segments, balls, bound).size(), 600u);
+  BOOST_CHECK(found_pairs(segments, balls, CGAL::within_distance(2.).open()).empty());
+}
+
+BOOST_AUTO_TEST_CASE(lists_and_elements_of_two_types)
+{
+  const std::list<Segment> segments = {{Point(0, 0), Point(4, 0)}, {Point(9, 0), Point(9, 9)}};
+  const std::forward_list<Ball> balls = {{Point(9, -2), 1}, {Point(2, 7), .5}, {Point(4, 3), 2}};
+  const CGAL::Neighbor_lists lists
+    = CGAL::fixed_radius_neighbor_lists(segments, balls, CGAL::within_distance(1));
+  BOOST_REQUIRE_EQUAL(lists.size(), 2u);
+  BOOST_CHECK(std::vector<std::size_t>(lists[0].begin(), lists[0].end())
+              == std::vector<std::size_t>{2});
+  BOOST_CHECK(std::vector<std::size_t>(lists[1].begin(), lists[1].end())
+              == std::vector<std::size_t>{0});
+  std::vector<std::pair<Segment, Ball>> elements;
+  CGAL::fixed_radius_near_neighbors(segments, balls, CGAL::within_distance(1),
+                                    CGAL::with_elements(std::back_inserter(elements)));
+  BOOST_REQUIRE_EQUAL(elements.size(), 2u);
+  for(const auto& [segment, ball] : elements)
+    BOOST_CHECK_EQUAL(segment.is_horizontal(), ball.second == 2);
 }
 
 // ---- errors -------------------------------------------------------------------------------------
@@ -266,6 +356,13 @@ BOOST_AUTO_TEST_CASE(degrees)
   CGAL::thick_intersection_d(points, lattice(1), ignore, profile);
   BOOST_CHECK_EQUAL(profile.degree(), 2);
   BOOST_CHECK(!profile.is_of_distances());
+
+  const std::vector<Kernel::Segment_3> in_space
+    = {{Kernel::Point_3(0, 0, 0), Kernel::Point_3(1, 0, 0)}};
+  CGAL::fixed_radius_near_neighbors(in_space, CGAL::within_distance(1), ignore, profile);
+  BOOST_CHECK_EQUAL(profile.degree(), 6);
+  CGAL::fixed_radius_near_neighbors(lattice(1), CGAL::within_distance(1), ignore, profile);
+  BOOST_CHECK_EQUAL(profile.degree(), 4);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -22,8 +22,8 @@ same answer whenever they are asked about the same objects.
 If the two ranges hold objects of two types, `Interval_d` takes objects of either type, and
 `Is_within_distance_d` takes an object of the first range and one of the second, in this order.
 
-The package does not check the ends of intervals: traits that may meet a NaN check their objects
-themselves.
+The package does not check the ends of intervals. Traits that may meet a NaN check their objects
+in a member function `check(object, position)`, as those of `ThickIntersectionIntervalTraits_d` do.
 
 The objects are searched by their boxes, as those of `ThickIntersectionIntervalTraits_d`. The
 package has no class that is a model: it knows how far its own kinds of objects are apart.

@@ -32,11 +32,11 @@ the intervals are used, and the predicates of that concept only if an interval i
 
 <b>Two types.</b> The two ranges of `CGAL::thick_intersection_d()` may hold objects of two types.
 Then a model need not have the type `Object_d`. `Interval_d` takes objects of either type, and
-`Do_intersect_d` takes an object of the first range and one of the second, in this order. Then the
-traits object is copied, and a function `check()` is not called.
+`Do_intersect_d` takes an object of the first range and one of the second, in this order.
 
 A model may have a member function `check(object, position)`. It is called for each object and its
-position in the range before anything else, and may throw.
+position before anything else, and may throw. The positions in a second range go on from the first
+range. Of two types, those are checked that the function takes.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Thick_ball_traits_d}

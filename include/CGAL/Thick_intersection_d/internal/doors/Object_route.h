@@ -149,22 +149,34 @@ private:
   decltype(std::declval<const Traits&>().do_intersect_d_object()) do_intersect_;
 };
 
-template <class Traits, class = void>
+template <class Traits, class Object, class = void>
 struct Has_check : std::false_type {};
-template <class Traits>
-struct Has_check<Traits,
+template <class Traits, class Object>
+struct Has_check<Traits, Object,
                  std::void_t<decltype(std::declval<const Traits&>().check(
-                   std::declval<const typename Traits::Object_d&>(), std::size_t()))>>
+                   std::declval<const Object&>(), std::size_t()))>>
   : std::true_type {};
 
-// Checks each object with the traits, if they have check(), as the traits of the package do. Other
-// traits have to check their objects themselves.
+// Whether traits check the objects of a range, or of one of two.
+template <class Traits, class Object>
+struct Has_any_check : Has_check<Traits, Object>
+{};
+template <class Traits, class A, class B>
+struct Has_any_check<Traits, One_of_two<A, B>>
+  : std::disjunction<Has_check<Traits, std::decay_t<A>>, Has_check<Traits, std::decay_t<B>>>
+{};
+
+// Checks each object with the traits, if they have check() for its type, as the traits of the
+// package do. Other traits have to check their objects themselves.
 template <class ConcurrencyTag, class Elements, class Traits>
 void check_objects(const Elements& objects, const Traits& traits)
 {
-  if constexpr(Has_check<Traits>::value)
+  if constexpr(Has_any_check<Traits, typename Elements::value_type>::value)
     check_each<ConcurrencyTag>(objects.size(), [&](std::size_t position) {
-      traits.check(objects[position], position);
+      of_range(objects[position], [&]([[maybe_unused]] const auto& object) {
+        if constexpr(Has_check<Traits, std::decay_t<decltype(object)>>::value)
+          traits.check(object, position);
+      });
     });
 }
 

@@ -10,6 +10,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/input/kinds.h>
 
+#include <cstddef>
 #include <type_traits>
 #include <utility>
 
@@ -17,10 +18,20 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// `Interval_d` takes either type, and `Do_intersect_d` an object of the first range and one of the
-// second, in this order.
+// The dimension that traits have as a constant, if they have one.
+template <class Traits, class = void>
+struct Constant_dimension
+{};
+template <class Traits>
+struct Constant_dimension<Traits, std::void_t<typename Traits::Dimension>>
+{
+  using Dimension = typename Traits::Dimension;
+};
+
+// Refers to the traits. `Interval_d` takes either type, and `Do_intersect_d` an object of the first
+// range and one of the second, in this order.
 template <class Traits, class Object>
-class Two_type_traits
+class Two_type_traits : public Constant_dimension<Traits>
 {
 public:
   using Object_d = Object;
@@ -43,8 +54,16 @@ public:
     };
   }
 
+  // For an object of either type, if the traits check it.
+  template <class T>
+  auto check(const T& object, std::size_t position) const
+    -> decltype(std::declval<const Traits&>().check(object, position))
+  {
+    return traits_.check(object, position);
+  }
+
 private:
-  const Traits traits_;
+  const Traits& traits_;
 };
 
 } // namespace internal
