@@ -9,6 +9,7 @@
 #include "support/point_generators.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/fixed_radius_near_neighbors.h>
 #include <CGAL/thick_intersection_d.h>
 
 #include <boost/test/unit_test.hpp>
@@ -19,6 +20,8 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 using namespace test_support;
 
@@ -67,6 +70,35 @@ BOOST_AUTO_TEST_CASE(same_pairs_of_rectangles)
     CGAL::thick_intersection_d<CGAL::Parallel_tag>(a, b, callback);
   }));
   BOOST_CHECK_MESSAGE(two_sets.empty(), two_sets);
+}
+
+// Segments, and points or balls of many sizes.
+BOOST_AUTO_TEST_CASE(near_objects_of_two_types)
+{
+  Random random(6);
+  std::vector<Epick::Segment_2> segments;
+  std::vector<std::pair<Epick::Point_2, double>> balls;
+  for(int i = 0; i < 20000; ++i) {
+    const auto place = [&] { return random.fixed_point(10); };
+    const double x = place(), y = place();
+    segments.emplace_back(Epick::Point_2(x, y), Epick::Point_2(x + .01 * place(), y));
+    balls.emplace_back(Epick::Point_2(place(), place()), i % 2 * .001 * place());
+  }
+  const auto bound = CGAL::within_distance(0x1p-9);
+  Pairs expected;
+  CGAL::fixed_radius_near_neighbors(
+    segments, balls, bound, [&](std::size_t i, std::size_t j) { expected.emplace_back(i, j); });
+  BOOST_CHECK_GT(expected.size(), segments.size() / 2);
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, thread_count);
+  const Pairs_difference difference = compare(expected, collected([&](const auto& callback) {
+    CGAL::fixed_radius_near_neighbors<CGAL::Parallel_tag>(segments, balls, bound, callback);
+  }));
+  BOOST_CHECK_MESSAGE(difference.empty(), difference);
+  std::atomic<std::size_t> calls = 0;
+  const auto stop = [&](std::size_t, std::size_t) { return ++calls < 1000; };
+  BOOST_CHECK(
+    !CGAL::fixed_radius_near_neighbors<CGAL::Parallel_tag>(segments, balls, bound, stop));
+  BOOST_CHECK_LE(calls, 1000 + thread_count - 1);
 }
 
 BOOST_AUTO_TEST_CASE(search_of_rectangles_stops_throws_and_is_cancelled)

@@ -91,6 +91,19 @@ BOOST_AUTO_TEST_CASE(all_functions_take_views)
                                     std::back_inserter(pairs));
   BOOST_CHECK(sorted(pairs) == (Pairs{{0, 0}, {1, 0}}));
 
+  const auto segment = std::views::transform(
+    [](const Point& p) { return Kernel::Segment_2(p, Point(p.x(), 5)); });
+  pairs.clear();
+  CGAL::fixed_radius_near_neighbors(points | evens | segment, points | std::views::take(3),
+                                    CGAL::within_distance(1), std::back_inserter(pairs));
+  BOOST_CHECK(sorted(pairs) == (Pairs{{0, 0}, {0, 1}, {1, 1}, {1, 2}}));
+  std::vector<std::pair<Kernel::Segment_2, Point>> elements;
+  CGAL::fixed_radius_near_neighbors(points | evens | segment, points | std::views::take(1),
+                                    CGAL::within_distance(1),
+                                    CGAL::with_elements(std::back_inserter(elements)));
+  BOOST_REQUIRE_EQUAL(elements.size(), 1u);
+  BOOST_CHECK(elements.front().first.source() == elements.front().second);
+
   const auto box = std::views::transform([](const Point& p) { return p.bbox(); });
   pairs.clear();
   CGAL::thick_intersection_d(points | evens | box, points | box, std::back_inserter(pairs));
