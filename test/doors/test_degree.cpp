@@ -114,7 +114,55 @@ void check_ball_traits()
   check_degrees_of_predicates(1, 0, 2);
 }
 
+// Pairs of near objects, of which the filter decides none. The distance of CGAL counts them first.
+template <class A, class B>
+void check_near_objects(const std::vector<A>& a, const std::vector<B>& b, int degree)
+{
+  std::size_t expected = 0, found = 0;
+  for(const A& x : a)
+    for(const B& y : b)
+      expected += CGAL::squared_distance(x, y) <= radius() * radius();
+  CGAL::Scene_profile profile; // otherwise integers decide
+  profile.force_tier(CGAL::Arithmetic_tier::FILTERED_EXACT);
+  Degree_record::get().restart(true);
+  CGAL::fixed_radius_near_neighbors(a, b, CGAL::within_distance(radius()),
+                                    [&](std::size_t, std::size_t) { ++found; }, profile);
+  const Degree_tally tally = Degree_record::get().total();
+  BOOST_TEST(found == expected);
+  BOOST_TEST(expected > 0u);
+  BOOST_TEST(expected < a.size() * b.size());
+  BOOST_TEST(tally.degree() == degree);
+  BOOST_TEST(profile.degree() == degree);
+  BOOST_TEST(tally.degree_in_doubles == 1);
+}
+
+template <class Segment, class Point>
+std::vector<Segment> segments_between(const std::vector<Point>& points)
+{
+  std::vector<Segment> segments;
+  for(std::size_t i = 0; i + 1 < points.size(); i += 2)
+    if(points[i] != points[i + 1])
+      segments.emplace_back(points[i], points[i + 1]);
+  return segments;
+}
+
 } // namespace
+
+BOOST_AUTO_TEST_CASE(near_objects_have_the_degree_of_the_profile)
+{
+  const auto points_2 = test_support::degree_points<Point_2, 2>(n / 2, bits, 4);
+  const auto segments_2 = segments_between<Degree_kernel::Segment_2>(points_2);
+  check_near_objects(points_2, segments_2, 4);
+  check_near_objects(segments_2, segments_2, 4);
+  const auto points_3 = test_support::degree_points<Point_3, 3>(n / 2, bits, 5);
+  const auto segments_3 = segments_between<Degree_kernel::Segment_3>(points_3);
+  check_near_objects(segments_3, segments_3, 6);
+  std::vector<Degree_kernel::Triangle_3> triangles;
+  for(std::size_t i = 0; i + 2 < points_3.size(); i += 3)
+    if(!CGAL::collinear(points_3[i], points_3[i + 1], points_3[i + 2]))
+      triangles.emplace_back(points_3[i], points_3[i + 1], points_3[i + 2]);
+  check_near_objects(points_3, triangles, 6);
+}
 
 BOOST_AUTO_TEST_CASE(near_neighbors_have_degree_two)
 {
