@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Pairs that are known, against a set of the standard library.
+
+#include "support/point_generators.h"
+
+#include <CGAL/tags.h>
+
+#include <CGAL/Thick_intersection_d/internal/features/Known_pairs.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <utility>
+
+BOOST_AUTO_TEST_SUITE(Known_pairs)
+
+namespace internal = CGAL::Thick_intersection_d::internal;
+using internal::Place;
+
+BOOST_AUTO_TEST_CASE(each_pair_is_added_once_in_either_order)
+{
+  internal::Known_pairs<CGAL::Sequential_tag> known;
+  BOOST_CHECK(!known.has(0, 1));
+  BOOST_CHECK(known.add(0, 1));
+  BOOST_CHECK(known.has(0, 1) && known.has(1, 0) && !known.has(1, 2));
+  BOOST_CHECK(!known.add(0, 1) && !known.add(1, 0));
+  BOOST_CHECK(known.add(1, 2));
+}
+
+BOOST_AUTO_TEST_CASE(many_pairs)
+{
+  internal::Known_pairs<CGAL::Sequential_tag> known;
+  std::set<std::pair<Place, Place>> expected;
+  test_support::Random random(1);
+  for(int k = 0; k < 20000; ++k) {
+    const auto i = static_cast<Place>(random.below(200)), j = static_cast<Place>(random.below(200));
+    if(i == j)
+      continue;
+    const auto pair = std::minmax({i, j});
+    const bool is_new = expected.count(pair) == 0;
+    BOOST_REQUIRE_EQUAL(known.has(i, j), !is_new);
+    if(random.below(2) == 0) {
+      BOOST_REQUIRE_EQUAL(known.add(i, j), is_new);
+      expected.insert(pair);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
