@@ -37,8 +37,10 @@ forbid 'more than 100 columns' < <(
   grep -nE '^.{101,}$' "${documents[@]}" | grep -vE '^[^:]*:[0-9]+:([|]| *\\|.*https?://)')
 forbid 'no SPDX line' < <(grep -L 'SPDX-License-Identifier: ' "${source_files[@]}")
 forbid 'no newline at the end' < <(
-  for file in "${source_files[@]}"; do
-    if [[ -n $(tail -c 1 "$file") ]]; then echo "$file"; fi
+  for file in "${source_files[@]}"; do  # no process for each of the files
+    if [[ -s $file ]] && ! { mapfile -t -d '' < "$file"; [[ ${MAPFILE[-1]} == *$'\n' ]]; }; then
+      echo "$file"
+    fi
   done)
 
 exit $fail

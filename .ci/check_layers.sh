@@ -60,18 +60,31 @@ while IFS='|' read -r _ wing others vocabulary _; do
 done < <(sed -n '/^| wing | may include wings/,/^$/p' "$top/doc/design.md" | grep '^| `')
 (( ${#wings[@]} > 0 )) || { echo "doc/design.md has no table of wings." >&2; exit 1; }
 
+# The includes of our headers by our headers, as lines "header included". One process reads them all:
+# a process for each header would take longer than all other checks.
+includes=$(awk '/^ *# *include *[<"]CGAL\// {
+    sub(/^ *# *include *[<"]/, "")
+    sub(/[>"].*/, "")
+    print FILENAME, $0
+  }' "${headers[@]}" | while read -r header included; do
+    if [[ -f $included ]]; then echo "$header $included"; fi
+  done)
+
 for header in "${headers[@]}"; do
   [[ $header == "$internal"/* ]] || continue
-  folder=$(dirname "${header#"$internal"/}")/
-  allowed=${may_include[$folder]-}
-  forbid "$folder is not in the table of wings" < <([[ -n $allowed ]] || echo "$header")
-  while read -r included; do
-    [[ -f $included ]] || continue
-    target=$included
-    [[ $included == "$internal"/* ]] && target=$(dirname "$included")/
-    forbid "$folder may not include it" < <([[ $allowed == *" $target "* ]] || echo "$header: $included")
-  done < <(sed -nE 's|^ *# *include *[<"](CGAL/[^>"]*)[>"].*|\1|p' "$header")
+  folder=${header#"$internal"/}
+  [[ -n ${may_include[${folder%/*}/]-} ]] ||
+    forbid "${folder%/*}/ is not in the table of wings" <<< "$header"
 done
+while read -r header included; do
+  [[ $header == "$internal"/* ]] || continue
+  folder=${header#"$internal"/}
+  folder=${folder%/*}/
+  target=$included
+  [[ $included != "$internal"/* ]] || target=${included%/*}/
+  [[ ${may_include[$folder]-} == *" $target "* ]] ||
+    forbid "$folder may not include it" <<< "$header: $included"
+done <<< "$includes"
 
 # What a header uses, it includes.
 # The lanes of instruction sets have the same names, so they are left out.
@@ -81,12 +94,7 @@ forbid 'is used here and not included' < <(
 
 # No cycles: tsort names the headers of a cycle, given the pairs (header, included header).
 forbid 'these headers include each other in a circle' < <(
-  for header in "${headers[@]}"; do
-    sed -nE 's|^ *# *include *[<"](CGAL/[^>"]*)[>"].*|\1|p' "$header" |
-      while read -r included; do
-        if [[ -f $included ]]; then echo "$header $included"; fi
-      done
-  done | tsort 2>&1 > /dev/null | sed -nE 's|^tsort: (CGAL/)|\1|p')
+  tsort <<< "$includes" 2>&1 > /dev/null | sed -nE 's|^tsort: (CGAL/)|\1|p')
 
 forbid 'only machine/ names oneTBB and calls an operating system' < <(
   find_lines '(tbb::|include *[<"](oneapi/)?tbb|CGAL_LINKED_WITH_TBB|madvise|include *<sys/|unistd)' |
