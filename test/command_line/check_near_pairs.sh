@@ -775,13 +775,13 @@ END
   cat > shore.py << 'END'
 import csv, json, sys
 from shapely.geometry import Point, shape
-ships = [Point(float(row["lon_deg"]), float(row["lat_deg"])) for row in csv.DictReader(open(sys.argv[1]))]
+ships = [(float(row["lon_deg"]), float(row["lat_deg"])) for row in csv.DictReader(open(sys.argv[1]))]
 print("i,j")
 for j, feature in enumerate(json.load(open(sys.argv[2]))["features"]):
     shore = shape(feature["geometry"])
     x, y, right, top = shore.bounds
-    for i, ship in enumerate(ships):
-        if x - 1 < ship.x < right + 1 and y - 1 < ship.y < top + 1 and shore.distance(ship) <= 0.002:
+    for i, (e, n) in enumerate(ships):
+        if x - 1 < e < right + 1 and y - 1 < n < top + 1 and shore.distance(Point(e, n)) <= 0.002:
             print("%d,%d" % (i, j))
 END
   "$geos" shore.py "$ships" "$data/puget_sound.geojson" > shore
