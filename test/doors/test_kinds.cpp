@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Which objects of all kinds intersect, mixed in one range and in two, on the usual kernels.
+// Which objects of all kinds intersect, and which are near, mixed in one range and in two, on the
+// usual kernels. One program, because both questions have most of their predicates in common.
 
 #include "support/check_kinds.h"
 
@@ -21,11 +22,15 @@ namespace {
 template <class Kernel, int Dimension>
 void check_on_kernel()
 {
-  Kind_table table = {};
+  Kind_table intersections = {};
+  Kind_table near_pairs = {};
   check_seeds(1000, [&](std::uint64_t seed) {
-    Kind_case<Kernel_kinds<Kernel, Dimension>>(seed).check_intersections(table);
+    Kind_case<Kernel_kinds<Kernel, Dimension>> scene(seed);
+    scene.check_intersections(intersections);
+    scene.check_near_pairs(near_pairs);
   });
-  check_table(table, Dimension);
+  check_table(intersections, Dimension);
+  check_table(near_pairs, Dimension);
 }
 
 } // namespace
