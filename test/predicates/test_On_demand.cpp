@@ -27,6 +27,17 @@ BOOST_AUTO_TEST_CASE(nothing_is_made_unless_it_is_asked_for)
   BOOST_CHECK_EQUAL(made, 1);
 }
 
+BOOST_AUTO_TEST_CASE(a_copy_makes_a_value_of_its_own)
+{
+  internal::On_demand<int> value;
+  BOOST_CHECK_EQUAL(value.get([] { return 5; }), 5);
+  internal::On_demand<int> copy = value;
+  BOOST_CHECK_EQUAL(copy.get([] { return 6; }), 6);
+  copy = value;
+  BOOST_CHECK_EQUAL(copy.get([] { return 7; }), 7);
+  BOOST_CHECK_EQUAL(value.get([] { return 8; }), 5);
+}
+
 // The others wait for the one that makes it.
 BOOST_AUTO_TEST_CASE(several_threads_get_the_same_value)
 {

@@ -26,7 +26,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <optional>
 
 namespace CGAL {
@@ -84,7 +83,7 @@ public:
   {
     Decision_counts counts;
     std::optional<bool> is_within = decide_by_filter(p, q, counts);
-    if(!is_within && integers_) { // so the bounds of a coordinate are equal
+    if(!is_within && has_integers_) { // so the bounds of a coordinate are equal
       const auto x = [&](int i) { return coordinate_bounds(p, i).first; };
       const auto y = [&](int i) { return coordinate_bounds(q, i).first; };
       is_within = decide_near_tie(x, y, dimension_, counts);
@@ -126,10 +125,10 @@ public:
   std::optional<bool> decide_near_tie(const X& x, const Y& y, int axes,
                                       Decision_counts& counts) const
   {
-    if(!integers_)
+    if(!has_integers_)
       return std::nullopt;
     const std::optional<bool> is_within
-      = integers_->get([this] { return Integer_distance(bound_, grid_exponent_, tier_); })
+      = integers_.get([this] { return Integer_distance(bound_, grid_exponent_, tier_); })
           .decide(x, y, axes);
     if(is_within)
       counts.add(tier_);
@@ -179,7 +178,7 @@ private:
     tier_ = tier;
     grid_exponent_ = tier == Arithmetic_tier::INT64
                        ? *grid_exponent : finest_grid_exponent(bound_.reach(), axis_count);
-    integers_ = std::make_shared<On_demand<Integer_distance>>();
+    has_integers_ = true;
   }
 
   // Doubles that are off by up to `error`, all in one direction, differ by up to `error` more.
@@ -195,7 +194,8 @@ private:
   Scaled_filter filter_of_doubles_;
   Arithmetic_tier tier_ = Arithmetic_tier::FILTERED_EXACT;
   int grid_exponent_ = 0; // of the integers
-  std::shared_ptr<On_demand<Integer_distance>> integers_; // null if they decide nothing
+  bool has_integers_ = false; // whether they may decide near ties
+  mutable On_demand<Integer_distance> integers_;
   Shared_decision_counts* shared_counts_ = nullptr;
 };
 

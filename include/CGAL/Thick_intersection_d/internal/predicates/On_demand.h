@@ -20,6 +20,17 @@ template <class Value>
 class On_demand
 {
 public:
+  On_demand() = default;
+
+  // A copy makes a value of its own.
+  On_demand(const On_demand&) {}
+  On_demand& operator=(const On_demand&)
+  {
+    is_made_ = false;
+    value_.reset();
+    return *this;
+  }
+
   // Returns the value, which is what the first call of `make` that did not throw returned.
   template <class Make>
   const Value& get(const Make& make)
