@@ -247,7 +247,7 @@ private:
   }
 
   const Elements& points_;
-  const Sets& sets_;
+  const Sets sets_;
   const Distance_bound<NT>& bound_;
   const double reach_;
   const Scene scene_;
