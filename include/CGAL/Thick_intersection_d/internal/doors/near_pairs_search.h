@@ -77,7 +77,7 @@ public:
       profile_(scene_, bound_.reach())
   {}
 
-  Scene_profile& profile() { return profile_; }
+  const Scene& scene() const { return scene_; }
 
   // Reports the pairs. Returns false iff the search was stopped. Counts in `counts` which
   // arithmetic decides, unless `counts` is null.
@@ -101,6 +101,23 @@ public:
       const Thick_point_traits_d<Point> traits(is_within);
       return search_recursively<ConcurrencyTag>(points_, sets, traits, callback, progress);
     }
+  }
+
+  // The same. Takes the tier that is forced in `profile`, and sets `profile` to the profile of the
+  // scene, unless it is null.
+  template <class Sets, class Callback, class NamedParameters>
+  bool report_profiled(const Sets& sets, Callback& callback, const NamedParameters& np,
+                       Scene_profile* profile)
+  {
+    if(profile == nullptr)
+      return report(sets, callback, np, nullptr);
+    if(const std::optional<Arithmetic_tier> forced = profile->forced_tier())
+      profile_.force_tier(*forced);
+    Shared_decision_counts counts;
+    const bool is_complete = report(sets, callback, np, &counts);
+    profile_.set_counts(counts.total());
+    *profile = profile_;
+    return is_complete;
   }
 
   // Whether report() takes the slab route.
@@ -230,13 +247,7 @@ bool report_near_pairs(const Elements& points, const Sets& sets,
     return report_near_objects<ConcurrencyTag>(points, sets, bound, callback, profile, np);
   else {
     Near_pairs_search<ConcurrencyTag, Elements> search(points, bound, true);
-    if(const std::optional<Arithmetic_tier> forced = profile.forced_tier())
-      search.profile().force_tier(*forced);
-    Shared_decision_counts counts;
-    const bool is_complete = search.report(sets, callback, np, &counts);
-    search.profile().set_counts(counts.total());
-    profile = search.profile();
-    return is_complete;
+    return search.report_profiled(sets, callback, np, &profile);
   }
 }
 

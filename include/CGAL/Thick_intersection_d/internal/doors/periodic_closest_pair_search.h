@@ -41,7 +41,7 @@ public:
 
   // Checks the domain and the points.
   Periodic_closest_pair_search(const Elements& points, const Domain& domain)
-    : points_(points), domain_(domain), homes_(points, One_set(), domain, at_zero_)
+    : points_(points), domain_(domain), homes_(points, One_set(), domain, at_zero_, false)
   {}
 
   // Returns the closest pair. If the search is cancelled, returns the closest of those that it has
@@ -117,7 +117,7 @@ private:
     const auto report = [&](std::size_t i, std::size_t j, const Offsets& offset) {
       offer(minima.local(), Pair(i, j, offset));
     };
-    Search<NT>(points_, One_set(), domain_, bound).report(report, np, nullptr);
+    Search<NT>(points_, One_set(), domain_, bound, false).report(report, np, nullptr);
     minima.for_each([&](const Minimum& own) { minimum.offer(*own.pair, own.square); });
   }
 

@@ -90,8 +90,8 @@ auto collect_periodic_neighbors(const Domain& domain, const Distance_bound<NT>& 
         own.push_back({static_cast<Position>(j), static_cast<Position>(i), opposite});
       }
     };
-    const Periodic_search<ConcurrencyTag, std::decay_t<decltype(elements)>, Sets, Domain, NT>
-      search(elements, sets, domain, bound);
+    Periodic_search<ConcurrencyTag, std::decay_t<decltype(elements)>, Sets, Domain, NT>
+      search(elements, sets, domain, bound, false);
     search.report(add, np, nullptr);
     return sorted_lists<dimension>(elements.first().size(), parts, !Sets::are_two);
   };

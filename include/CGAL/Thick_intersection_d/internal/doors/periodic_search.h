@@ -62,24 +62,24 @@ public:
   // Checks the bound, the domain and the points.
   CGAL_RARELY_CALLED
   Periodic_search(const Elements& points, const Sets& sets, const Domain& domain,
-                  const Distance_bound<NT>& bound)
+                  const Distance_bound<NT>& bound, bool is_profiled)
     : points_(points), sets_(sets), bound_(bound), reach_(finite_reach(bound)),
-      scene_(scan_points<ConcurrencyTag>(points, "point", false)),
-      periods_(lattice_of(domain)), basis_(lattice_of(domain))
+      search_of_points_(points, bound, is_profiled), periods_(lattice_of(domain)),
+      basis_(lattice_of(domain))
   {
     if(points.size() == 0)
       return;
     check_size(points.size());
     if constexpr(!is_lattice_v<Domain>)
-      check_in_box(points, scene_, domain);
-    images_.emplace(points, sets, basis_, Cell_fractions<dimension>(basis_, scene_), reach_,
-                    is_lattice_v<Domain>);
+      check_in_box(points, search_of_points_.scene(), domain);
+    const Cell_fractions<dimension> fractions(basis_, search_of_points_.scene());
+    images_.emplace(points, sets, periods_, basis_, fractions, reach_, is_lattice_v<Domain>);
   }
 
   // Calls report(i, j, offset) for each pair of images once. Returns false iff the search was
   // stopped. Replaces the profile unless it is null.
   template <class Report, class NamedParameters>
-  bool report(Report& report, const NamedParameters& np, Scene_profile* profile) const
+  bool report(Report& report, const NamedParameters& np, Scene_profile* profile)
   {
     if(!images_)
       return true;
@@ -153,7 +153,7 @@ private:
 
   // Reports the pairs that no offset between homes moves.
   template <class Report, class NamedParameters>
-  bool report_homes(Report& report, const NamedParameters& np, Scene_profile* profile) const
+  bool report_homes(Report& report, const NamedParameters& np, Scene_profile* profile)
   {
     if constexpr(is_lattice_v<Domain>)
       if(images_->are_moved()) {
@@ -163,9 +163,10 @@ private:
                         return report_images(report, homes[i], homes[second + j]);
                       }, np, profile);
       }
-    return search(points_, sets_, [&](std::size_t i, std::size_t j) {
+    const auto report_homes = [&](std::size_t i, std::size_t j) {
       return report(i, j, Offsets{});
-    }, np, profile);
+    };
+    return search_of_points_.report_profiled(sets_, report_homes, np, profile);
   }
 
   // Reports the pairs of a home and a moved home.
@@ -206,13 +207,12 @@ private:
       return 0;
   }
 
-  template <class Some_elements, class Some_sets, class Callback, class NamedParameters>
-  bool search(const Some_elements& elements, const Some_sets& sets, const Callback& callback,
+  template <class Some_sets, class Callback, class NamedParameters>
+  bool search(const Moved& images, const Some_sets& sets, const Callback& callback,
               const NamedParameters& np, Scene_profile* profile) const
   {
-    return profile == nullptr
-             ? report_near_pairs<ConcurrencyTag>(elements, sets, bound_, callback, np)
-             : report_near_pairs<ConcurrencyTag>(elements, sets, bound_, callback, *profile, np);
+    Near_pairs_search<ConcurrencyTag, Moved> search(images, bound_, profile != nullptr);
+    return search.report_profiled(sets, callback, np, profile);
   }
 
   // Returns the profile of the homes and of the images near them.
@@ -250,10 +250,10 @@ private:
   const Sets sets_;
   const Distance_bound<NT>& bound_;
   const double reach_;
-  const Scene scene_;
+  Near_pairs_search<ConcurrencyTag, Elements> search_of_points_;
   const Periods<dimension, Exact> periods_;
   const Lattice_basis<dimension> basis_;
-  std::optional<Scene_images<dimension>> images_; // none without points
+  std::optional<Scene_images<dimension, Exact>> images_; // none without points
 };
 
 // Returns search(elements, sets) for the points of one range, or of two. Explains to the compiler's
@@ -280,9 +280,9 @@ bool report_periodic_pairs(const Domain& domain, const Distance_bound<NT>& bound
                            Ranges&... ranges)
 {
   const auto search_sets = [&](const auto& elements, const auto& sets) {
-    const Periodic_search<ConcurrencyTag, std::decay_t<decltype(elements)>,
-                          std::decay_t<decltype(sets)>, Domain, NT>
-      search(elements, sets, domain, bound);
+    Periodic_search<ConcurrencyTag, std::decay_t<decltype(elements)>,
+                    std::decay_t<decltype(sets)>, Domain, NT>
+      search(elements, sets, domain, bound, profile != nullptr);
     auto&& report
       = image_output<ConcurrencyTag, Offset<decltype(lattice_of(domain))::dimension>>(
         elements.first(), elements.second(), callback);

@@ -18,6 +18,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Periods.h>
 
+#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -26,12 +27,13 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// The point at a position, moved.
+// The point at a position, moved, and doubles that enclose its coordinates.
 template <int Dimension>
 struct Image
 {
   Place position;
   Offset<Dimension> offset;
+  std::array<std::pair<double, double>, Dimension> bounds;
 };
 
 // `Source` is a reference to a point, or a copy.
@@ -43,34 +45,29 @@ class Image_point
 public:
   using Ambient_dimension = Dimension_tag<Dimension>;
 
-  Image_point(Source&& source, const Offset<Dimension>& offset, const Moves& periods)
-    : source_(std::forward<Source>(source)), offset_(offset), periods_(periods)
+  Image_point(Source&& source, const Image<Dimension>& image, const Moves& periods)
+    : source_(std::forward<Source>(source)), image_(image), periods_(periods)
   {}
 
   int dimension() const { return Dimension; }
 
   Exact cartesian(int axis) const
   {
-    return periods_.moved(coordinate(source_, axis), offset_, axis);
+    return periods_.moved(coordinate(source_, axis), image_.offset, axis);
   }
 
   // Doubles that enclose the coordinates.
   struct Approximation
   {
-    const Image_point& point;
+    const Image<Dimension>& image;
 
-    Interval_nt<false> cartesian(int axis) const { return point.enclosed(axis); }
+    Interval_nt<false> cartesian(int axis) const { return image.bounds[axis]; }
   };
-  Approximation approx() const { return {*this}; }
+  Approximation approx() const { return {image_}; }
 
 private:
-  Interval_nt<false> enclosed(int axis) const
-  {
-    return periods_.moved_bounds(source_, offset_, axis);
-  }
-
   Source source_;
-  const Offset<Dimension>& offset_;
+  const Image<Dimension>& image_;
   const Moves& periods_;
 };
 
@@ -94,7 +91,7 @@ public:
   value_type operator[](std::size_t position) const
   {
     const Image<Dimension>& image = images_[position];
-    return {points_[image.position], image.offset, periods_};
+    return {points_[image.position], image, periods_};
   }
 
 private:

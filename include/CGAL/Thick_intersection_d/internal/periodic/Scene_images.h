@@ -39,13 +39,14 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-template <int Dimension>
+template <int Dimension, class Exact>
 class Scene_images
 {
   using Fractions = std::array<double, Dimension>;
@@ -55,9 +56,10 @@ public:
   // std::length_error if a point or the bound is too many periods long.
   template <class Elements, class Sets>
   CGAL_RARELY_CALLED
-  Scene_images(const Elements& points, const Sets& sets, const Lattice_basis<Dimension>& basis,
-               const Cell_fractions<Dimension>& fractions, double reach, bool are_wrapped)
-    : basis_(basis), fractions_(fractions), are_wrapped_(are_wrapped)
+  Scene_images(const Elements& points, const Sets& sets, const Periods<Dimension, Exact>& periods,
+               const Lattice_basis<Dimension>& basis, const Cell_fractions<Dimension>& fractions,
+               double reach, bool are_wrapped)
+    : periods_(periods), basis_(basis), fractions_(fractions), are_wrapped_(are_wrapped)
   {
     low_ends_.fill(-1); // where there is no vector, points are at zero
     high_ends_.fill(1);
@@ -96,59 +98,73 @@ private:
   {
     std::vector<Image<Dimension>> moved;
     for(std::size_t position = 0; position < points.size(); ++position)
-      add(points[position], position, sets, moved);
+      add(points, position, sets, moved);
     first_near_size_ = near_.size();
     near_.insert(near_.end(), moved.begin(), moved.end());
   }
 
   // Most points are far from the boundary, and take the first lines only.
-  template <class Point, class Sets>
-  void add(const Point& point, std::size_t position, const Sets& sets,
+  template <class Elements, class Sets>
+  void add(const Elements& points, std::size_t position, const Sets& sets,
            std::vector<Image<Dimension>>& moved)
   {
+    const auto& point = points[position];
     std::array<double, Dimension> x;
     for(int axis = 0; axis < Dimension; ++axis)
       x[axis] = coordinate_bounds(point, axis).first;
-    Fractions f;
-    bool is_inside = !are_moved_;
-    for(int k = 0; k < Dimension; ++k) {
-      f[k] = fractions_(k, x);
-      is_inside &= (f[k] > low_ends_[k]) & (f[k] < high_ends_[k]); // so in [0, 1) if wrapped
-    }
-    if(is_inside)
-      return;
+    const Fractions f = fractions_(x);
+    if(are_moved_ || !is_inside(f, std::make_index_sequence<Dimension>()))
+      add_near_boundary(points, position, f, sets, moved);
+  }
+
+  // Whether a home is in no pair with another cell. If it may be moved, it is none of this kind.
+  template <std::size_t... K>
+  bool is_inside(const Fractions& f, std::index_sequence<K...>) const
+  {
+    return (((f[K] > low_ends_[K]) & (f[K] < high_ends_[K])) & ...);
+  }
+
+  template <class Elements, class Sets>
+  BOOST_NOINLINE
+  void add_near_boundary(const Elements& points, std::size_t position, Fractions f,
+                         const Sets& sets, std::vector<Image<Dimension>>& moved)
+  {
+    const auto& point = points[position];
     Fractions cell = {};
-    bool is_home = true, is_near_low = false, is_near_high = false;
+    bool is_near_low = false, is_near_high = false;
     for(int k = 0; k < basis_.rank(); ++k) {
       if(are_wrapped_ && !(f[k] >= 0 && f[k] < 1)) {
         cell[k] = std::floor(f[k]);
         f[k] -= cell[k];
-        is_home = false;
       }
       is_near_low = is_near_low || f[k] <= low_ends_[k];
       is_near_high = is_near_high || f[k] >= high_ends_[k];
     }
-    const Image<Dimension> home
-      = is_home ? Image<Dimension>{static_cast<Place>(position), {}}
-                : moved_image(position, [&](int k) { return -cell[k]; });
-    add_home(home);
     const bool is_near_any = is_near_low || is_near_high;
-    if(is_of_first(sets, position) && (Sets::are_two ? is_near_any : is_near_high))
-      near_.push_back(home);
+    const bool is_first
+      = is_of_first(sets, position) && (Sets::are_two ? is_near_any : is_near_high);
+    if(is_first || are_moved_ || cell != Fractions{}) {
+      const Image<Dimension> home
+        = moved_image(point, position, [&](int k) { return -cell[k]; });
+      add_home(points, home);
+      if(is_first)
+        near_.push_back(home);
+    }
     if(is_of_second(sets, position) && (Sets::are_two ? is_near_any : is_near_low))
-      add_moved(f, cell, position, Sets::are_two, moved);
+      add_moved(point, f, cell, position, Sets::are_two, moved);
     if(near_.size() + moved.size() >= max_place / 2)
       throw std::length_error("There are too many images of points within the bound.");
   }
 
   // Homes are kept from the first one on that is not the point itself.
-  void add_home(const Image<Dimension>& home)
+  template <class Elements>
+  void add_home(const Elements& points, const Image<Dimension>& home)
   {
     if(!are_moved_ && home.offset == Offset<Dimension>{})
       return;
     are_moved_ = true;
-    while(homes_.size() < home.position)
-      homes_.push_back({static_cast<Place>(homes_.size()), {}});
+    for(std::size_t i = homes_.size(); i < home.position; ++i)
+      homes_.push_back(moved_image(points[i], i, [](int) { return 0.; }));
     homes_.push_back(home);
   }
 
@@ -159,8 +175,9 @@ private:
 
   // Appends the images of a home that may be within the bound of homes: those moved by positive
   // offsets, or by all that are not zero.
-  void add_moved(const Fractions& f, const Fractions& cell, std::size_t position, bool are_all,
-                 std::vector<Image<Dimension>>& moved) const
+  template <class Point>
+  void add_moved(const Point& point, const Fractions& f, const Fractions& cell,
+                 std::size_t position, bool are_all, std::vector<Image<Dimension>>& moved) const
   {
     Fractions first = {}, last = {};
     for(int k = 0; k < basis_.rank(); ++k) {
@@ -175,7 +192,7 @@ private:
     for(Fractions m = first; m[0] <= last[0] && moved.size() < max_place / 2;) {
       const Fractions zero = {};
       if(are_all ? m != zero : m > zero)
-        moved.push_back(moved_image(position, [&](int k) { return m[k] - cell[k]; }));
+        moved.push_back(moved_image(point, position, [&](int k) { return m[k] - cell[k]; }));
       int k = Dimension - 1;
       for(++m[k]; k > 0 && m[k] > last[k]; ++m[k]) {
         m[k] = first[k];
@@ -185,10 +202,11 @@ private:
   }
 
   // Returns the point at a position, moved by vectors(k) times vector k of the basis.
-  template <class Vectors>
-  Image<Dimension> moved_image(std::size_t position, const Vectors& vectors) const
+  template <class Point, class Vectors>
+  Image<Dimension> moved_image(const Point& point, std::size_t position,
+                               const Vectors& vectors) const
   {
-    Image<Dimension> image = {static_cast<Place>(position), {}};
+    Image<Dimension> image = {static_cast<Place>(position), {}, {}};
     for(int i = 0; i < Dimension; ++i) {
       double sum = 0; // rounded only if it is refused
       for(int k = 0; k < basis_.rank(); ++k)
@@ -198,9 +216,12 @@ private:
                                 + " is too many periods away.");
       image.offset[i] = static_cast<int>(sum);
     }
+    for(int axis = 0; axis < Dimension; ++axis)
+      image.bounds[axis] = periods_.moved_bounds(point, image.offset, axis);
     return image;
   }
 
+  const Periods<Dimension, Exact>& periods_;
   const Lattice_basis<Dimension>& basis_;
   const Cell_fractions<Dimension> fractions_;
   bool are_wrapped_;
