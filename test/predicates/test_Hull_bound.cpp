@@ -101,18 +101,6 @@ std::vector<std::array<double, Dimension>> as_doubles(const Integers& vertices, 
   return result;
 }
 
-Rational square_of_long_hulls(const Integers& a, const Integers& b)
-{
-  using boost::multiprecision::mpz_int;
-  const auto lengthened = [](const Integers& vertices) {
-    Hull_vectors<mpz_int> result;
-    for(const auto& p : vertices)
-      result.push_back({mpz_int(p[0]), mpz_int(p[1]), mpz_int(p[2])});
-    return result;
-  };
-  return squared_distance_of_hulls(lengthened(a), lengthened(b));
-}
-
 // Vertices on a lattice of few places, `step` apart.
 template <int Dimension>
 Integers lattice_hull(Random& random, std::size_t count, std::size_t side, std::int64_t step)
@@ -146,7 +134,7 @@ void check_hulls(std::int64_t limit)
     const std::int64_t step = random.below(2) == 0 ? (limit - 1) / static_cast<int>(side) : 1;
     const Integers a = lattice_hull<Dimension>(random, 1 + random.below(3), side, step);
     const Integers b = lattice_hull<Dimension>(random, 1 + random.below(3), side, step);
-    const Rational square = square_of_long_hulls(a, b);
+    const Rational square = squared_distance_of_long_hulls(a, b);
     if(square == 0)
       continue;
     const double root = std::floor(std::sqrt(static_cast<double>(square)));

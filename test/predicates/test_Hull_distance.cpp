@@ -26,7 +26,6 @@ BOOST_AUTO_TEST_SUITE(Hull_distance)
 
 using namespace test_support;
 namespace internal = CGAL::Thick_intersection_d::internal;
-using boost::multiprecision::mpz_int;
 
 // Hulls of integers, which are doubles times a power of two.
 using Integers = Hull_vectors<std::int64_t>;
@@ -43,15 +42,7 @@ std::array<double, Dimension> as_doubles(const Hull_vector<std::int64_t>& p, int
 // The squared distance of a and b. Numbers are small, or of any length.
 Rational true_square(const Integers& a, const Integers& b, bool are_small)
 {
-  if(are_small)
-    return squared_distance_of_hulls(a, b);
-  const auto lengthened = [](const Integers& vertices) {
-    Hull_vectors<mpz_int> result;
-    for(const auto& p : vertices)
-      result.push_back({mpz_int(p[0]), mpz_int(p[1]), mpz_int(p[2])});
-    return result;
-  };
-  return squared_distance_of_hulls(lengthened(a), lengthened(b));
+  return are_small ? squared_distance_of_hulls(a, b) : squared_distance_of_long_hulls(a, b);
 }
 
 double true_square(const Integers& a)

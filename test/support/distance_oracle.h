@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <stdexcept>
 
@@ -122,6 +123,20 @@ Rational squared_distance_of_hulls(const Hull_vectors<Integer>& a,
   if(!is_found || square == 0)
     throw std::logic_error("The oracles of intersections and of distances contradict each other.");
   return square;
+}
+
+// The same of hulls whose products 64 bits do not hold.
+inline Rational squared_distance_of_long_hulls(const Hull_vectors<std::int64_t>& a,
+                                               const Hull_vectors<std::int64_t>& b)
+{
+  using boost::multiprecision::mpz_int;
+  const auto lengthened = [](const Hull_vectors<std::int64_t>& vertices) {
+    Hull_vectors<mpz_int> result;
+    for(const auto& p : vertices)
+      result.push_back({mpz_int(p[0]), mpz_int(p[1]), mpz_int(p[2])});
+    return result;
+  };
+  return squared_distance_of_hulls(lengthened(a), lengthened(b));
 }
 
 // What "near" means: a distance, or a squared one.
