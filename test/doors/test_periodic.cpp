@@ -246,7 +246,8 @@ void check_scene(const Domain_scene<Dimension>& scene)
                                                            std::back_inserter(found), profile));
     std::sort(found.begin(), found.end());
     BOOST_CHECK(found == expected);
-    BOOST_CHECK(points.empty() || profile.size() == points.size());
+    BOOST_CHECK_EQUAL(profile.size(), points.size());
+    BOOST_CHECK_GE(profile.reach(), scene.radius);
     BOOST_CHECK(pairs_of(CGAL::periodic_fixed_radius_neighbor_lists(points, domain, bound))
                 == expected);
     found.clear();
@@ -363,6 +364,40 @@ BOOST_AUTO_TEST_CASE(a_callback_and_a_progress_functor_stop_the_search)
   BOOST_CHECK_EQUAL(count, 50 * 49 / 2 * 5 + 50 * 2); // itself and four images at distance 1
   BOOST_CHECK(std::is_sorted(told.begin(), told.end()));
   BOOST_CHECK_EQUAL(told.back(), 1);
+}
+
+BOOST_AUTO_TEST_CASE(the_profile_does_not_change_if_a_callback_throws)
+{
+  const std::vector<Plain::Point_2> points = {{0, 0}, {0.5, 0.5}, {0.75, 0}};
+  CGAL::Scene_profile profile;
+  const auto refuse = [](std::size_t, std::size_t, const Offset_of<2>&) { throw 1; };
+  BOOST_CHECK_THROW(CGAL::periodic_fixed_radius_near_neighbors(
+                      points, unit_square, CGAL::within_distance(0.25), refuse, profile),
+                    int);
+  BOOST_CHECK_EQUAL(profile.size(), 0u);
+}
+
+// Threads are used if oneTBB is there.
+BOOST_AUTO_TEST_CASE(several_threads_find_the_same)
+{
+  using Tag = CGAL::Parallel_if_available_tag;
+  std::vector<Plain::Point_2> points;
+  for(const Coordinates& c : uniform_points(2, 5000, 0, 1, 1))
+    points.emplace_back(c[0], c[1]);
+  const auto bound = CGAL::within_distance(0.02);
+  std::vector<Image_pair<2>> in_sequence, in_parallel;
+  CGAL::periodic_fixed_radius_near_neighbors(points, unit_square, bound,
+                                             std::back_inserter(in_sequence));
+  CGAL::periodic_fixed_radius_near_neighbors<Tag>(points, unit_square, bound,
+                                                  std::back_inserter(in_parallel));
+  std::sort(in_sequence.begin(), in_sequence.end());
+  std::sort(in_parallel.begin(), in_parallel.end());
+  BOOST_CHECK_GT(in_sequence.size(), 10000u);
+  BOOST_CHECK(in_parallel == in_sequence);
+  BOOST_CHECK(CGAL::periodic_fixed_radius_neighbor_lists<Tag>(points, unit_square, bound)
+              == CGAL::periodic_fixed_radius_neighbor_lists(points, unit_square, bound));
+  BOOST_CHECK(CGAL::periodic_closest_pair<Tag>(points, unit_square)
+              == CGAL::periodic_closest_pair(points, unit_square));
 }
 
 BOOST_AUTO_TEST_CASE(elements_are_handed_over)

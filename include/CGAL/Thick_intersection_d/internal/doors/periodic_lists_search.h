@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -84,11 +83,9 @@ auto collect_periodic_neighbors(const Domain& domain, const Distance_bound<NT>& 
     const auto add = [&](std::size_t i, std::size_t j, const Offset<dimension>& offset) {
       std::vector<Neighbor>& own = parts.local();
       own.push_back({static_cast<Position>(i), static_cast<Position>(j), offset});
-      if constexpr(!Sets::are_two) {
-        Offset<dimension> opposite;
-        std::transform(offset.begin(), offset.end(), opposite.begin(), std::negate<int>());
-        own.push_back({static_cast<Position>(j), static_cast<Position>(i), opposite});
-      }
+      if constexpr(!Sets::are_two)
+        own.push_back({static_cast<Position>(j), static_cast<Position>(i),
+                       offset_between(offset, Offset<dimension>{})});
     };
     Periodic_search<ConcurrencyTag, std::decay_t<decltype(elements)>, Sets, Domain, NT>
       search(elements, sets, domain, bound, false);

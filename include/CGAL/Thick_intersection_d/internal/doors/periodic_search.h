@@ -82,24 +82,24 @@ public:
   bool report(Report& report, const NamedParameters& np, Scene_profile* profile)
   {
     if(!images_)
-      return true;
+      return report_points(report, np, profile);
     const Moved near(points_, periods_, images_->near());
     const double share = static_cast<double>(points_.size())
                          / static_cast<double>(points_.size() + near.size());
     const auto np_of_homes = parameters_of_part(np, 0, images_->have_near() ? share : 1);
-    Scene_profile profile_of_near;
-    if(profile != nullptr && profile->forced_tier()) { // refused before anything is reported
-      profile_of_near = Scene_profile(scan_points<ConcurrencyTag>(near, "image"), reach_);
-      profile_of_near.force_tier(*profile->forced_tier());
-    }
-    if(!report_homes(report, np_of_homes, profile))
-      return false;
-    if(!images_->have_near())
-      return true;
-    const bool is_complete = report_near(near, report, parameters_of_part(np, share, 1),
-                                         profile == nullptr ? nullptr : &profile_of_near);
-    if(profile != nullptr)
-      *profile = joined_profile(*profile, profile_of_near);
+    if(profile == nullptr)
+      return report_homes(report, np_of_homes, nullptr)
+             && report_near(near, report, parameters_of_part(np, share, 1), nullptr);
+
+    // The profile does not change if a callback throws.
+    Scene_profile of_homes = *profile;
+    Scene_profile of_near(scan_points<ConcurrencyTag>(near, "image"), reach_);
+    if(const std::optional<Arithmetic_tier> forced = profile->forced_tier())
+      of_near.force_tier(*forced); // refused before anything is reported
+    const bool is_complete
+      = report_homes(report, np_of_homes, &of_homes)
+        && report_near(near, report, parameters_of_part(np, share, 1), &of_near);
+    *profile = images_->have_near() ? joined_profile(of_homes, of_near) : of_homes;
     return is_complete;
   }
 
@@ -109,32 +109,27 @@ public:
   // Returns the offset by a vector of the basis, or the opposite one if that is positive.
   Offsets basis_offset(int k) const
   {
-    Offsets offset, opposite;
-    for(std::size_t i = 0; i < offset.size(); ++i) {
+    Offsets offset;
+    for(std::size_t i = 0; i < offset.size(); ++i)
       offset[i] = static_cast<int>(basis_.steps(k)[i]);
-      opposite[i] = -offset[i];
-    }
-    return (std::max)(offset, opposite);
+    return (std::max)(offset, offset_between(offset, Offsets{}));
   }
 
   // Calls task(elements) with the homes of the points.
   template <class Task>
   void with_homes(const Task& task) const
   {
-    if(images_->are_moved())
-      task(Moved(points_, periods_, images_->homes()));
-    else
-      task(points_);
+    if constexpr(is_lattice_v<Domain>)
+      if(images_->are_moved())
+        return task(Moved(points_, periods_, images_->homes()));
+    task(points_);
   }
 
   // Returns the offset of the second of two points whose homes are not moved.
   Offsets offset_of_homes(std::size_t i, std::size_t j) const
   {
-    Offsets offset = {};
-    if(images_->are_moved())
-      for(std::size_t k = 0; k < offset.size(); ++k)
-        offset[k] = images_->homes()[j].offset[k] - images_->homes()[i].offset[k];
-    return offset;
+    const auto& homes = images_->homes();
+    return images_->are_moved() ? offset_between(homes[i].offset, homes[j].offset) : Offsets{};
   }
 
   Exact squared_distance(std::size_t i, std::size_t j, const Offsets& offset) const
@@ -163,10 +158,16 @@ private:
                         return report_images(report, homes[i], homes[second + j]);
                       }, np, profile);
       }
-    const auto report_homes = [&](std::size_t i, std::size_t j) {
+    return report_points(report, np, profile);
+  }
+
+  template <class Report, class NamedParameters>
+  bool report_points(Report& report, const NamedParameters& np, Scene_profile* profile)
+  {
+    const auto report_pair = [&](std::size_t i, std::size_t j) {
       return report(i, j, Offsets{});
     };
-    return search_of_points_.report_profiled(sets_, report_homes, np, profile);
+    return search_of_points_.report_profiled(sets_, report_pair, np, profile);
   }
 
   // Reports the pairs of a home and a moved home.
@@ -174,6 +175,8 @@ private:
   bool report_near(const Moved& near, Report& report, const NamedParameters& np,
                    Scene_profile* profile) const
   {
+    if(!images_->have_near())
+      return true;
     const auto& images = images_->near();
     const Two_sets sets{images_->first_near_size()};
     return search(near, sets, [&](std::size_t i, std::size_t j) {
@@ -186,17 +189,13 @@ private:
   auto report_images(Report& report, const Image<dimension>& a,
                      const Image<dimension>& b) const
   {
-    Offsets offset, opposite;
-    for(std::size_t k = 0; k < offset.size(); ++k) {
-      offset[k] = b.offset[k] - a.offset[k];
-      opposite[k] = -offset[k];
-    }
+    const Offsets offset = offset_between(a.offset, b.offset);
     if constexpr(Sets::are_two)
       return report(a.position, b.position - sets_.first_size, offset);
     else if(a.position < b.position || (a.position == b.position && offset > Offsets{}))
       return report(a.position, b.position, offset);
     else
-      return report(b.position, a.position, opposite);
+      return report(b.position, a.position, offset_between(b.offset, a.offset));
   }
 
   std::size_t first_of_second() const

@@ -14,10 +14,12 @@
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <type_traits>
@@ -30,6 +32,16 @@ namespace internal {
 // How many times each period is added.
 template <int Dimension>
 using Offset = std::array<int, static_cast<std::size_t>(Dimension)>;
+
+// Returns the offset b - a, from the image that a moves to the image that b moves.
+template <std::size_t Dimension>
+std::array<int, Dimension> offset_between(const std::array<int, Dimension>& a,
+                                          const std::array<int, Dimension>& b)
+{
+  std::array<int, Dimension> result;
+  std::transform(b.begin(), b.end(), a.begin(), result.begin(), std::minus<int>());
+  return result;
+}
 
 template <class Domain>
 inline constexpr bool is_lattice_v = false;
