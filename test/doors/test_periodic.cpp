@@ -433,4 +433,18 @@ BOOST_AUTO_TEST_CASE(a_grid_with_its_periods_needs_no_exact_numbers)
   BOOST_CHECK_EQUAL(profile.range(0).second, 40);
 }
 
+// Images that are moved by several periods are doubles on the grid as well.
+BOOST_AUTO_TEST_CASE(a_bound_beyond_the_domain_needs_no_exact_numbers_on_a_grid)
+{
+  const std::vector<Plain::Point_2> points = {{0, 0}, {1, 2}, {3, 1}};
+  CGAL::Scene_profile profile;
+  std::size_t count = 0;
+  CGAL::periodic_fixed_radius_near_neighbors(
+    points, Plain::Iso_rectangle_2(0, 0, 4, 4), CGAL::within_distance(10),
+    [&](std::size_t, std::size_t, const Offset_of<2>&) { ++count; }, profile);
+  BOOST_CHECK_GT(count, 60u);
+  BOOST_CHECK_EQUAL(profile.tier(), CGAL::Arithmetic_tier::DOUBLE);
+  BOOST_CHECK_EQUAL(profile.decided(CGAL::Arithmetic_tier::FILTERED_EXACT), 0u);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -107,31 +107,42 @@ public:
     return sum;
   }
 
-  // Returns doubles that enclose the sum: equal ones if it is a double.
+  // Returns doubles that enclose the sum. If the coordinates of points are doubles, they are equal
+  // iff the sum is a double. Most points are moved by one period, and most periods are doubles.
   template <class Point>
   std::pair<double, double> moved_bounds(const Point& p, const Offset<Dimension>& offset,
                                          int axis) const
   {
     std::pair<double, double> sum = coordinate_bounds(p, axis);
+    bool is_moved = false;
     for(int k = 0; k < Dimension; ++k)
       if(offset[k] != 0 && moves_[k][axis]) {
-        const std::pair<double, double>& period = bounds_[k][axis];
-        if(std::abs(offset[k]) != 1)
-          return bounds(moved(coordinate(p, axis), offset, axis));
-        sum = offset[k] == 1 ? enclosed_sum(sum, period)
-                             : enclosed_sum(sum, {-period.second, -period.first});
+        const auto [low, high] = bounds_[k][axis];
+        if(is_moved || std::abs(offset[k]) != 1 || low != high)
+          return tight_bounds(moved(coordinate(p, axis), offset, axis));
+        sum = enclosed_sum(sum, offset[k] * low);
+        is_moved = true;
       }
     return sum;
   }
 
 private:
-  static std::pair<double, double> enclosed_sum(const std::pair<double, double>& x,
-                                                const std::pair<double, double>& y)
+  // The bounds of an exact number may be two doubles, one of which is the number itself.
+  static std::pair<double, double> tight_bounds(const Exact& x)
+  {
+    const std::pair<double, double> enclosing = bounds(x);
+    for(const double y : {enclosing.first, enclosing.second})
+      if(std::isfinite(y) && Exact(y) == x)
+        return {y, y};
+    return enclosing;
+  }
+
+  static std::pair<double, double> enclosed_sum(const std::pair<double, double>& x, double y)
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    const double low = x.first + y.first, high = x.second + y.second;
-    return {is_sum(low, x.first, y.first) ? low : std::nextafter(low, -infinity),
-            is_sum(high, x.second, y.second) ? high : std::nextafter(high, infinity)};
+    const double low = x.first + y, high = x.second + y;
+    return {is_sum(low, x.first, y) ? low : std::nextafter(low, -infinity),
+            is_sum(high, x.second, y) ? high : std::nextafter(high, infinity)};
   }
 
   // Whether s, the computed sum x + y, is not rounded. The difference of s and the number of larger
