@@ -24,7 +24,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
-#include <CGAL/Thick_intersection_d/internal/periodic/Cell_fractions.h>
+#include <CGAL/Thick_intersection_d/internal/periodic/Cell_boundary.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Images.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Lattice_basis.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Periods.h>
@@ -72,8 +72,9 @@ public:
     check_size(points.size());
     if constexpr(!is_lattice_v<Domain>)
       check_in_box(points, search_of_points_.scene(), domain);
-    const Cell_fractions<dimension> fractions(basis_, search_of_points_.scene());
-    images_.emplace(points, sets, periods_, basis_, fractions, reach_, is_lattice_v<Domain>);
+    const Cell_boundary<dimension> boundary(basis_, search_of_points_.scene(), reach_,
+                                            is_lattice_v<Domain>);
+    images_.emplace(ConcurrencyTag(), points, sets, basis_, boundary);
   }
 
   // Calls report(i, j, offset) for each pair of images once. Returns false iff the search was
@@ -185,17 +186,19 @@ private:
   }
 
   // Reports two images in the order of their points. Those of one point are ordered by the offset.
+  // The order is chosen without a jump, which no processor could foresee.
   template <class Report>
-  auto report_images(Report& report, const Image<dimension>& a,
-                     const Image<dimension>& b) const
+  auto report_images(Report& report, const Image<dimension>& a, const Image<dimension>& b) const
   {
-    const Offsets offset = offset_between(a.offset, b.offset);
     if constexpr(Sets::are_two)
-      return report(a.position, b.position - sets_.first_size, offset);
-    else if(a.position < b.position || (a.position == b.position && offset > Offsets{}))
-      return report(a.position, b.position, offset);
-    else
-      return report(b.position, a.position, offset_between(b.offset, a.offset));
+      return report(a.position, b.position - sets_.first_size, offset_between(a.offset, b.offset));
+    else {
+      const bool is_in_order
+        = a.position != b.position ? a.position < b.position : a.offset < b.offset;
+      const Image<dimension>* const ends[] = {&a, &b};
+      const Image<dimension>&first = *ends[!is_in_order], &second = *ends[is_in_order];
+      return report(first.position, second.position, offset_between(first.offset, second.offset));
+    }
   }
 
   std::size_t first_of_second() const
@@ -252,7 +255,7 @@ private:
   Near_pairs_search<ConcurrencyTag, Elements> search_of_points_;
   const Periods<dimension, Exact> periods_;
   const Lattice_basis<dimension> basis_;
-  std::optional<Scene_images<dimension, Exact>> images_; // none without points
+  std::optional<Scene_images<dimension>> images_; // none without points
 };
 
 // Returns search(elements, sets) for the points of one range, or of two. Explains to the compiler's

@@ -55,8 +55,8 @@ public:
         if(column)
           prefetch_to_read(column.get() + position);
     }
-    else if constexpr(std::is_lvalue_reference_v<decltype(points_[position])>)
-      prefetch_to_read(std::addressof(points_[position]));
+    else
+      ask_for_point(points_, position);
   }
 
   // Forgets the column of an axis along which all points have the coordinate x.

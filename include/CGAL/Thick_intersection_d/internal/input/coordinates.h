@@ -51,15 +51,32 @@ struct Has_approximation : std::false_type {};
 template <class Point>
 struct Has_approximation<Point, std::void_t<Approximate_coordinate_t<Point>>> : std::true_type {};
 
-// Asks for the memory of the approximation of a lazy point, if the range holds the point. A handle
-// to this memory is all that the point itself holds.
+template <class Elements, class = void>
+struct Can_ask_for : std::false_type {};
+template <class Elements>
+struct Can_ask_for<Elements, std::void_t<decltype(std::declval<const Elements&>().ask_for(0))>>
+  : std::true_type {};
+
+// Asks for what a scan will read of a point, where the points do not lie in the order of their
+// positions: what the range says, or the approximation of a lazy point, if the range holds the
+// point. A handle to this memory is all that the point itself holds.
 template <class Elements>
 void ask_for_approximation([[maybe_unused]] const Elements& points,
                            [[maybe_unused]] std::size_t position)
 {
-  if constexpr(Has_approximation<typename Elements::value_type>::value
-               && std::is_lvalue_reference_v<decltype(points[position])>)
+  if constexpr(Can_ask_for<Elements>::value)
+    points.ask_for(position);
+  else if constexpr(Has_approximation<typename Elements::value_type>::value
+                    && std::is_lvalue_reference_v<decltype(points[position])>)
     prefetch_to_read(points[position].for_compact_container());
+}
+
+// Asks for the memory of a point, if the range holds it.
+template <class Elements>
+void ask_for_point([[maybe_unused]] const Elements& points, [[maybe_unused]] std::size_t position)
+{
+  if constexpr(std::is_lvalue_reference_v<decltype(points[position])>)
+    prefetch_to_read(std::addressof(points[position]));
 }
 
 // Returns doubles that enclose coordinate i of p. A lazy point has them in its approximation. Its

@@ -62,6 +62,32 @@ public:
     return reach * scale_ * lengths_[k] * (1 + rounding) + rounding;
   }
 
+  // Returns the axis of vector k, or -1 if it is along none.
+  int axis_of(int k) const
+  {
+    int axis = -1;
+    for(int i = 0; i < Dimension; ++i)
+      if(duals_[k][i] != 0) {
+        if(axis >= 0)
+          return -1;
+        axis = i;
+      }
+    return axis;
+  }
+
+  // Returns the coordinates along axis_of(k) into which vector k goes between `low` and `high`
+  // times, but for a few at both ends.
+  Interval coordinates_between(int k, double low, double high) const
+  {
+    const double fraction_of_unit = duals_[k][axis_of(k)] * scale_;
+    if(fraction_of_unit < 0)
+      std::swap(low, high);
+    const double first = low / fraction_of_unit, last = high / fraction_of_unit;
+    const double margin = rounding * (std::fabs(first) + std::fabs(last)
+                                      + 1 / std::fabs(fraction_of_unit));
+    return {first + margin, last - margin};
+  }
+
 private:
   // Without loops, which take the compiler's code three times as long.
   template <std::size_t... I>

@@ -18,7 +18,6 @@
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Periods.h>
 
-#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -27,13 +26,12 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// The point at a position, moved, and doubles that enclose its coordinates.
+// The point at a position, moved.
 template <int Dimension>
 struct Image
 {
   Place position;
   Offset<Dimension> offset;
-  std::array<std::pair<double, double>, Dimension> bounds;
 };
 
 // `Source` is a reference to a point, or a copy.
@@ -59,11 +57,14 @@ public:
   // Doubles that enclose the coordinates.
   struct Approximation
   {
-    const Image<Dimension>& image;
+    const Image_point& point;
 
-    Interval_nt<false> cartesian(int axis) const { return image.bounds[axis]; }
+    Interval_nt<false> cartesian(int axis) const
+    {
+      return point.periods_.moved_bounds(point.source_, point.image_.offset, axis);
+    }
   };
-  Approximation approx() const { return {image_}; }
+  Approximation approx() const { return {*this}; }
 
 private:
   Source source_;
@@ -93,6 +94,9 @@ public:
     const Image<Dimension>& image = images_[position];
     return {points_[image.position], image, periods_};
   }
+
+  // Asks for the memory of the point that is moved.
+  void ask_for(std::size_t position) const { ask_for_point(points_, images_[position].position); }
 
 private:
   const Elements& points_;

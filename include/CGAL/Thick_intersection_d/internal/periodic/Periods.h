@@ -90,7 +90,10 @@ public:
           throw std::invalid_argument("A period is NaN or infinite.");
         vectors_[k][axis] = to_exact<Exact>(to) - to_exact<Exact>(from);
         moves_[k][axis] = lattice.repeats(k) && vectors_[k][axis] != Exact(0);
-        bounds_[k][axis] = bounds(vectors_[k][axis]);
+        if(moves_[k][axis]) {
+          const auto [low, high] = tight_bounds(vectors_[k][axis]);
+          steps_[k][axis] = low == high ? low : std::numeric_limits<double>::quiet_NaN();
+        }
       }
     }
   }
@@ -113,17 +116,20 @@ public:
   std::pair<double, double> moved_bounds(const Point& p, const Offset<Dimension>& offset,
                                          int axis) const
   {
-    std::pair<double, double> sum = coordinate_bounds(p, axis);
-    bool is_moved = false;
-    for(int k = 0; k < Dimension; ++k)
-      if(offset[k] != 0 && moves_[k][axis]) {
-        const auto [low, high] = bounds_[k][axis];
-        if(is_moved || std::abs(offset[k]) != 1 || low != high)
-          return tight_bounds(moved(coordinate(p, axis), offset, axis));
-        sum = enclosed_sum(sum, offset[k] * low);
-        is_moved = true;
-      }
-    return sum;
+    double y = 0; // exact if one period is added at most
+    int count = 0;
+    for(int k = 0; k < Dimension; ++k) {
+      y += offset[k] * steps_[k][axis];
+      count += moves_[k][axis] ? std::abs(offset[k]) : 0;
+    }
+    if(count == 0)
+      return coordinate_bounds(p, axis);
+    if(count == 1) {
+      const std::pair<double, double> sum = enclosed_sum(coordinate_bounds(p, axis), y);
+      if(std::isfinite(sum.first) && std::isfinite(sum.second))
+        return sum;
+    }
+    return tight_bounds(moved(coordinate(p, axis), offset, axis));
   }
 
 private:
@@ -137,12 +143,12 @@ private:
     return enclosing;
   }
 
+  // The error of a computed sum is less than one unit in its last place, in every rounding mode.
   static std::pair<double, double> enclosed_sum(const std::pair<double, double>& x, double y)
   {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     const double low = x.first + y, high = x.second + y;
-    return {is_sum(low, x.first, y) ? low : std::nextafter(low, -infinity),
-            is_sum(high, x.second, y) ? high : std::nextafter(high, infinity)};
+    return {is_sum(low, x.first, y) ? low : low - std::fabs(low) * 0x1p-52,
+            is_sum(high, x.second, y) ? high : high + std::fabs(high) * 0x1p-52};
   }
 
   // Whether s, the computed sum x + y, is not rounded. The difference of s and the number of larger
@@ -150,7 +156,7 @@ private:
   static bool is_sum(double s, double x, double y) { return s - x == y && s - y == x; }
 
   std::array<std::array<Exact, Dimension>, Dimension> vectors_;
-  std::array<std::array<std::pair<double, double>, Dimension>, Dimension> bounds_;
+  std::array<std::array<double, Dimension>, Dimension> steps_ = {}; // NaN if no doubles
   std::array<std::array<bool, Dimension>, Dimension> moves_;
 };
 

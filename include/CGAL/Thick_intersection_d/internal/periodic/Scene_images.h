@@ -13,22 +13,13 @@
 // other pairs, each is that of a home and of a home moved by an offset whose first component that
 // is not zero is positive, with one of two opposite offsets. So these offsets are enough, and give
 // each pair once.
-//
-// Let f_k be how many times vector k goes into a home, f_k' into another home, and R_k into a
-// vector of the length of the bound at most. If the first home and the moved other one are within
-// the bound, then |f_k - f_k' - m_k| <= R_k. So m_k is within R_k of the range of f_k minus f_k',
-// and f_k is within R_k of the upper end of its range where m_k is positive. These conditions are
-// tested with room for all rounding, so no pair is lost. They are necessary only: the search
-// decides about what they leave.
 
-#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
-#include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
-#include <CGAL/Thick_intersection_d/internal/periodic/Cell_fractions.h>
+#include <CGAL/Thick_intersection_d/internal/periodic/Cell_boundary.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Images.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Lattice_basis.h>
-#include <CGAL/Thick_intersection_d/internal/periodic/Periods.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
 #include <boost/config.hpp> // BOOST_NOINLINE
@@ -46,126 +37,112 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-template <int Dimension, class Exact>
+template <int Dimension>
 class Scene_images
 {
-  using Fractions = std::array<double, Dimension>;
+  using Boundary = Cell_boundary<Dimension>;
+  using Fractions = typename Boundary::Fractions;
+  using Image_list = std::vector<Image<Dimension>>;
 
 public:
-  // Takes points whose homes are themselves, or points anywhere if `are_wrapped`. Throws
-  // std::length_error if a point or the bound is too many periods long.
-  template <class Elements, class Sets>
+  // Throws std::length_error if a point is too many periods long.
+  template <class ConcurrencyTag, class Elements, class Sets>
   CGAL_RARELY_CALLED
-  Scene_images(const Elements& points, const Sets& sets, const Periods<Dimension, Exact>& periods,
-               const Lattice_basis<Dimension>& basis, const Cell_fractions<Dimension>& fractions,
-               double reach, bool are_wrapped)
-    : periods_(periods), basis_(basis), fractions_(fractions), are_wrapped_(are_wrapped)
+  Scene_images(ConcurrencyTag, const Elements& points, const Sets& sets,
+               const Lattice_basis<Dimension>& basis, const Boundary& boundary)
+    : basis_(basis), boundary_(boundary)
   {
-    low_ends_.fill(-1); // where there is no vector, points are at zero
-    high_ends_.fill(1);
-    for(int k = 0; k < basis.rank(); ++k)
-      set_range(k, reach);
-    add_points(points, sets);
+    std::vector<Found> found(block_count<ConcurrencyTag>());
+    for_each_numbered_block<ConcurrencyTag>(
+      found.size(), points.size(), [&](std::size_t block, std::size_t first, std::size_t last) {
+        add_points(points, first, last, sets, found[block]);
+      });
+    collect(found, points.size());
   }
 
   // Whether the home of a point is not the point itself. Only then there are homes.
-  bool are_moved() const { return are_moved_; }
-  const std::vector<Image<Dimension>>& homes() const { return homes_; }
+  bool are_moved() const { return !homes_.empty(); }
+  const Image_list& homes() const { return homes_; }
 
   // The homes near which other images may be, and then these images.
-  const std::vector<Image<Dimension>>& near() const { return near_; }
+  const Image_list& near() const { return near_; }
   std::size_t first_near_size() const { return first_near_size_; }
   bool have_near() const { return first_near_size_ != 0 && first_near_size_ != near_.size(); }
 
 private:
-  void set_range(int k, double reach)
+  struct Found
   {
-    const double error = fractions_.error(k);
-    Interval range = are_wrapped_ ? Interval{-error, 1 + error} : fractions_.range(k);
-    reaches_[k] = fractions_.fraction_of(k, reach);
-    if(!(reaches_[k] < max_offset / 4) || !(range.length() < max_offset / 4))
-      throw std::length_error("The bound or the scene is too many periods long.");
-    const double slack = 2 * error + 0x1p-45 * (range.high - range.low + reaches_[k] + 2
-                                                + std::fabs(range.low));
-    reaches_[k] += slack;
-    ranges_[k] = range;
-    low_ends_[k] = range.high - 1 + reaches_[k];
-    high_ends_[k] = range.low + 1 - reaches_[k];
-  }
+    Image_list moved_homes; // those that are not the points themselves
+    Image_list near_homes;
+    Image_list near_others;
+  };
+
+  // The points are still in the cache when the few near the boundary are read again.
+  static constexpr std::size_t points_at_once = 1024;
 
   template <class Elements, class Sets>
-  BOOST_NOINLINE void add_points(const Elements& points, const Sets& sets)
+  void add_points(const Elements& points, std::size_t first, std::size_t last, const Sets& sets,
+                  Found& found) const
   {
-    std::vector<Image<Dimension>> moved;
-    for(std::size_t position = 0; position < points.size(); ++position)
-      add(points, position, sets, moved);
-    first_near_size_ = near_.size();
-    near_.insert(near_.end(), moved.begin(), moved.end());
+    std::array<Place, points_at_once> positions;
+    for(; first < last; first += points_at_once) {
+      const std::size_t end = (std::min)(first + points_at_once, last);
+      const std::size_t count = boundary_.find_near(points, first, end, positions.data());
+      for(std::size_t i = 0; i < count; ++i)
+        add(points[positions[i]], positions[i], sets, found);
+    }
   }
 
-  // Most points are far from the boundary, and take the first lines only.
-  template <class Elements, class Sets>
-  void add(const Elements& points, std::size_t position, const Sets& sets,
-           std::vector<Image<Dimension>>& moved)
-  {
-    const auto& point = points[position];
-    std::array<double, Dimension> x;
-    for(int axis = 0; axis < Dimension; ++axis)
-      x[axis] = coordinate_bounds(point, axis).first;
-    const Fractions f = fractions_(x);
-    if(are_moved_ || !is_inside(f, std::make_index_sequence<Dimension>()))
-      add_near_boundary(points, position, f, sets, moved);
-  }
-
-  // Whether a home is in no pair with another cell. If it may be moved, it is none of this kind.
-  template <std::size_t... K>
-  bool is_inside(const Fractions& f, std::index_sequence<K...>) const
-  {
-    return (((f[K] > low_ends_[K]) & (f[K] < high_ends_[K])) & ...);
-  }
-
-  template <class Elements, class Sets>
+  // Adds the home of a point, and images of it, where others may be near them.
+  template <class Point, class Sets>
   BOOST_NOINLINE
-  void add_near_boundary(const Elements& points, std::size_t position, Fractions f,
-                         const Sets& sets, std::vector<Image<Dimension>>& moved)
+  void add(const Point& point, Place position, const Sets& sets, Found& found) const
   {
-    const auto& point = points[position];
-    Fractions cell = {};
-    bool is_near_low = false, is_near_high = false;
-    for(int k = 0; k < basis_.rank(); ++k) {
-      if(are_wrapped_ && !(f[k] >= 0 && f[k] < 1)) {
-        cell[k] = std::floor(f[k]);
-        f[k] -= cell[k];
-      }
-      is_near_low = is_near_low || f[k] <= low_ends_[k];
-      is_near_high = is_near_high || f[k] >= high_ends_[k];
-    }
+    Fractions cell;
+    const Fractions f = boundary_.fractions_in_cell(point, cell);
+    const bool is_near_low = boundary_.is_near_low(f), is_near_high = boundary_.is_near_high(f);
     const bool is_near_any = is_near_low || is_near_high;
-    const bool is_first
-      = is_of_first(sets, position) && (Sets::are_two ? is_near_any : is_near_high);
-    if(is_first || are_moved_ || cell != Fractions{}) {
-      const Image<Dimension> home
-        = moved_image(point, position, [&](int k) { return -cell[k]; });
-      add_home(points, home);
-      if(is_first)
-        near_.push_back(home);
+    Image<Dimension> home = {position, {}};
+    if(cell != Fractions{}) {
+      home = moved_image(position, [&](int k) { return -cell[k]; });
+      found.moved_homes.push_back(home);
     }
+    if(is_of_first(sets, position) && (Sets::are_two ? is_near_any : is_near_high))
+      found.near_homes.push_back(home);
     if(is_of_second(sets, position) && (Sets::are_two ? is_near_any : is_near_low))
-      add_moved(point, f, cell, position, Sets::are_two, moved);
-    if(near_.size() + moved.size() >= max_place / 2)
-      throw std::length_error("There are too many images of points within the bound.");
+      add_moved(f, cell, position, Sets::are_two, found.near_others);
+    if(found.near_homes.size() + found.near_others.size() >= max_near)
+      throw_too_many();
   }
 
-  // Homes are kept from the first one on that is not the point itself.
-  template <class Elements>
-  void add_home(const Elements& points, const Image<Dimension>& home)
+  void collect(const std::vector<Found>& found, std::size_t size)
   {
-    if(!are_moved_ && home.offset == Offset<Dimension>{})
-      return;
-    are_moved_ = true;
-    for(std::size_t i = homes_.size(); i < home.position; ++i)
-      homes_.push_back(moved_image(points[i], i, [](int) { return 0.; }));
-    homes_.push_back(home);
+    for(const Found& part : found)
+      near_.insert(near_.end(), part.near_homes.begin(), part.near_homes.end());
+    first_near_size_ = near_.size();
+    for(const Found& part : found)
+      near_.insert(near_.end(), part.near_others.begin(), part.near_others.end());
+    if(near_.size() >= max_near)
+      throw_too_many();
+    for(const Found& part : found)
+      for(const Image<Dimension>& home : part.moved_homes)
+        set_home(size, home);
+  }
+
+  // Homes are kept if one of them is not the point itself.
+  void set_home(std::size_t size, const Image<Dimension>& home)
+  {
+    if(homes_.empty())
+      for(std::size_t i = 0; i < size; ++i)
+        homes_.push_back({static_cast<Place>(i), {}});
+    homes_[home.position] = home;
+  }
+
+  static constexpr std::size_t max_near = max_place / 2; // as of points
+
+  [[noreturn]] static void throw_too_many()
+  {
+    throw std::length_error("There are too many images of points within the bound.");
   }
 
   static bool is_of_first(const One_set&, std::size_t) { return true; }
@@ -175,24 +152,23 @@ private:
 
   // Appends the images of a home that may be within the bound of homes: those moved by positive
   // offsets, or by all that are not zero.
-  template <class Point>
-  void add_moved(const Point& point, const Fractions& f, const Fractions& cell,
-                 std::size_t position, bool are_all, std::vector<Image<Dimension>>& moved) const
+  void add_moved(const Fractions& f, const Fractions& cell, Place position, bool are_all,
+                 Image_list& moved) const
   {
     Fractions first = {}, last = {};
     for(int k = 0; k < basis_.rank(); ++k) {
-      first[k] = std::ceil(ranges_[k].low - reaches_[k] - f[k]);
-      last[k] = std::floor(ranges_[k].high + reaches_[k] - f[k]);
+      first[k] = boundary_.first_move(f, k);
+      last[k] = boundary_.last_move(f, k);
       if(first[k] > last[k])
         return;
     }
     if(!are_all)
       first[0] = (std::max)(first[0], 0.);
     // Invariant: m is the next offset, in lexicographical order.
-    for(Fractions m = first; m[0] <= last[0] && moved.size() < max_place / 2;) {
+    for(Fractions m = first; m[0] <= last[0] && moved.size() < max_near;) {
       const Fractions zero = {};
       if(are_all ? m != zero : m > zero)
-        moved.push_back(moved_image(point, position, [&](int k) { return m[k] - cell[k]; }));
+        moved.push_back(moved_image(position, [&](int k) { return m[k] - cell[k]; }));
       int k = Dimension - 1;
       for(++m[k]; k > 0 && m[k] > last[k]; ++m[k]) {
         m[k] = first[k];
@@ -202,11 +178,10 @@ private:
   }
 
   // Returns the point at a position, moved by vectors(k) times vector k of the basis.
-  template <class Point, class Vectors>
-  Image<Dimension> moved_image(const Point& point, std::size_t position,
-                               const Vectors& vectors) const
+  template <class Vectors>
+  Image<Dimension> moved_image(Place position, const Vectors& vectors) const
   {
-    Image<Dimension> image = {static_cast<Place>(position), {}, {}};
+    Image<Dimension> image = {position, {}};
     for(int i = 0; i < Dimension; ++i) {
       double sum = 0; // rounded only if it is refused
       for(int k = 0; k < basis_.rank(); ++k)
@@ -216,22 +191,13 @@ private:
                                 + " is too many periods away.");
       image.offset[i] = static_cast<int>(sum);
     }
-    for(int axis = 0; axis < Dimension; ++axis)
-      image.bounds[axis] = periods_.moved_bounds(point, image.offset, axis);
     return image;
   }
 
-  const Periods<Dimension, Exact>& periods_;
   const Lattice_basis<Dimension>& basis_;
-  const Cell_fractions<Dimension> fractions_;
-  bool are_wrapped_;
-  bool are_moved_ = false;
-  Fractions reaches_ = {};
-  std::array<Interval, Dimension> ranges_ = {}; // of the homes
-  Fractions low_ends_; // homes beyond them may be near homes in another cell
-  Fractions high_ends_;
-  std::vector<Image<Dimension>> homes_;
-  std::vector<Image<Dimension>> near_;
+  const Boundary& boundary_;
+  Image_list homes_;
+  Image_list near_;
   std::size_t first_near_size_ = 0;
 };
 

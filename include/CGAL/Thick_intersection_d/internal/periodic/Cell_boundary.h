@@ -1,0 +1,210 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_PERIODIC_CELL_BOUNDARY_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_PERIODIC_CELL_BOUNDARY_H
+
+// Which homes are so near the boundary of their cell that they may be in a pair with another cell.
+//
+// Let f_k be how many times vector k goes into a home, f_k' into another home, and R_k into a
+// vector of the length of the bound at most. If the first home and the other one, moved by m, are
+// within the bound, then |f_k - f_k' - m_k| <= R_k. So m_k is within R_k of the range of f_k minus
+// f_k', and f_k is within R_k of the upper end of its range where m_k is positive. These conditions
+// are tested with room for all rounding, so no pair is lost. They are necessary only: the search
+// decides about what they leave.
+
+#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/input/Scene.h>
+#include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
+#include <CGAL/Thick_intersection_d/internal/periodic/Cell_fractions.h>
+#include <CGAL/Thick_intersection_d/internal/periodic/Lattice_basis.h>
+
+#include <boost/config.hpp> // BOOST_NOINLINE
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+template <int Dimension>
+class Cell_boundary
+{
+public:
+  using Fractions = std::array<double, Dimension>;
+
+  // Points may be anywhere if `are_wrapped`: then their homes are in one cell. Throws
+  // std::length_error if the bound or the scene is too many periods long.
+  CGAL_RARELY_CALLED
+  Cell_boundary(const Lattice_basis<Dimension>& basis, const Scene& scene, double reach,
+                bool are_wrapped)
+    : fractions_(basis, scene), rank_(basis.rank()), are_wrapped_(are_wrapped)
+  {
+    low_ends_.fill(-1); // where there is no vector, points are at zero
+    high_ends_.fill(1);
+    for(int k = 0; k < rank_; ++k)
+      set_range(k, reach);
+    set_inner_box();
+  }
+
+  // Writes the positions of those points of [first, last) whose homes may be near the boundary or
+  // not the points themselves, in order, and perhaps of a few others. Returns how many. They come
+  // in no order that a processor could foresee, so each point is written down, and kept or not.
+  template <class Elements>
+  BOOST_NOINLINE
+  std::size_t find_near(const Elements& points, std::size_t first, std::size_t last,
+                        Place* positions) const
+  {
+    std::size_t count = 0;
+    if(has_inner_box_)
+      for(std::size_t position = first; position < last; ++position) {
+        positions[count] = static_cast<Place>(position);
+        count += !is_in_inner_box(doubles(points[position]),
+                                  std::make_index_sequence<Dimension>());
+      }
+    else
+      for(std::size_t position = first; position < last; ++position) {
+        positions[count] = static_cast<Place>(position);
+        const Fractions f = fractions_(doubles(points[position]));
+        count += is_near_low(f) | is_near_high(f); // so is one that may be moved
+      }
+    return count;
+  }
+
+  // Returns how many times the vectors go into a point, and sets `cell` to the cell that it is in:
+  // zero unless points may be anywhere.
+  template <class Point>
+  Fractions fractions_in_cell(const Point& point, Fractions& cell) const
+  {
+    Fractions f = fractions_(doubles(point));
+    cell = {};
+    for(int k = 0; k < rank_; ++k)
+      if(are_wrapped_ && !(f[k] >= 0 && f[k] < 1)) {
+        cell[k] = std::floor(f[k]);
+        f[k] -= cell[k];
+      }
+    return f;
+  }
+
+  // Whether a home may be near homes moved by a vector, or by the opposite of one.
+  bool is_near_high(const Fractions& f) const
+  {
+    return is_near_high(f, std::make_index_sequence<Dimension>());
+  }
+  bool is_near_low(const Fractions& f) const
+  {
+    return is_near_low(f, std::make_index_sequence<Dimension>());
+  }
+
+  // How many vectors k may move a home, for it to be near homes: from the first number to the last.
+  double first_move(const Fractions& f, int k) const
+  {
+    return -floor_of(f[k] + reaches_[k] - ranges_[k].low);
+  }
+  double last_move(const Fractions& f, int k) const
+  {
+    return floor_of(ranges_[k].high + reaches_[k] - f[k]);
+  }
+
+private:
+  // Returns the largest integer that is not above x. The compiler's code of std::floor() is a call
+  // where processors may lack the instruction. All fractions are smaller than integers can be.
+  static double floor_of(double x)
+  {
+    const double integer = static_cast<int>(x);
+    return integer > x ? integer - 1 : integer;
+  }
+
+  void set_range(int k, double reach)
+  {
+    const double error = fractions_.error(k);
+    Interval range = are_wrapped_ ? Interval{-error, 1 + error} : fractions_.range(k);
+    reaches_[k] = fractions_.fraction_of(k, reach);
+    if(!(reaches_[k] < max_offset / 4) || !(range.length() < max_offset / 4))
+      throw std::length_error("The bound or the scene is too many periods long.");
+    const double slack = 2 * error + 0x1p-45 * (range.high - range.low + reaches_[k] + 2
+                                                + std::fabs(range.low));
+    reaches_[k] += slack;
+    ranges_[k] = range;
+    low_ends_[k] = range.high - 1 + reaches_[k];
+    high_ends_[k] = range.low + 1 - reaches_[k];
+  }
+
+  // Sets the inner box: coordinates in it, ends included, are those of homes inside. It is empty
+  // unless each vector is along an axis. A fraction is then a product of one coordinate, so it is
+  // monotone, also as it is rounded: if both ends of the box are inside, all points in it are.
+  void set_inner_box()
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    inner_box_.fill({-infinity, infinity});
+    has_inner_box_ = true;
+    for(int k = 0; k < rank_; ++k) {
+      const int axis = fractions_.axis_of(k);
+      if(axis < 0) {
+        has_inner_box_ = false;
+        return;
+      }
+      inner_box_[axis] = fractions_.coordinates_between(k, low_ends_[k], high_ends_[k]);
+    }
+    Fractions low_corner = {}, high_corner = {};
+    for(int axis = 0; axis < Dimension; ++axis)
+      if(std::isfinite(inner_box_[axis].low)) {
+        low_corner[axis] = inner_box_[axis].low;
+        high_corner[axis] = inner_box_[axis].high;
+      }
+    for(const Fractions& corner : {low_corner, high_corner}) {
+      const Fractions f = fractions_(corner);
+      has_inner_box_ = has_inner_box_ && !is_near_low(f) && !is_near_high(f);
+    }
+  }
+
+  template <class Point>
+  static Fractions doubles(const Point& point)
+  {
+    Fractions x;
+    for(int axis = 0; axis < Dimension; ++axis)
+      x[axis] = coordinate_bounds(point, axis).first;
+    return x;
+  }
+
+  template <std::size_t... I>
+  bool is_in_inner_box(const Fractions& x, std::index_sequence<I...>) const
+  {
+    return (((x[I] >= inner_box_[I].low) & (x[I] <= inner_box_[I].high)) & ...);
+  }
+
+  template <std::size_t... K>
+  bool is_near_high(const Fractions& f, std::index_sequence<K...>) const
+  {
+    return ((f[K] >= high_ends_[K]) | ...);
+  }
+  template <std::size_t... K>
+  bool is_near_low(const Fractions& f, std::index_sequence<K...>) const
+  {
+    return ((f[K] <= low_ends_[K]) | ...);
+  }
+
+  const Cell_fractions<Dimension> fractions_;
+  int rank_;
+  bool are_wrapped_;
+  Fractions reaches_ = {};
+  std::array<Interval, Dimension> ranges_ = {}; // of the homes
+  Fractions low_ends_; // homes beyond them may be near homes in another cell
+  Fractions high_ends_;
+  std::array<Interval, Dimension> inner_box_;
+  bool has_inner_box_ = false;
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_PERIODIC_CELL_BOUNDARY_H
