@@ -3,6 +3,8 @@
 
 // Numbers of many types in one exact type.
 
+#include "support/rounding_mode.h"
+
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 
 #include <CGAL/Exact_integer.h>
@@ -11,7 +13,9 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <type_traits>
+#include <utility>
 
 BOOST_AUTO_TEST_SUITE(exact_number)
 
@@ -41,6 +45,21 @@ BOOST_AUTO_TEST_CASE(exact_numbers_hold_doubles)
   static_assert(std::is_same_v<Exact_number_t<CGAL::Exact_rational>, CGAL::Exact_rational>);
   BOOST_CHECK(Exact_number_t<double>(1.5) * Exact_number_t<double>(2) == Exact_number_t<double>(3));
   BOOST_CHECK(Exact_number_t<CGAL::Exact_integer>(1.5) * 2 == 3);
+}
+
+// CGAL's interval of a tiny Mpzf is far from it if rounding goes up.
+BOOST_AUTO_TEST_CASE(bounds_enclose_tiny_numbers_in_every_rounding_mode)
+{
+  using namespace CGAL::Thick_intersection_d::internal;
+  for(const double x : {0x1p-1074, 0x1.234p-1030, -0x1.23456789p-1025, 0x1p-1022, 0.})
+    for(const int mode : test_support::rounding_modes) {
+      const auto sum = Exact_number_t<double>(x) + Exact_number_t<double>(x);
+      std::optional<test_support::Rounding_mode> in_mode(mode);
+      const std::pair<double, double> interval = bounds(sum);
+      in_mode.reset();
+      BOOST_CHECK_LE(interval.first, 2 * x);
+      BOOST_CHECK_GE(interval.second, 2 * x);
+    }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

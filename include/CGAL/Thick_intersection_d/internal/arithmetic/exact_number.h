@@ -16,6 +16,8 @@
 #include <CGAL/Quotient.h>
 #include <CGAL/number_utils.h>
 
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
+
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -204,6 +206,25 @@ Number convert_integer(const Integer& x)
   }
 }
 
+#ifdef CGAL_HAS_MPZF
+// Returns doubles that enclose x. Those of CGAL are far apart below the normal numbers, and do not
+// enclose x if rounding goes up.
+CGAL_RARELY_CALLED inline std::pair<double, double> bounds_of_mpzf(const Mpzf& x)
+{
+  std::pair<double, double> interval = CGAL::to_interval(x);
+  if(interval.first < -0x1p-1020 || interval.second > 0x1p-1020 || CGAL::is_zero(x))
+    return interval;
+  interval = bounds_of_mpzf(x * Mpzf(0x1p1000));
+  double beyond = -std::numeric_limits<double>::infinity();
+  for(double* y : {&interval.first, &interval.second}) {
+    const double z = std::ldexp(*y, -1000);
+    *y = std::ldexp(z, 1000) == *y ? z : std::nextafter(z, beyond);
+    beyond = -beyond;
+  }
+  return interval;
+}
+#endif
+
 // Returns doubles that enclose x: inf <= x <= sup.
 template <class NT>
 std::pair<double, double> bounds(const NT& x)
@@ -212,6 +233,10 @@ std::pair<double, double> bounds(const NT& x)
     const double value = static_cast<double>(x);
     return {value, value};
   }
+#ifdef CGAL_HAS_MPZF
+  else if constexpr(std::is_same_v<NT, Mpzf>)
+    return bounds_of_mpzf(x);
+#endif
   else {
     const std::pair<double, double> interval = CGAL::to_interval(x);
     if constexpr(Is_quotient<NT>::value) // infinite if its parts are beyond the doubles
