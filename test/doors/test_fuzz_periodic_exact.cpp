@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Small random scenes in domains that repeat, whose coordinates or periods are thirds, in exact
+// numbers; and points of kernels for any dimension.
+
+#include "support/check_periodic_fuzz.h"
+
+#include <CGAL/Epick_d.h>
+#include <CGAL/Exact_integer.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Homogeneous.h>
+#include <CGAL/Simple_cartesian.h>
+
+using namespace test_support;
+
+using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
+using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Integers = CGAL::Homogeneous<CGAL::Exact_integer>;
+using Rationals = CGAL::Simple_cartesian<CGAL::Exact_rational>;
+
+BOOST_AUTO_TEST_CASE(epeck_3) { fuzz_periodic<Fuzz_cartesian<Epeck, 3, true>>(400); }
+BOOST_AUTO_TEST_CASE(rationals_2) { fuzz_periodic<Fuzz_cartesian<Rationals, 2, true>>(400); }
+BOOST_AUTO_TEST_CASE(homogeneous_2) { fuzz_periodic<Fuzz_homogeneous<Integers, 2>>(200); }
+
+// Points are doubles, and periods thirds.
+BOOST_AUTO_TEST_CASE(doubles_in_a_domain_of_rationals_3)
+{
+  fuzz_periodic<Fuzz_cartesian<Epick, 3, false>, Fuzz_cartesian<Rationals, 3, true>>(400);
+}
+
+// Points are thirds, and periods doubles.
+BOOST_AUTO_TEST_CASE(rationals_in_a_domain_of_doubles_2)
+{
+  fuzz_periodic<Fuzz_cartesian<Rationals, 2, true>, Fuzz_cartesian<Epick, 2, false>>(400);
+}
+
+BOOST_AUTO_TEST_CASE(epick_d_3)
+{
+  using Epick_3 = CGAL::Epick_d<CGAL::Dimension_tag<3>>;
+  fuzz_periodic<Fuzz_points_d<Epick_3, 3, false>, Fuzz_cartesian<Epick, 3, false>>(400);
+}
