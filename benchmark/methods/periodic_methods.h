@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Searches of points in space that repeats, ours and others, in one form.
+
+#ifndef THICK_INTERSECTION_BENCHMARK_METHODS_PERIODIC_METHODS_H
+#define THICK_INTERSECTION_BENCHMARK_METHODS_PERIODIC_METHODS_H
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace thick_benchmark {
+
+struct Periodic_scene
+{
+  std::string name;
+  std::vector<std::array<double, 3>> points;
+  std::array<std::array<double, 3>, 3> vectors; // all of them repeat
+  double r;
+};
+
+// The point i and the point j moved by the offset: i < j, or i = j and a positive offset.
+struct Image_pair
+{
+  std::int32_t i, j;
+  std::array<std::int32_t, 3> offset;
+
+  friend bool operator<(const Image_pair& a, const Image_pair& b)
+  {
+    return std::tie(a.i, a.j, a.offset) < std::tie(b.i, b.j, b.offset);
+  }
+};
+using Image_pairs = std::vector<Image_pair>;
+
+// Returns a pair in the order of Image_pair.
+inline Image_pair ordered(const Image_pair& pair)
+{
+  if(pair.i < pair.j || (pair.i == pair.j && pair.offset > std::array<std::int32_t, 3>{}))
+    return pair;
+  return {pair.j, pair.i, {-pair.offset[0], -pair.offset[1], -pair.offset[2]}};
+}
+
+// What a method makes of a scene, which outlives it.
+struct Periodic_run
+{
+  std::function<std::size_t()> count; // searches, and returns how many pairs or neighbors it found
+  std::function<Image_pairs()> pairs; // the same pairs, in any order
+};
+
+struct Periodic_method
+{
+  std::string name;
+  bool is_open; // whether points at the distance are no pair
+  std::function<Periodic_run(const Periodic_scene&)> prepare;
+};
+
+Periodic_method periodic_counted();      // ours, by a callback that counts
+Periodic_method periodic_stored();       // ours, by a callback that stores pairs
+Periodic_method periodic_lists();        // ours, lists of all neighbors
+Periodic_method points_without_periods(); // ours: the pairs that no offset moves
+Periodic_method vesin_half_list();       // of each two neighbors, one is in the list of the other
+Periodic_method vesin_full_list();
+
+// In doubles, without a library. Ghosts are images around the cell; of the two that make a pair,
+// the upper one counts. They are moved by adding periods, or by adding to fractions of periods.
+Periodic_method minimum_image(); // the difference, less the nearest whole numbers of periods
+Periodic_method ghosts_by_periods();
+Periodic_method ghosts_by_fractions();
+
+} // namespace thick_benchmark
+
+#endif // THICK_INTERSECTION_BENCHMARK_METHODS_PERIODIC_METHODS_H
