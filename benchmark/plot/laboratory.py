@@ -668,6 +668,41 @@ def draw_section_3(rows):
     return figure, "lab_section_3.png"
 
 
+# ---- domains that repeat ------------------------------------------------------------------------
+
+@figure_of("periodic_pairs.csv")
+def draw_periodic_pairs(rows):
+    methods, scenes = in_order(rows, "method"), in_order(rows, "scene")
+    rules = {r["method"]: r["rule"].replace("<=", "≤") for r in rows}
+    cells = {(r["scene"], r["method"]): r for r in rows}
+    figure, ((axes,),) = panels(1, 1, (9, 6.6))
+    shares = [[100 * wrong_pairs(cells[s, m]) / max(int(cells[s, m]["true_pairs"]), 1)
+               if (s, m) in cells else 0 for m in methods] for s in scenes]
+    shares = [[share or float("nan") for share in line] for line in shares]
+    image = axes.imshow(shares, cmap=viridis_on_white(), norm=LogNorm(0.1, 200), aspect="auto")
+    for y, scene in enumerate(scenes):
+        for x, method in enumerate(methods):
+            row = cells.get((scene, method))
+            text = "not taken" if row is None else cell_of({**row, "status": "ok", "asymmetric": 0,
+                                                            "order_dependent": 0})[1]
+            axes.text(x, y, text.replace("\n", " "), ha="center", va="center", fontsize=7,
+                      color="white" if shares[y][x] > 15 else GREY if row is None else "black")
+    axes.set_xticks(range(len(methods)), [f"{m}, {rules[m]}" for m in methods], rotation=30,
+                    ha="right", fontsize=8, rotation_mode="anchor")
+    axes.get_xticklabels()[0].set_color(GREEN)
+    counts = {r["scene"]: r["true_pairs"] for r in reversed(rows) if r["rule"] == "<="}
+    axes.set_yticks(range(len(scenes)), [f"{s}   ({counts[s]})" for s in scenes], fontsize=8)
+    axes.set_xticks([x - 0.5 for x in range(1, len(methods))], minor=True)
+    axes.set_yticks([y - 0.5 for y in range(1, len(scenes))], minor=True)
+    axes.grid(which="minor")
+    axes.tick_params(which="minor", length=0)
+    axes.set_title("Missing (−) and extra (+) pairs of images. White: none. In brackets: true pairs "
+                   "at most at the distance", fontsize=9)
+    bar = figure.colorbar(image, ax=axes, shrink=0.6, pad=0.01)
+    bar.set_label("wrong pairs per 100 true pairs")
+    return figure, "lab_periodic_pairs.png"
+
+
 def main():
     if len(sys.argv) != 3:
         sys.exit("usage: laboratory.py <folder of the CSV files> <folder for the figures>")
