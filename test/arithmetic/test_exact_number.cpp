@@ -48,18 +48,22 @@ BOOST_AUTO_TEST_CASE(exact_numbers_hold_doubles)
 }
 
 // CGAL's interval of a tiny Mpzf is far from it if rounding goes up.
-BOOST_AUTO_TEST_CASE(bounds_enclose_tiny_numbers_in_every_rounding_mode)
+BOOST_AUTO_TEST_CASE(bounds_of_tiny_numbers_are_close_in_every_rounding_mode)
 {
   using namespace CGAL::Thick_intersection_d::internal;
-  for(const double x : {0x1p-1074, 0x1.234p-1030, -0x1.23456789p-1025, 0x1p-1022, 0.})
-    for(const int mode : test_support::rounding_modes) {
-      const auto sum = Exact_number_t<double>(x) + Exact_number_t<double>(x);
-      std::optional<test_support::Rounding_mode> in_mode(mode);
-      const std::pair<double, double> interval = bounds(sum);
-      in_mode.reset();
-      BOOST_CHECK_LE(interval.first, 2 * x);
-      BOOST_CHECK_GE(interval.second, 2 * x);
-    }
+  using Exact = Exact_number_t<double>;
+  const double step = 0x1p-1074;
+  for(const double x : {step, 0x1.234p-1030, -0x1.23456789p-1025, 0x1p-1022, 0.})
+    for(const double steps : {0., 0.375}) // the second number is no double
+      for(const int mode : test_support::rounding_modes) {
+        const Exact number = Exact(x) + Exact(x) + Exact(steps) * Exact(step);
+        std::optional<test_support::Rounding_mode> in_mode(mode);
+        const std::pair<double, double> enclosing = bounds(number);
+        in_mode.reset();
+        BOOST_CHECK(Exact(enclosing.first) <= number);
+        BOOST_CHECK(Exact(enclosing.second) >= number);
+        BOOST_CHECK_LE(enclosing.second - enclosing.first, 4 * step);
+      }
 }
 
 BOOST_AUTO_TEST_SUITE_END()
