@@ -34,7 +34,8 @@ void refuse_options_for_points(const Options& options)
        {"decimal", options.decimal}, {"kernel exact", options.kernel == "exact"},
        {"memory", options.memory != 0}, {"points", !options.points.empty()},
        {"coordinates", options.coordinates}, {"components", options.components},
-       {"explain", options.explain}, {"dimension 3", options.dimension == 3}};
+       {"explain", options.explain}, {"dimension 3", options.dimension == 3},
+       {"periodic", options.is_periodic}};
   for(const auto& [name, is_given] : for_points)
     if(is_given)
       throw Error(std::string("--") + name + " is for points, and a file of WKT or GeoJSON has "

@@ -39,19 +39,17 @@ Tie_watch::Tie_watch(const Scene& scene, const Options& options)
 
 // Coordinates are rounded by half a unit in the last place, so a distance of up to three dimensions
 // is wrong by less than two units of the largest one; the distance itself is rounded here, too.
-void Tie_watch::add_pair(std::size_t i, std::size_t j)
+void Tie_watch::add_pair(std::size_t i, std::size_t j, const Offset& offset)
 {
   if(!is_on_)
     return;
   const double* const a = scene_.doubles.data() + i * scene_.dimension;
   const double* const b = scene_.doubles.data() + j * scene_.dimension;
-  double squared = 0, largest = reach_;
-  for(int axis = 0; axis < scene_.dimension; ++axis) {
-    squared += (a[axis] - b[axis]) * (a[axis] - b[axis]);
+  double largest = reach_;
+  for(int axis = 0; axis < scene_.dimension; ++axis)
     largest = std::max({largest, std::abs(a[axis]), std::abs(b[axis])});
-  }
   const double error = 4 * std::numeric_limits<double>::epsilon() * largest;
-  count_ += std::abs(std::sqrt(squared) - reach_) <= error;
+  count_ += std::abs(scene_.distance(i, j, offset) - reach_) <= error;
 }
 
 void print_hints(std::ostream& out, const Scene& scene, const Options& options,
@@ -62,6 +60,9 @@ void print_hints(std::ostream& out, const Scene& scene, const Options& options,
   if(scene.unit == "deg" && !options.decimal)
     out << "near_pairs: hint: degrees are taken as numbers in the plane; --geographic puts them on "
            "a sphere and measures meters\n";
+  if(scene.cell && !scene.cell->space_group.empty())
+    out << "near_pairs: hint: the copies of the atoms in the cell by the space group "
+        << scene.cell->space_group << " are not in the file, and are not searched\n";
   if(rounded_ties != 0)
     out << "near_pairs: hint: pairs are at the distance but for rounding to doubles ("
         << rounded_ties << " of those found), and others may be missing; --decimal takes decimals "

@@ -21,7 +21,7 @@ class Tie_watch
 public:
   Tie_watch(const Scene& scene, const Options& options);
 
-  void add_pair(std::size_t i, std::size_t j);
+  void add_pair(std::size_t i, std::size_t j, const Offset& offset);
 
   // How many of the pairs only rounding keeps from being at exactly the bound, where some are.
   std::size_t rounded(std::size_t exact_ties) const { return is_on_ ? count_ - exact_ties : 0; }

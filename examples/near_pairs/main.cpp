@@ -5,6 +5,7 @@
 // the closest pair. Reads the options and the file, searches, writes the outputs, and prints a
 // summary.
 
+#include "cell.h"
 #include "error.h"
 #include "exact_number.h"
 #include "external.h"
@@ -33,6 +34,8 @@ namespace {
 
 Search_result search(const Scene& scene, const Options& options, const Pair_sink& sink)
 {
+  if(scene.cell)
+    return search_periodic(scene, options, sink);
   if(options.kernel == "exact")
     return search_exact(scene, options, sink);
   return search_epick(scene, options, sink);
@@ -40,6 +43,8 @@ Search_result search(const Scene& scene, const Options& options, const Pair_sink
 
 Closest_result find_closest(const Scene& scene, const Options& options)
 {
+  if(scene.cell)
+    return closest_periodic(scene, options);
   if(options.kernel == "exact")
     return closest_exact(scene, options);
   return closest_epick(scene, options);
@@ -59,16 +64,26 @@ void print_points(std::ostream& out, const Scene& scene)
   out << " rows\n";
 }
 
+void print_cell(std::ostream& out, const Scene& scene)
+{
+  if(scene.cell)
+    print_name(out, "cell") << cell_in_words(*scene.cell) << '\n';
+}
+
 void print_summary(std::ostream& out, const Scene& scene, const Options& options,
                    const Search_result& result)
 {
   print_points(out, scene);
   print_name(out, "pairs") << result.pairs << '\n';
+  if(scene.cell)
+    print_name(out, "crossing") << result.crossing << ", the boundary of the cell\n";
   if(!options.open)
     print_name(out, "on boundary") << result.on_boundary << '\n';
   print_name(out, "distance") << distance_in_words(options, scene.unit) << '\n';
+  print_cell(out, scene);
   print_kernel(out, options);
-  print_name(out, "arithmetic") << result.tier << '\n';
+  if(!result.tier.empty())
+    print_name(out, "arithmetic") << result.tier << '\n';
   print_costs(out, result.seconds, ", with its outputs");
 }
 
@@ -81,10 +96,17 @@ void print_summary(std::ostream& out, const Scene& scene, const Options& options
   if(!scene.ids.empty())
     out << ", " << scene.ids[i] << " and " << scene.ids[j];
   out << '\n';
+  if(scene.cell) {
+    print_name(out, "offset");
+    for(int k = 0; k < scene.dimension; ++k)
+      out << (k == 0 ? "" : " ") << result.offset[k];
+    out << '\n';
+  }
   print_name(out, "squared") << exact_text(result.squared_distance) << ", exactly\n";
   out << std::setprecision(10);
-  print_name(out, "distance") << scene.distance(i, j) << (scene.unit.empty() ? "" : " ")
-                              << scene.unit << ", rounded\n";
+  print_name(out, "distance") << scene.distance(i, j, result.offset)
+                              << (scene.unit.empty() ? "" : " ") << scene.unit << ", rounded\n";
+  print_cell(out, scene);
   print_kernel(out, options);
   print_costs(out, result.seconds, "");
 }
@@ -124,14 +146,14 @@ public:
       groups_.emplace(scene_.size());
   }
 
-  void add_pair(std::size_t i, std::size_t j)
+  void add_pair(std::size_t i, std::size_t j, const Offset& offset)
   {
     if(pairs_) {
-      pairs_->add(i, j);
+      pairs_->add(i, j, offset);
       pairs_file_->check(); // a full disk ends the search
     }
     if(picture_)
-      picture_->add_pair(i, j);
+      picture_->add_pair(i, j, offset);
     if(groups_)
       groups_->add_pair(i, j);
   }
@@ -182,7 +204,7 @@ void run_closest(const Options& options, const Scene& scene, Outputs& outputs)
 {
   const Closest_result closest = find_closest(scene, options);
   outputs.begin(options_at(closest.squared_distance, options));
-  outputs.add_pair(closest.pair.first, closest.pair.second);
+  outputs.add_pair(closest.pair.first, closest.pair.second, closest.offset);
   outputs.finish();
   std::ostream& out = outputs.summary();
   print_summary(out, scene, options, closest);
@@ -209,9 +231,10 @@ void run_search(const Options& options, const Scene& scene, Outputs& outputs)
 {
   outputs.begin(options);
   Tie_watch ties(scene, options);
-  const Search_result result = search(scene, options, [&](std::size_t i, std::size_t j) {
-    ties.add_pair(i, j);
-    outputs.add_pair(i, j);
+  const Search_result result = search(scene, options, [&](std::size_t i, std::size_t j,
+                                                          const Offset& offset) {
+    ties.add_pair(i, j, offset);
+    outputs.add_pair(i, j, offset);
   });
   outputs.finish();
   std::ostream& out = outputs.summary();

@@ -51,7 +51,9 @@ void add_scene_options(po::options_description& all, Options& options)
      "the same, given by its square")
     ("open", po::bool_switch(&options.open), "strictly closer pairs only")
     ("closest", po::bool_switch(&options.closest),
-     "the closest pair and its exact squared distance");
+     "the closest pair and its exact squared distance")
+    ("periodic", po::value<std::string>()->value_name("A,B[,C]"),
+     "in a box of these sides, which repeats (3)");
   all.add(scene);
 }
 
@@ -241,6 +243,25 @@ void read_readings(const po::variables_map& map, Options& options)
   }
 }
 
+void read_periodic(const po::variables_map& map, Options& options)
+{
+  if(!map.count("periodic"))
+    return;
+  const std::string text = map["periodic"].as<std::string>();
+  options.is_periodic = true;
+  if(text != "file")
+    options.cell = parse_cell(text);
+  if(options.geographic)
+    throw Error("--periodic is for the plane and space, and --geographic for a sphere");
+  if(options.kernel == "exact")
+    throw Error("--periodic has no --kernel exact: it takes doubles, or decimals of 53 bits, and "
+                "their images are exact");
+  if(extension(options.pairs) == ".geojson" || extension(options.points) == ".geojson")
+    throw Error("--periodic writes tables as .csv: a map does not repeat");
+  if(options.files.size() == 2 && (options.closest || options.explain))
+    throw Error("--periodic has no --closest and --explain of two files");
+}
+
 void check_choices(const po::variables_map& map, const Options& options)
 {
   if(options.kernel != "epick" && options.kernel != "exact")
@@ -346,7 +367,7 @@ void read_memory(const po::variables_map& map, Options& options)
     throw Error("--memory holds coordinates as doubles");
   if(extension(options.pairs) == ".geojson")
     throw Error("--memory writes pairs as .csv");
-  for(const char* name : {"points", "picture", "id"})
+  for(const char* name : {"points", "picture", "id", "periodic"})
     if(map.count(name))
       throw Error(std::string("--memory has no --") + name + ": not all points are there at once");
   if(options.closest || options.coordinates || options.components || options.explain)
@@ -372,6 +393,7 @@ Options parse_and_check(int argc, const char* const* argv)
   read_separator(map, options);
   check_choices(map, options);
   read_outputs(map, options);
+  read_periodic(map, options);
   read_memory(map, options);
   read_readings(map, options);
   return options;
@@ -394,7 +416,8 @@ std::string help_text()
   const char* const notes
     = "\n(1) Given twice, it is for the first file and for the second one.\n"
       "(2) 0.1 is a tenth, not the double beside it: no tie is lost, and the search of\n"
-      "    short decimals takes half the time. For the decimal comma: --comma-numbers.\n";
+      "    short decimals takes half the time.\n"
+      "(3) Or vectors of four or nine numbers; or file: Lattice of .xyz, CRYST1 of .pdb\n";
   Options ignored;
   po::options_description visible(columns, columns_of_descriptions);
   add_scene_options(visible, ignored);

@@ -7,10 +7,12 @@
 #ifndef NEAR_PAIRS_OPTIONS_H
 #define NEAR_PAIRS_OPTIONS_H
 
+#include "cell.h"
 #include "read_options.h"
 #include "search_options.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +28,9 @@ struct Options : Search_options, Read_options
   std::string distance_text; // as typed, without its unit
   std::string distance_unit; // as typed; empty: that of the scene
   bool closest = false;      // the closest pair instead; there is no distance then
+
+  bool is_periodic = false;
+  std::optional<Cell> cell; // if it is periodic; none: the file tells it
 
   std::string kernel = "epick";
   std::size_t memory = 0; // in bytes; 0: as much as the points take

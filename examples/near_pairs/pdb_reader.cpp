@@ -27,6 +27,8 @@ bool Pdb_reader::next(Row& row)
     const std::string name = line.substr(0, 6);
     if(name == "ENDMDL")
       break;
+    if(name == "CRYST1")
+      crystal_ = line;
     if(name != "ATOM  " && name != "HETATM")
       continue;
     row.line = lines_.number();
@@ -43,6 +45,13 @@ bool Pdb_reader::next(Row& row)
   if(!has_atoms_)
     throw Error(lines_.file(), "no line of an atom, which begins with ATOM or HETATM");
   return false;
+}
+
+std::optional<Cell> Pdb_reader::cell() const
+{
+  if(crystal_.empty())
+    return std::nullopt;
+  return crystal_cell(crystal_);
 }
 
 } // namespace near_pairs

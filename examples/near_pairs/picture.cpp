@@ -9,6 +9,7 @@
 #include "text.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
@@ -20,6 +21,7 @@ namespace {
 
 // Colors of Okabe and Ito, which color-blind people can tell apart too.
 const char* const pair_color = "#D55E00";
+const char* const half_color = "#0072B2";
 const char* const inset_color = "#0072B2";
 const char* const set_colors[] = {"#555555", "#009E73"};
 
@@ -56,7 +58,7 @@ std::vector<std::string> short_names(const std::vector<std::string>& files)
 } // namespace
 
 Picture::Picture(const Scene& scene, const Options& options, const std::string& distance)
-  : files_(short_names(options.files)),
+  : scene_(scene), files_(short_names(options.files)),
     caption_("distance " + shortened(distance, longest_distance)), unit_(scene.unit),
     geographic_(options.geographic), reach_(to_double(options.distance)),
     units_per_position_(1), first_size_(scene.first_size.value_or(scene.size()))
@@ -103,8 +105,9 @@ void Picture::place_main_panel()
   double extent = std::max(width, height);
   if(extent == 0)
     extent = std::max({1., std::abs(low.x), std::abs(low.y)});
-  const double x_room = (std::max(width, extent / 4) - width) / 2 + extent / 30;
-  const double y_room = (std::max(height, extent / 4) - height) / 2 + extent / 30;
+  const double least_room = extent / 30 + (scene_.cell ? reach_ / 2 : 0); // for halves of pairs
+  const double x_room = (std::max(width, extent / 4) - width) / 2 + least_room;
+  const double y_room = (std::max(height, extent / 4) - height) / 2 + least_room;
   main_.low = {low.x - x_room / aspect, low.y - y_room};
   main_.high = {high.x + x_room / aspect, high.y + y_room};
   main_.y_scale = std::min(main_width / (width + 2 * x_room), main_height / (height + 2 * y_room));
@@ -151,19 +154,34 @@ Position Picture::densest_place(double side) const
   return {sum.x / fullest->second, sum.y / fullest->second};
 }
 
-void Picture::add_pair(std::size_t i, std::size_t j)
+void Picture::add_pair(std::size_t i, std::size_t j, const Offset& offset)
 {
   ++pairs_;
-  if(!has_inset_) {
-    if(main_pairs_.size() < most_lines)
-      main_pairs_.emplace_back(i, j);
+  if(offset == Offset{}) {
+    add_line({i, positions_[j], false});
     return;
   }
-  const Position mark = main_.place(positions_[i]);
-  marks_.insert(pixels({std::round(mark.x), std::round(mark.y)}));
-  if((inset_.shows(positions_[i]) || inset_.shows(positions_[j])) &&
-     inset_pairs_.size() < most_lines)
-    inset_pairs_.emplace_back(i, j);
+  const std::array<double, 3> d = scene_.difference(i, j, offset);
+  const Position a = positions_[i], b = positions_[j], half = {d[0] / 2, d[1] / 2};
+  add_line({i, {a.x + half.x, a.y + half.y}, true});
+  add_line({j, {b.x - half.x, b.y - half.y}, true});
+}
+
+void Picture::add_line(const Line& line)
+{
+  const Position begin = positions_[line.point];
+  if(has_inset_) {
+    const Position mark = main_.place(begin);
+    marks_.insert(pixels({std::round(mark.x), std::round(mark.y)}));
+    if(!inset_.shows(begin) && !inset_.shows(line.end))
+      return;
+  }
+  Lines& lines = has_inset_ ? inset_lines_ : main_lines_;
+  is_cut_ |= lines.size() == most_lines;
+  if(is_cut_)
+    return;
+  lines.push_back(line);
+  has_halves_ |= line.is_half;
 }
 
 void Picture::color_by(const Groups& groups)
@@ -204,13 +222,6 @@ std::string Picture::counts() const
          + " pairs, " + caption_;
 }
 
-// Whether more pairs were to be drawn than are.
-bool Picture::is_cut() const
-{
-  return pairs_ > most_lines &&
-         (main_pairs_.size() == most_lines || inset_pairs_.size() == most_lines);
-}
-
 double Picture::right() const
 {
   const double heading = std::max(text_width(title(), title_size), text_width(counts()));
@@ -240,7 +251,7 @@ void Picture::write(std::ostream& svg) const
     write_inset(svg);
   }
   else {
-    write_pairs(svg, main_, main_pairs_);
+    write_lines(svg, main_, main_lines_);
     write_points(svg, main_, 3);
   }
   write_legend(svg);
@@ -259,8 +270,15 @@ void Picture::write_points(std::ostream& svg, const Panel& panel, double size) c
       write_dots(svg, places[color], colors[color], color != 0 && has_inset_ ? 2 * size : size);
 }
 
+std::string Picture::color_of(const Line& line) const
+{
+  if(!component_colors_.empty())
+    return component_colors[color_of(line.point)];
+  return line.is_half ? half_color : pair_color;
+}
+
 // A pair across the 180th meridian would run around the map: it is left out.
-void Picture::write_pairs(std::ostream& svg, const Panel& panel, const Pairs& pairs) const
+void Picture::write_lines(std::ostream& svg, const Panel& panel, const Lines& lines) const
 {
   std::map<std::string, std::string> paths; // of each color
   const auto write = [&](const std::string& color, std::string& path) {
@@ -268,15 +286,16 @@ void Picture::write_pairs(std::ostream& svg, const Panel& panel, const Pairs& pa
         << "'/>\n";
     path.clear();
   };
-  for(const auto& [i, j] : pairs)
-    if(!geographic_ || std::abs(positions_[i].x - positions_[j].x) < 180) {
-      const std::string color
-        = component_colors_.empty() ? pair_color : component_colors[color_of(i)];
-      std::string& path = paths[color];
-      path += 'M' + pixels(panel.place(positions_[i])) + 'L' + pixels(panel.place(positions_[j]));
-      if(path.size() > longest_path)
-        write(color, path);
-    }
+  for(const Line& line : lines) {
+    const Position begin = positions_[line.point];
+    if(geographic_ && std::abs(begin.x - line.end.x) >= 180)
+      continue;
+    const std::string color = color_of(line);
+    std::string& path = paths[color];
+    path += 'M' + pixels(panel.place(begin)) + 'L' + pixels(panel.place(line.end));
+    if(path.size() > longest_path)
+      write(color, path);
+  }
   for(auto& [color, path] : paths)
     if(!path.empty())
       write(color, path);
@@ -287,7 +306,7 @@ void Picture::write_inset(std::ostream& svg) const
   const Position center = main_.place(inset_.center());
   svg << "<circle cx='" << center.x << "' cy='" << center.y << "' r='9' fill='none' stroke='"
       << inset_color << "' stroke-width='2'/>\n<g clip-path='url(#inset)'>\n";
-  write_pairs(svg, inset_, inset_pairs_);
+  write_lines(svg, inset_, inset_lines_);
   write_points(svg, inset_, 3);
   svg << "</g>\n";
   write_frame(svg, inset_, inset_color);
@@ -303,6 +322,9 @@ Picture::Legend Picture::legend() const
     return "<circle r='" + short_number(radius) + "' fill='" + color + "'/>";
   };
   const bool has_components = !component_colors_.empty();
+  const auto line = [](const std::string& color) {
+    return "<path d='M-10 0h20' stroke-width='1.5' stroke='" + color + "'/>";
+  };
   const std::string color = has_components ? component_colors[1] : pair_color;
   Legend rows;
   if(has_components) {
@@ -315,12 +337,13 @@ Picture::Legend Picture::legend() const
                         files_.size() == 1 ? "point" : "point of " + files_[set]);
   if(has_inset_ && !has_components)
     rows.emplace_back(dot(pair_color, 2.5), "place with at least one pair");
-  rows.emplace_back("<path d='M-10 0h20' stroke-width='1.5' stroke='" + color + "'/>",
-                    has_inset_ ? "pair, in the detail" : "pair");
+  rows.emplace_back(line(color), has_inset_ ? "pair, in the detail" : "pair");
+  if(has_halves_ && !has_components)
+    rows.emplace_back(line(half_color), "half of a pair across the boundary");
   if(has_inset_)
     rows.emplace_back(std::string("<circle r='9' fill='none' stroke-width='2' stroke='")
                       + inset_color + "'/>", "the densest place, in the detail");
-  if(is_cut())
+  if(is_cut_)
     rows.emplace_back("", "only " + std::to_string(most_lines) + " lines are drawn");
   return rows;
 }

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 // The scene and its pairs as an SVG drawing, seen from above: x and y, or longitude and latitude.
-// Where pairs are too short to be seen they become marks, and an inset shows the densest place.
+// Where pairs are too short to be seen they become marks, and an inset shows the densest place. If
+// the scene repeats, a pair across the boundary is drawn as the halves at its two points.
 
 #ifndef NEAR_PAIRS_PICTURE_H
 #define NEAR_PAIRS_PICTURE_H
@@ -31,17 +32,24 @@ public:
   void color_by(const Groups& groups);
 
   // Remembers what is to be drawn of the pair: the size of the drawing is bounded.
-  void add_pair(std::size_t i, std::size_t j);
+  void add_pair(std::size_t i, std::size_t j, const Offset& offset);
 
   void write(std::ostream& svg) const;
 
 private:
   using Legend = std::vector<std::pair<std::string, std::string>>;
-  using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
+  struct Line // from a point: a pair, or a half of one
+  {
+    std::size_t point;
+    Position end;
+    bool is_half;
+  };
+  using Lines = std::vector<Line>;
+
+  void add_line(const Line& line);
   std::string title() const;
   std::string counts() const;
-  bool is_cut() const;
   Legend legend() const;
   double legend_left() const;
   double legend_top() const;
@@ -54,10 +62,12 @@ private:
 
   std::size_t color_of(std::size_t point) const;
   void write_points(std::ostream& svg, const Panel& panel, double size) const;
-  void write_pairs(std::ostream& svg, const Panel& panel, const Pairs& pairs) const;
+  std::string color_of(const Line& line) const;
+  void write_lines(std::ostream& svg, const Panel& panel, const Lines& lines) const;
   void write_inset(std::ostream& svg) const;
   void write_legend(std::ostream& svg) const;
 
+  const Scene& scene_;
   std::vector<std::string> files_; // their names, shortened
   std::string caption_;
   std::string axis_names_[2];
@@ -75,8 +85,10 @@ private:
   Panel inset_;
   std::size_t pairs_ = 0;
   std::set<std::string> marks_; // pixels of the main panel, if there is an inset
-  Pairs main_pairs_;            // lines of the main panel, if there is none
-  Pairs inset_pairs_;
+  Lines main_lines_;            // of the main panel, if there is none
+  Lines inset_lines_;
+  bool has_halves_ = false;
+  bool is_cut_ = false; // more lines were to be drawn than are
 };
 
 } // namespace near_pairs

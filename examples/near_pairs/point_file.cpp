@@ -37,6 +37,7 @@ public:
   {
     if(options_.decimal)
       scene_.scale = common_scale();
+    scene_.cell = options_.cell;
     for(std::size_t file = 0; file < inputs_.size(); ++file) {
       if(file == 1)
         scene_.first_size = scene_.size();
@@ -47,6 +48,7 @@ public:
     }
     if(!scene_.ids.empty())
       scene_.ids.resize(scene_.size());
+    check_cell();
     return std::move(scene_);
   }
 
@@ -91,6 +93,33 @@ private:
       }
     }
     scene_.skipped.push_back(reader->skipped);
+    if(options_.is_periodic && !options_.cell)
+      take_cell(input, *reader);
+  }
+
+  // Two files may tell the same cell, or one of them.
+  void take_cell(const Input& input, const Row_reader& reader)
+  {
+    try {
+      const std::optional<Cell> cell = reader.cell();
+      if(cell && scene_.cell && cell_in_words(*cell) != cell_in_words(*scene_.cell))
+        throw Error("the cell is not that of " + inputs_.front().name());
+      if(cell)
+        scene_.cell = cell;
+    }
+    catch(const Error& error) {
+      throw Error(input.name(), error.what());
+    }
+  }
+
+  void check_cell() const
+  {
+    if(options_.is_periodic && !scene_.cell)
+      throw Error(inputs_.front().name(), "no cell, which is Lattice in .xyz or CRYST1 in .pdb; "
+                  "give sides, as --periodic 1,1,1");
+    if(scene_.cell && scene_.cell->vectors.size() != std::size_t(scene_.dimension))
+      throw Error("--periodic: the cell has " + std::to_string(scene_.cell->vectors.size())
+                  + " dimensions, and points have " + plural(scene_.dimension, "coordinate"));
   }
 
   void add_binary(const Input& input, const Read_options& reading)
@@ -153,7 +182,8 @@ private:
     if(options_.kernel != "exact")
       throw Error(place.input.name(), place.row.line, "--decimal: " + place.row.coordinates[axis]
                   + " times 10^" + std::to_string(scene_.scale)
-                  + " exceeds 53 bits; use --kernel exact");
+                  + " exceeds 53 bits"
+                  + (options_.is_periodic ? "" : "; use --kernel exact"));
     if(scene_.exact.empty())
       switch_to_exact();
     scene_.exact.add(decimal);

@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The formats whose numbers are separated by blanks, .xyz and .tsp, and the choice of a format; see
-// row_reader.h.
+// The format .tsp, and the choice of a format; see row_reader.h.
 
 #include "row_reader.h"
 
@@ -13,6 +12,7 @@
 #include "off_reader.h"
 #include "pdb_reader.h"
 #include "ply_reader.h"
+#include "xyz_reader.h"
 
 #include <algorithm>
 #include <cctype>
@@ -22,36 +22,6 @@
 
 namespace near_pairs {
 namespace {
-
-// The numbers of a point on each line; lines that begin with # and blank lines are skipped.
-class Xyz_reader : public Row_reader
-{
-public:
-  Xyz_reader(const Input& input, const Read_options& options)
-    : lines_(input)
-  {
-    dimension = options.dimension == 0 ? 3 : options.dimension;
-  }
-
-  bool next(Row& row) override
-  {
-    for(std::string line; lines_.next(line); ) {
-      const std::vector<std::string> texts = words(line, dimension);
-      if(texts.empty() || texts.front().front() == '#')
-        continue;
-      if(texts.size() < std::size_t(dimension))
-        throw Error(lines_.file(), lines_.number(), plural(texts.size(), "number")
-                    + " where " + std::to_string(dimension) + " are needed");
-      row.line = lines_.number();
-      std::copy_n(texts.begin(), dimension, row.coordinates.begin());
-      return true;
-    }
-    return false;
-  }
-
-private:
-  Lines lines_;
-};
 
 // TSPLIB: a head of "KEY : value" lines, then NODE_COORD_SECTION with a node number and its
 // coordinates on each line, up to EOF or the next section.

@@ -7,6 +7,7 @@
 #ifndef NEAR_PAIRS_ROW_READER_H
 #define NEAR_PAIRS_ROW_READER_H
 
+#include "cell.h"
 #include "input.h"
 #include "read_options.h"
 
@@ -34,6 +35,9 @@ public:
 
   // Reads the next row; returns false at the end.
   virtual bool next(Row& row) = 0;
+
+  // The cell that the file tells, known from the end of the rows. Throws Error if it is none.
+  virtual std::optional<Cell> cell() const { return std::nullopt; }
 
   // Coordinates per row, known from the beginning.
   int dimension = 0;

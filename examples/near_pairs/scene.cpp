@@ -5,6 +5,8 @@
 
 #include "scene.h"
 
+#include "rational.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -33,15 +35,37 @@ double Scene::coordinate(std::size_t point, int axis) const
   return exact.empty() ? doubles[at] / std::pow(10., scale) : exact.rounded(at);
 }
 
-double Scene::distance(std::size_t i, std::size_t j) const
+// Doubles would lose their digits as soon as a period is added and most of it cancels out.
+std::array<double, 3> Scene::difference(std::size_t i, std::size_t j, const Offset& offset) const
 {
-  std::array<double, 3> difference = {0, 0, 0};
+  std::array<double, 3> result = {0, 0, 0};
   for(int axis = 0; axis < dimension; ++axis) {
     const std::size_t a = i * dimension + axis, b = j * dimension + axis;
-    difference[axis] = exact.empty() ? (doubles[a] - doubles[b]) / std::pow(10., scale)
-                                     : exact.rounded_difference(a, b);
+    if(offset != Offset{})
+      result[axis] = to_double(exact_difference(i, j, offset, axis));
+    else
+      result[axis] = exact.empty() ? (doubles[b] - doubles[a]) / std::pow(10., scale)
+                                   : exact.rounded_difference(b, a);
   }
-  return std::hypot(std::hypot(difference[0], difference[1]), difference[2]);
+  return result;
+}
+
+Exact_number Scene::exact_difference(std::size_t i, std::size_t j, const Offset& offset,
+                                     int axis) const
+{
+  CGAL::Exact_rational sum(doubles[j * dimension + axis]);
+  sum -= CGAL::Exact_rational(doubles[i * dimension + axis]);
+  sum /= power_of_ten(scale);
+  for(int k = 0; k < dimension; ++k)
+    if(offset[k] != 0)
+      sum += offset[k] * cell->vectors[k][axis]->value;
+  return Exact_number(Rational{sum});
+}
+
+double Scene::distance(std::size_t i, std::size_t j, const Offset& offset) const
+{
+  const std::array<double, 3> d = difference(i, j, offset);
+  return std::hypot(std::hypot(d[0], d[1]), d[2]);
 }
 
 int Scene::columns() const

@@ -6,6 +6,7 @@
 #ifndef NEAR_PAIRS_SCENE_H
 #define NEAR_PAIRS_SCENE_H
 
+#include "cell.h"
 #include "exact_number.h"
 
 #include <array>
@@ -30,6 +31,8 @@ struct Scene
   // The points of the first of two files, which come first. Pairs have a point of each file then.
   std::optional<std::size_t> first_size;
 
+  std::optional<Cell> cell; // if the scene repeats, in the unit of the file; it has doubles then
+
   // Of the points in their files, if rows may have been skipped.
   std::vector<std::size_t> rows;
   std::vector<std::size_t> skipped; // how many, in each file
@@ -48,9 +51,14 @@ struct Scene
   std::size_t position(std::size_t point) const;
   int file(std::size_t point) const; // 1 or 2
 
-  // In the unit of the file, rounded.
+  // In the unit of the file, rounded. The difference is that of point i and an image of point j.
   double coordinate(std::size_t point, int axis) const;
-  double distance(std::size_t i, std::size_t j) const;
+  std::array<double, 3> difference(std::size_t i, std::size_t j, const Offset& offset) const;
+  double distance(std::size_t i, std::size_t j, const Offset& offset) const;
+
+  // The component of the difference, in a scene that repeats.
+  Exact_number exact_difference(std::size_t i, std::size_t j, const Offset& offset,
+                                int axis) const;
 
   // As they were in the file, rounded: latitude and longitude if the scene is geographic.
   int columns() const;

@@ -90,17 +90,23 @@ bool report_pairs_by(const std::vector<Point>& points, std::optional<std::size_t
                                                            parameters);
 }
 
+// Shows the progress of a search if that is wanted, and stops the search if that is.
+inline std::function<bool(double)> progress_functor(bool is_shown)
+{
+  return [is_shown](double done) {
+    if(is_shown)
+      show_progress(done);
+    return !stop_requested;
+  };
+}
+
 // Describes the scene in `profile`. Returns false iff the search was stopped.
 template <class Point, class Bound, class Callback>
 bool report_pairs(const std::vector<Point>& points, std::optional<std::size_t> first_size,
                   const Bound& bound, const Search_options& options, Callback& callback,
                   CGAL::Scene_profile& profile)
 {
-  const std::function<bool(double)> go_on = [&](double done) {
-    if(options.progress)
-      show_progress(done);
-    return !stop_requested;
-  };
+  const auto go_on = progress_functor(options.progress);
   const auto parameters = CGAL::parameters::callback(go_on);
 #ifdef CGAL_LINKED_WITH_TBB
   if(options.parallel)
@@ -109,6 +115,15 @@ bool report_pairs(const std::vector<Point>& points, std::optional<std::size_t> f
 #endif
   return report_pairs_by<CGAL::Sequential_tag>(points, first_size, bound, callback, profile,
                                                parameters);
+}
+
+inline void describe(const CGAL::Scene_profile& profile, Search_result& result)
+{
+  std::ostringstream tier, description;
+  tier << profile.tier();
+  description << profile;
+  result.tier = tier.str();
+  result.profile = description.str();
 }
 
 template <class Point>
@@ -126,7 +141,7 @@ Search_result search_points(const std::vector<Point>& points, const Scene& scene
     const std::lock_guard<std::mutex> lock(mutex);
     ++result.pairs;
     result.on_boundary += is_on_boundary;
-    sink(i, j);
+    sink(i, j, {});
   };
 
   CGAL::Scene_profile profile;
@@ -135,11 +150,7 @@ Search_result search_points(const std::vector<Point>& points, const Scene& scene
     throw Error("stopped");
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
-  std::ostringstream tier, description;
-  tier << profile.tier();
-  description << profile;
-  result.tier = tier.str();
-  result.profile = description.str();
+  describe(profile, result);
   return result;
 }
 

@@ -39,7 +39,10 @@ public:
     : stream_(stream), scene_(scene), with_coordinates_(with_coordinates)
   {
     stream_.precision(10);
-    stream_ << (scene.ids.empty() ? "i,j," : "i,j,id_i,id_j,");
+    stream_ << "i,j,";
+    for(int k = 1; k <= numbers_of_offset(); ++k)
+      stream_ << "offset_" << k << ',';
+    stream_ << (scene.ids.empty() ? "" : "id_i,id_j,");
     if(with_coordinates_) {
       write_names(stream_, scene_, "_i");
       write_names(stream_, scene_, "_j");
@@ -47,19 +50,23 @@ public:
     stream_ << "distance\n";
   }
 
-  void add(std::size_t i, std::size_t j) override
+  void add(std::size_t i, std::size_t j, const Offset& offset) override
   {
     stream_ << scene_.position(i) << ',' << scene_.position(j) << ',';
+    for(int k = 0; k < numbers_of_offset(); ++k)
+      stream_ << offset[k] << ',';
     if(!scene_.ids.empty())
       stream_ << csv_field(scene_.ids[i]) << ',' << csv_field(scene_.ids[j]) << ',';
     if(with_coordinates_) {
       write_coordinates(stream_, scene_, i);
       write_coordinates(stream_, scene_, j);
     }
-    stream_ << scene_.distance(i, j) << '\n';
+    stream_ << scene_.distance(i, j, offset) << '\n';
   }
 
 private:
+  int numbers_of_offset() const { return scene_.cell ? scene_.dimension : 0; }
+
   std::ostream& stream_;
   const Scene& scene_;
   bool with_coordinates_;
@@ -117,7 +124,7 @@ class Pair_map : public Pair_writer
 public:
   Pair_map(std::ostream& stream, const Scene& scene) : map_(stream), scene_(scene) {}
 
-  void add(std::size_t i, std::size_t j) override
+  void add(std::size_t i, std::size_t j, const Offset&) override
   {
     std::ostream& out = map_.begin_feature();
     write_line(out, scene_.degrees(i), scene_.degrees(j));
@@ -125,7 +132,7 @@ public:
     if(!scene_.ids.empty())
       out << R"(,"id_i":)" << json_string(scene_.ids[i]) << R"(,"id_j":)"
           << json_string(scene_.ids[j]);
-    out << R"(,"distance":)" << scene_.distance(i, j) << "}}";
+    out << R"(,"distance":)" << scene_.distance(i, j, {}) << "}}";
   }
 
   void finish() override { map_.finish(); }

@@ -21,15 +21,16 @@ class Pair_writer
 {
 public:
   virtual ~Pair_writer() = default;
-  virtual void add(std::size_t i, std::size_t j) = 0;
+  virtual void add(std::size_t i, std::size_t j, const Offset& offset) = 0;
   virtual void finish() {}
 };
 
 // Throws Error if the name of the file is that of a map, and the scene is none.
 void check_map(const std::string& file, const Scene& scene);
 
-// Writes pairs to the stream: their positions in the files, ids if the scene has them, coordinates
-// if they are wanted, and the distance, rounded for reading. A file that ends in .geojson is a map
+// Writes pairs to the stream: their positions in the files, the offset of the image of the second
+// point if the scene repeats, ids if the scene has them, coordinates of the points if they are
+// wanted, and the distance, rounded for reading. A file that ends in .geojson is a map
 // with a line for each pair; all others are tables.
 std::unique_ptr<Pair_writer> make_pair_writer(const std::string& file, std::ostream& stream,
                                               const Scene& scene, bool with_coordinates);

@@ -791,6 +791,244 @@ verdict "ships by the shore of Puget Sound: 849 pairs" \
         test "$status $(summary pairs) $(summary 'in pairs')" = "0 849 848 and 20 of the features"
 [ -z "$geos" ] || verdict "  as by GEOS" same_pairs features.csv shore
 
+# ---------------------------------------------------------------- scenes that repeat
+
+cat > salt.xyz << 'END'
+8
+Lattice="5.64 0 0 0 5.64 0 0 0 5.64" Properties=species:S:1:pos:R:3 energy=-27.5
+Na 0 0 0
+Cl 0 0 2.82
+Cl 0 2.82 0
+Na 0 2.82 2.82
+Cl 2.82 0 0
+Na 2.82 0 2.82
+Na 2.82 2.82 0
+Cl 2.82 2.82 2.82
+END
+tail -n 8 salt.xyz | cut -d ' ' -f 2- > salt.txt
+{ cat salt.xyz; printf '1\n\nNe 9 9 9\n'; } > frames.xyz
+printf '2\n\nO 0 0 0.5 -1 -1\n8 0 0 1\n' > atoms.xyz
+head -n 9 salt.xyz > cut.xyz
+sed 's/Na 0 0 0/Na 0 0/' salt.xyz > short_atom.xyz
+cat > slab.xyz << 'END'
+4
+config="a slab=b" pbc="T F T" Properties=id:I:1:force:R:3:pos:R:3:species:S:1 Lattice="1.5 0 0.5 0 0 0 0.5 0 2"
+7 9 9 9 0 0 0 C
+8 9 9 9 0.25 1 1 Si
+9 9 9 9 1.75 0.5 4 C
+5 9 9 9 0.25 0.5 3.25 C
+END
+awk 'NR > 2 { print $5, $6, $7 }' slab.xyz > slab.txt
+printf 'x,y\n0.5,0\n9.5,0\n-19.5,21\n' > wide.csv
+awk 'BEGIN { srand(3); print "x,y"
+             for(i = 0; i < 24; ++i) printf "%.1f,%.1f\n", 2 * rand() - 0.6, 2 * rand() - 0.9 }' > tenths.csv
+awk 'BEGIN { srand(4); for(i = 0; i < 14; ++i) printf "%d %d %d\n", 9 * rand(), 9 * rand(), 9 * rand() }' \
+    > integers.txt
+printf '%s\n' 'CRYST1   10.000   20.100   30.200  90.00  90.00  90.00 P 1           1' \
+       'ATOM      1  N   THR A   1       0.100   0.200   0.000  1.00 13.79           N' \
+       'ATOM      2  C   THR A   1       0.100  20.000  29.900  1.00 13.79           C' > box.pdb
+sed '1s/90.00  90.00  90.00 P 1    /80.00 100.00 115.00 P 21 21 21/' box.pdb > skew.pdb
+sed '1s/.*/CRYST1    1.000    1.000    1.000  90.00  90.00  90.00 P 1           1/' box.pdb > unit.pdb
+
+expect_scene "atoms of .xyz" 2 1 atoms.xyz --distance 0.5
+run atoms.xyz --closest
+verdict "  are named by their elements" test "$(summary 'closest pair')" = "0 1, O and 8"
+expect_scene "  of the first frame" 8 12 frames.xyz --distance 2.82 --decimal
+expect_scene "  as the comment tells" 4 0 slab.xyz --distance 1
+expect_error "fewer atoms than there should be" "cut.xyz: the file ends after 7 atoms of 8" cut.xyz --distance 1
+expect_error "an atom without a place" "short_atom.xyz:3: 3 words where 4 are needed" short_atom.xyz --distance 1
+for properties in pos:R:x pos:R:2 species:S:1; do
+  sed "2s/.*/Properties=$properties/" salt.xyz > wrong.xyz
+  expect_error "atoms with $properties" "wrong.xyz:2: Properties: " wrong.xyz --distance 1
+done
+
+expect_crossing() { # PAIRS
+  verdict "  $1 of them cross the boundary" test "$(summary crossing)" = "$1, the boundary of the cell"
+}
+
+expect_pairs "rock salt" 24 salt.xyz --periodic file --distance 2.82 --decimal --pairs pairs.csv --points points.csv
+expect_boundary 24
+expect_crossing 12
+verdict "  its cell" test "$(summary cell)" = "5.64, 5.64, 5.64"
+verdict "  six neighbors of each atom" test "$(tail -n +2 points.csv | cut -d, -f 3 | sort | uniq -c | xargs)" = "8 6"
+verdict "  and their names" test "$(grep '^0,1,' pairs.csv | sort | xargs)" \
+        = "0,1,0,0,-1,Na,Cl,2.82 0,1,0,0,0,Na,Cl,2.82"
+expect_pairs "  strictly closer" 0 salt.xyz --periodic file --distance 2.82 --decimal --open
+expect_crossing 0
+expect_pairs "  by the sides" 24 salt.txt --periodic 5.64,5.64,141/25 --distance 2.82 --decimal
+expect_pairs "  without a boundary" 12 salt.txt --distance 2.82 --decimal
+verdict "  which has no cell" test "$(summary cell)$(summary crossing)" = ""
+run salt.txt --periodic 5.64,5.64,5.64 --distance 2.82
+verdict "  as doubles makes a hint" has_hints 1
+verdict "  to take decimals" grep -q -- '--decimal' err
+expect_pairs "sides, and points outside" 2 wide.csv --periodic 10,20 --distance 1
+expect_crossing 2
+printf '%s\n' 0,1,-1,0,0.5,0,9.5,0,1 0,2,2,-1,0.5,0,-19.5,21,1 1,2,3,-1,9.5,0,-19.5,21,1.414213562 > expected
+expect_pairs "  a little longer" 3 wide.csv --periodic 10,20 --squared-distance 2 --pairs pairs.csv --coordinates
+verdict "  with offsets" test "$(tail -n +2 pairs.csv | sort)" = "$(cat expected)"
+verdict "  behind the positions" grep -qx i,j,offset_1,offset_2,x_i,y_i,x_j,y_j,distance pairs.csv
+expect_closest "  the closest pair" "0 1" 1 wide.csv --periodic 10,20
+verdict "  its offset" test "$(summary offset)" = "-1 0"
+expect_closest "a point and its image" "0 0" 4 single.csv --periodic 3,2
+verdict "  their offset" test "$(summary offset)" = "0 1"
+expect_closest "a bond of rock salt" "0 1, Na and Cl" 7.9524 salt.xyz --periodic file --decimal
+verdict "  the first of ties" test "$(summary offset)" = "0 0 -1"
+run salt.xyz --periodic file --closest --decimal --parallel
+grep -q "built without TBB" err || verdict "  in parallel" test "$(summary offset)" = "0 0 -1"
+expect_pairs "right angles of a crystal" 3 box.pdb --periodic file --squared-distance 100 --decimal
+expect_boundary 2
+verdict "  make an exact cell" test "$(summary cell)" = "10, 20.1, 30.2"
+verdict "  without a hint" test ! -s err
+run box.pdb --periodic file --squared-distance 0.18 --decimal --pairs pairs.csv
+verdict "  of the second atom" grep -q '^0,1,0,-1,-1,1,2,0.42426' pairs.csv
+run skew.pdb --periodic file --distance 10.5 --decimal
+verdict "other angles are rounded" grep -qE '^cell         10, \(-8\.4[0-9]* 18\.2[0-9]* 0\), .*, rounded$' out
+verdict "  and a space group makes a hint" has_hints 1
+verdict "  to its copies" grep -q 'P 21 21 21 are not in the file' err
+
+# The same from the definition: an image of a point for each offset, in rational numbers.
+if command -v python3 > /dev/null; then
+  cat > images.py << 'END'
+# images.py VECTORS REPEATS SQUARED decimal|double FILE [FILE]: prints the pairs, and then how many of
+# them there are, cross the boundary, and are at the distance.
+import itertools, re, sys
+from fractions import Fraction
+vectors, repeats, squared, kind, *files = sys.argv[1:]
+most = 7
+number = Fraction if kind == "decimal" else lambda text: Fraction(float(text))
+points = [[[number(word) for word in re.split("[, ]", line.strip())] for line in open(file) if line[0] != "x"]
+          for file in files]
+vectors = [Fraction(word) for word in vectors.split(",")]
+dimension = len(points[0][0])
+vectors = [vectors[k * dimension:(k + 1) * dimension] for k in range(dimension)]
+offsets = list(itertools.product(*(range(-most, most + 1) if r == "T" else [0] for r in repeats)))
+moves = {o: [sum(n * v[axis] for n, v in zip(o, vectors)) for axis in range(dimension)] for o in offsets}
+found = []
+for i, p in enumerate(points[0]):
+    for j, q in enumerate(points[-1]):
+        for o, move in moves.items():
+            if len(files) == 1 and (j < i or (j == i and o <= (0,) * dimension)):
+                continue
+            d = sum((b + m - a) ** 2 for a, b, m in zip(p, q, move))
+            if d <= Fraction(squared):
+                assert max(map(abs, o)) < most
+                found.append((i, j, o, d))
+for i, j, o, d in found:
+    print(i, j, *o, sep=",")
+print(len(found), sum(any(o) for i, j, o, d in found), sum(d == Fraction(squared) for i, j, o, d in found),
+      file=sys.stderr)
+END
+
+  # The program must report these pairs of images.
+  expect_images() { # NAME VECTORS REPEATS SQUARED KIND "FILE..." ARGUMENT...
+    local name=$1 vectors=$2 repeats=$3 squared=$4 kind=$5 files=$6
+    local pairs crossing ties
+    shift 6
+    python3 images.py $vectors $repeats $squared $kind $files > images 2> counts
+    read -r pairs crossing ties < counts
+    sort images > expected
+    run "$@" --squared-distance $squared --pairs pairs.csv $([ $kind = double ] || echo --decimal)
+    verdict "$name: $pairs pairs of images" test "$status $(summary pairs)" = "0 $pairs"
+    expect_boundary "$ties"
+    expect_crossing "$crossing"
+    tail -n +2 pairs.csv | cut -d, -f 1-$((2 + ${#repeats})) | sort > sorted
+    verdict "  are those of the definition" cmp -s sorted expected
+  }
+  box="5.64,0,0,0,5.64,0,0,0,5.64"
+  expect_images "rock salt" $box TTT 7.9524 decimal salt.txt salt.xyz --periodic file
+  expect_images "  as doubles" $box TTT 7.9524 double salt.txt salt.xyz --periodic file
+  expect_images "  within two bonds" $box TTT 31.8096 decimal salt.txt salt.txt --periodic 5.64,5.64,5.64
+  expect_images "tenths" 0.7,0,0,0.5 TT 0.09 decimal tenths.csv tenths.csv --periodic 0.7,0.5
+  expect_images "  as doubles" 0.7,0,0,0.5 TT 0.09 double tenths.csv tenths.csv --periodic 0.7,0.5
+  expect_images "  beyond the periods" 0.7,0,0,0.5 TT 1 decimal tenths.csv tenths.csv --periodic 0.7,0.5
+  expect_images "  in thirds" 1/3,0,0,2/3 TT 0.04 decimal tenths.csv tenths.csv --periodic 1/3,2/3
+  expect_images "  in a skewed cell" 0.9,0,0.3,0.4 TT 0.09 decimal tenths.csv tenths.csv --periodic 0.9,0,0.3,0.4
+  printf 'x,y\n0.1,0.2\n-0.5,0.9\n1.3,-0.4\n' > others.csv
+  expect_images "  beside others" 0.9,0,0.3,0.4 TT 0.09 decimal "tenths.csv others.csv" tenths.csv others.csv \
+                --periodic 0.9,0,0.3,0.4
+  expect_images "  of a file with itself" 0.9,0,0.3,0.4 TT 0.04 decimal "tenths.csv tenths.csv" tenths.csv \
+                tenths.csv --periodic 0.9,0,0.3,0.4
+  expect_images "a slab" 1.5,0,0.5,0,0,0,0.5,0,2 TFT 2.5 decimal slab.txt slab.xyz --periodic file
+  verdict "  named by elements" grep -qE '^[01],[123],.*,(C,Si|Si,C),' pairs.csv
+  verdict "  its cell" test "$(summary cell)" = "(1.5 0 0.5), none, (0.5 0 2)"
+  expect_images "integers" 9,0,1,-2,8,0,3,3,7 TTT 14 decimal integers.txt integers.txt --periodic 9,0,1,-2,8,0,3,3,7
+  run integers.txt --periodic 9,0,1,-2,8,0,3,3,7 --squared-distance 14 --parallel --pairs parallel.csv
+  if ! grep -q "built without TBB" err; then
+    tail -n +2 parallel.csv | cut -d, -f 1-5 | sort > sorted
+    verdict "  in parallel" cmp -s sorted expected
+  fi
+  verdict "  told with signs" test "$(summary cell)" = "(9 0 1), (-2 8 0), (3 3 7)"
+
+  # Angles and lengths of the vectors that are printed.
+  cat > angles.py << 'END'
+import math, re, sys
+cell = re.search("^cell +(.*), rounded$", open("out").read(), re.M)[1]
+a, b, c = [float(cell.split(",")[0]), 0, 0], *[list(map(float, v.split())) for v in re.findall(r"\((.*?)\)", cell)]
+def dot(v, w): return sum(x * y for x, y in zip(v, w))
+def angle(v, w): return math.degrees(math.acos(dot(v, w) / math.sqrt(dot(v, v) * dot(w, w))))
+wanted = [10, 20.1, 30.2, 80, 100, 115]
+found = [math.sqrt(dot(v, v)) for v in (a, b, c)] + [angle(b, c), angle(a, c), angle(a, b)]
+sys.exit(any(abs(x - y) > 1e-10 for x, y in zip(wanted, found)))
+END
+  run skew.pdb --periodic file --distance 10.5 --decimal
+  verdict "the vectors of a crystal" python3 angles.py
+
+  # A pair across the boundary is two lines, from each of its points to the middle.
+  cat > halves.py << 'END'
+import re
+svg = open("picture.svg").read()
+points = re.search(r"<path[^>]*stroke='#555555'[^>]* d='(.*?)'", svg) or re.search(r"d='(M[^']*h0[^']*)'", svg)
+ends = [tuple(map(float, m)) for m in
+        re.findall(r"M(\S+) (\S+)L(\S+) (\S+?)(?=M|')", re.search(r"#0072B2' d='(.*?)'/", svg)[0] + "'")]
+ends.sort()
+(x, y, x_end, y_end), (u, v, u_end, v_end) = ends
+unit = (u - x) / 9
+assert y == v == y_end == v_end
+assert abs(x_end - (x - unit / 2)) < 0.2 and abs(u_end - (u + unit / 2)) < 0.2
+END
+  head -n 3 wide.csv > pair.csv
+  expect_inside "halves of a pair" pair.csv --periodic 10,20 --distance 1
+  verdict "  end in the middle" python3 halves.py
+  verdict "  have their line of the legend" grep -q 'half of a pair across the boundary' picture.svg
+  expect_inside "rock salt with components" salt.xyz --periodic file --distance 2.82 --decimal --components
+fi
+
+expect_error "no sides" "--periodic: 'a' is no number" ties.csv --distance 1 --periodic a,1
+expect_error "one side" "--periodic: a cell has two or three sides, or vectors" ties.csv --distance 1 --periodic 1
+expect_error "a side of 0" "--periodic: the sides of a cell are positive" ties.csv --distance 1 --periodic 1,0
+expect_error "a box of the wrong dimension" "the cell has 3 dimensions, and points have 2 coordinates" ties.csv \
+             --distance 1 --periodic 1,1,1
+expect_error "vectors on a line" "The periods of the lattice are linearly dependent" ties.csv --distance 1 --periodic 1,2,2,4
+expect_error "a period that is very short" "The periods are too short" ties.csv --distance 1 --periodic 1e-300,1
+expect_error "a table without a cell" "ties.csv: no cell, which is Lattice in .xyz or CRYST1 in .pdb" ties.csv \
+             --distance 1 --periodic file
+head -c 24 /dev/zero > origin.bin
+expect_error "binary points without a cell" "origin.bin: no cell" origin.bin --distance 1 --periodic file
+expect_error "the cell that stands for none" "unit.pdb: CRYST1: the sides 1, 1, 1 stand for no cell" unit.pdb \
+             --distance 1 --periodic file
+sed '1s/90.00  90.00  90.00/30.00  30.00  90.00/' box.pdb > flat.pdb
+sed '1s/90.00 P 1.*/90/' box.pdb > short_crystal.pdb
+expect_error "angles of no cell" "flat.pdb: CRYST1: no cell has these angles" flat.pdb --distance 1 --periodic file
+expect_error "a cell that is cut" "short_crystal.pdb: CRYST1: the line ends before column 54" short_crystal.pdb \
+             --distance 1 --periodic file
+expect_error "two cells" "box.pdb: the cell is not that of salt.xyz" salt.xyz box.pdb --distance 1 --periodic file
+expect_scene "the cell of one of two files" "8 and 8" 56 salt.xyz salt.txt --distance 2.82 --periodic file --decimal
+for wrong in 'Lattice="1 2 3"' 'Lattice="1 0 0 0 1 0 0 0 x"' 'Lattice="1 0 0 0 1 0 0 0 1" pbc="T T"' \
+             'Lattice="1 0 0 0 1 0 0 0 1" pbc="T T X"'; do
+  sed "2s/.*/$wrong/" salt.xyz > wrong.xyz
+  run wrong.xyz --distance 1 --periodic file
+  verdict "no cell: $wrong" is_one_error "wrong.xyz: "
+  run wrong.xyz --distance 1
+  verdict "  unless nobody asks for it" test "$status" -eq 0
+done
+for wrong in "equator.csv --geographic --distance 1" "ties.csv --distance 1 --memory 1G" \
+             "ties.csv --distance 1 --kernel exact" "equator.csv --distance 1 --pairs none.geojson" \
+             "equator.csv --distance 1 --points none.geojson" "ties.csv ties.csv --closest" \
+             "ties.csv ties.csv --distance 1 --explain" "shapes.wkt --distance 1"; do
+  run $wrong --periodic 1,1
+  verdict "no --periodic with $wrong" is_one_error "--periodic"
+done
+
 # ---------------------------------------------------------------- errors
 
 printf 'x,y\n0,0\n\n,1\n' > hole.csv

@@ -86,6 +86,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   options.files = {file.path()};
   options.closest = true; // so that ids are kept
   read(options, most_points);
+  options.is_periodic = true; // with the cell that the file tells
+  read(options, most_points);
+  options.is_periodic = false;
   options.dimension = 2;
   read(options, most_points);
   options.dimension = 0;

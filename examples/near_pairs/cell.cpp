@@ -1,0 +1,181 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Cells; see cell.h.
+
+#include "cell.h"
+
+#include "decimal.h"
+#include "error.h"
+#include "rational.h"
+#include "row_reader.h"
+#include "text.h"
+
+#include <CGAL/number_utils.h> // abs
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <sstream>
+#include <string_view>
+
+namespace near_pairs {
+namespace {
+
+// `what` is what the user calls the cell.
+Exact_number number_of(const std::string& text, const std::string& what)
+{
+  const auto number = parse_exact(trimmed(text));
+  if(!number)
+    throw Error(what + ": '" + text + "' is no number");
+  return *number;
+}
+
+// The vectors of so many numbers, one vector after the other.
+Cell cell_of_vectors(const std::vector<Exact_number>& numbers, std::size_t dimension)
+{
+  Cell cell;
+  for(std::size_t k = 0; k < dimension; ++k) {
+    const auto begin = numbers.begin() + static_cast<std::ptrdiff_t>(k * dimension);
+    cell.vectors.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(dimension));
+  }
+  return cell;
+}
+
+Cell cell_of_sides(const std::vector<Exact_number>& sides, const std::string& what)
+{
+  const std::size_t dimension = sides.size();
+  std::vector<Exact_number> numbers(dimension * dimension);
+  for(std::size_t k = 0; k < dimension; ++k) {
+    if(sides[k]->value <= 0)
+      throw Error(what + ": the sides of a cell are positive");
+    numbers[k * (dimension + 1)] = sides[k];
+  }
+  return cell_of_vectors(numbers, dimension);
+}
+
+// Rounds unless the factor is that of a right angle.
+Exact_number product(const Exact_number& length, double factor)
+{
+  if(factor == 0 || factor == 1)
+    return factor == 0 ? Exact_number() : length;
+  return Exact_number(Rational{CGAL::Exact_rational(to_double(length) * factor)});
+}
+
+double cosine(const Exact_number& degrees)
+{
+  return degrees->value == 90 ? 0 : std::cos(to_double(degrees) * std::acos(-1.) / 180);
+}
+
+// The first vector is along x, and the second one in the plane of x and y, as usual. The angles are
+// those of the second and third vector, of the first and third, and of the first and second.
+Cell cell_of_angles(const std::vector<Exact_number>& sides,
+                    const std::vector<Exact_number>& degrees, const std::string& what)
+{
+  const double a = cosine(degrees[0]), b = cosine(degrees[1]), c = cosine(degrees[2]);
+  const double sine = std::sqrt(1 - c * c), y = (a - b * c) / sine, z = 1 - b * b - y * y;
+  if(!(sine > 0 && z > 0))
+    throw Error(what + ": no cell has these angles");
+  Cell cell = cell_of_sides(sides, what);
+  cell.is_rounded = a != 0 || b != 0 || c != 0;
+  cell.vectors[1] = {product(sides[1], c), product(sides[1], sine), Exact_number()};
+  cell.vectors[2] = {product(sides[2], b), product(sides[2], y), product(sides[2], std::sqrt(z))};
+  return cell;
+}
+
+std::string component_text(const Exact_number& number, bool is_rounded)
+{
+  if(is_rounded)
+    return shortest_text(to_double(number));
+  const std::string digits = exact_text(Exact_number(Rational{CGAL::abs(number->value)}));
+  return is_negative(number) ? "-" + digits : digits;
+}
+
+} // namespace
+
+Cell parse_cell(const std::string& text)
+{
+  const std::string what = "--periodic";
+  std::vector<Exact_number> numbers;
+  std::istringstream list(text);
+  for(std::string number; numbers.size() < 10 && std::getline(list, number, ','); )
+    numbers.push_back(number_of(number, what));
+  switch(numbers.size()) {
+  case 2: case 3: return cell_of_sides(numbers, what);
+  case 4: return cell_of_vectors(numbers, 2);
+  case 9: return cell_of_vectors(numbers, 3);
+  default:
+    throw Error(what + ": a cell has two or three sides, or vectors of four or nine numbers");
+  }
+}
+
+Cell lattice_cell(const std::string& lattice, const std::string& pbc)
+{
+  std::vector<Exact_number> numbers;
+  for(const std::string& word : words(lattice, 10))
+    numbers.push_back(number_of(word, "Lattice"));
+  if(numbers.size() != 9)
+    throw Error("Lattice: a cell has nine numbers");
+  Cell cell = cell_of_vectors(numbers, 3);
+  if(pbc.empty())
+    return cell;
+  const std::vector<std::string> letters = words(pbc, 4);
+  if(letters.size() != 3)
+    throw Error("pbc: three axes repeat or not, as T T F");
+  for(std::size_t k = 0; k < 3; ++k) {
+    cell.repeats[k] = letters[k] == "T";
+    if(!cell.repeats[k] && letters[k] != "F")
+      throw Error("pbc: '" + letters[k] + "' is neither T nor F");
+  }
+  return cell;
+}
+
+Cell crystal_cell(const std::string& line)
+{
+  const std::string what = "CRYST1";
+  const std::size_t begin = 6, length_width = 9, angle_width = 7; // columns, from 0
+  const std::size_t begin_of_angles = begin + 3 * length_width;
+  const std::size_t group = begin_of_angles + 3 * angle_width + 1, group_width = 11;
+  if(line.size() < group - 1)
+    throw Error(what + ": the line ends before column 54, and its angles do not");
+  std::vector<Exact_number> sides, degrees;
+  for(std::size_t k = 0; k < 3; ++k) {
+    sides.push_back(number_of(line.substr(begin + k * length_width, length_width), what));
+    degrees.push_back(number_of(line.substr(begin_of_angles + k * angle_width, angle_width), what));
+  }
+  const auto is_one = [](const Exact_number& side) { return side->value == 1; };
+  if(std::all_of(sides.begin(), sides.end(), is_one))
+    throw Error(what + ": the sides 1, 1, 1 stand for no cell");
+  Cell cell = cell_of_angles(sides, degrees, what);
+  if(line.size() > group)
+    cell.space_group = trimmed(std::string_view(line).substr(group, group_width));
+  if(cell.space_group == "P 1")
+    cell.space_group.clear();
+  return cell;
+}
+
+std::string cell_in_words(const Cell& cell)
+{
+  const std::size_t dimension = cell.vectors.size();
+  const auto is_along_its_axis = [&](std::size_t k) {
+    for(std::size_t axis = 0; axis < dimension; ++axis)
+      if((axis == k) != (cell.vectors[k][axis]->value > 0) || is_negative(cell.vectors[k][axis]))
+        return false;
+    return true;
+  };
+  std::string text;
+  for(std::size_t k = 0; k < dimension; ++k) {
+    text += k == 0 ? "" : ", ";
+    if(!cell.repeats[k])
+      text += "none";
+    else if(is_along_its_axis(k))
+      text += component_text(cell.vectors[k][k], cell.is_rounded);
+    else
+      for(std::size_t axis = 0; axis < dimension; ++axis)
+        text += (axis == 0 ? "(" : " ") + component_text(cell.vectors[k][axis], cell.is_rounded)
+                + (axis == dimension - 1 ? ")" : "");
+  }
+  return text + (cell.is_rounded ? ", rounded" : "");
+}
+
+} // namespace near_pairs

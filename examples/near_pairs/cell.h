@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The cell of a scene that repeats: what --periodic and files tell of it.
+
+#ifndef NEAR_PAIRS_CELL_H
+#define NEAR_PAIRS_CELL_H
+
+#include "exact_number.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace near_pairs {
+
+// How many times each vector of a cell is added to a point. All zeros is the point itself.
+using Offset = std::array<int, 3>;
+
+struct Cell
+{
+  std::vector<std::vector<Exact_number>> vectors; // two in the plane, three in space
+  std::array<bool, 3> repeats = {true, true, true};
+  bool is_rounded = false; // the vectors are computed from angles
+  std::string space_group; // whose copies are not in the file; empty: there are none
+};
+
+// Reads two or three sides, or the four or nine numbers of vectors.
+Cell parse_cell(const std::string& text);
+
+// Reads the nine numbers of Lattice, and the three letters of pbc unless they are empty.
+Cell lattice_cell(const std::string& lattice, const std::string& pbc);
+
+// Reads the line CRYST1 of the format PDB. The vectors are exact if all angles are right.
+Cell crystal_cell(const std::string& line);
+
+// Sides if the cell is a box, or else vectors.
+std::string cell_in_words(const Cell& cell);
+
+} // namespace near_pairs
+
+#endif // NEAR_PAIRS_CELL_H
