@@ -1017,7 +1017,8 @@ for wrong in 'Lattice="1 2 3"' 'Lattice="1 0 0 0 1 0 0 0 x"' 'Lattice="1 0 0 0 1
              'Lattice="1 0 0 0 1 0 0 0 1" pbc="T T X"'; do
   sed "2s/.*/$wrong/" salt.xyz > wrong.xyz
   run wrong.xyz --distance 1 --periodic file
-  verdict "no cell: $wrong" is_one_error "wrong.xyz: "
+  cause=${wrong##*\" }
+  verdict "no cell: $wrong" is_one_error "wrong.xyz: ${cause%%=*}: "
   run wrong.xyz --distance 1
   verdict "  unless nobody asks for it" test "$status" -eq 0
 done
