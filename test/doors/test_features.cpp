@@ -46,16 +46,11 @@ std::string message_of(const Features& features)
 
 BOOST_AUTO_TEST_CASE(near_features_of_doubles)
 {
-  check_near_features<Features_2<Epick>>(2, 4, false);
-  check_near_features<Features_2<Epick>>(2, 4, true);
-  check_near_features<Features_2<Epick>>(2, 5, false);
-  check_near_features<Features_2<Epick>>(2, 0, false);
-  check_near_features<Features_3<Epick>>(3, 5, false);
-}
-
-BOOST_AUTO_TEST_CASE(near_features_of_exact_numbers)
-{
-  check_near_features<Features_2<Epeck>>(2, 2, true);
+  check_near_features<Features_2, Epick>(2, 4, false);
+  check_near_features<Features_2, Epick>(2, 4, true);
+  check_near_features<Features_2, Epick>(2, 5, false);
+  check_near_features<Features_2, Epick>(2, 0, false);
+  check_near_features<Features_3, Epick>(3, 5, false);
 }
 
 BOOST_AUTO_TEST_CASE(nothing_is_closer_than_zero)

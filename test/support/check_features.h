@@ -175,26 +175,47 @@ void check_feature_scenes(int dimension, std::initializer_list<Scale> scales)
   BOOST_CHECK_GT(pairs, 100u);
 }
 
-// Pairs within a bound on the squared distance, closed or open.
-template <class Features>
-void check_near_features(int dimension, std::int64_t r2, bool is_open)
+// Pairs within a bound on the squared distance, closed or open, which is in the unit of the scale.
+template <template <class> class Features, class Kernel>
+void check_near_features_on_kernel(const Feature_scene& scene, const Pairs& all_pairs,
+                                   std::int64_t r2, bool is_open, Scale scale)
 {
-  const CGAL::Distance_bound<double> bound(static_cast<double>(r2), true, is_open);
+  using FT = typename Kernel::FT;
+  using Feature = typename Features<Kernel>::Feature;
+  const FT unit(scaled<FT>(1, scale) - scaled<FT>(0, scale));
+  const CGAL::Distance_bound<FT> bound(FT(FT(static_cast<int>(r2)) * FT(unit * unit)), true,
+                                       is_open);
+  const std::size_t size = scale == Scale::CLOSE ? (std::min)(scene.features.size(), few_features)
+                                                 : scene.features.size();
+  std::vector<Feature> all;
+  for(std::size_t i = 0; i < size; ++i)
+    all.push_back(Features<Kernel>::make(scene.features[i], scale));
+  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(first_set_size(all.size()));
+  const std::vector<Feature> a(all.begin(), middle), b(middle, all.end());
+  Pairs expected;
+  std::copy_if(all_pairs.begin(), all_pairs.end(), std::back_inserter(expected),
+               [&](const Pair& pair) { return pair.second < size; });
+  check_feature_pairs(
+    expected, all.size(),
+    [&](const Callback& callback) {
+      return CGAL::fixed_radius_near_features<CGAL::Parallel_tag>(all, bound, callback);
+    },
+    [&](const Callback& callback) {
+      return CGAL::fixed_radius_near_features(a, b, bound, callback);
+    },
+    scene.name.c_str());
+}
+
+// Every scene on each of the kernels, and on each of the scales.
+template <template <class> class Features, class... Kernels>
+void check_near_features(int dimension, std::int64_t r2, bool is_open,
+                         std::initializer_list<Scale> scales = {Scale::ONE})
+{
   for(const Feature_scene& scene : feature_scenes(dimension)) {
-    std::vector<typename Features::Feature> all;
-    for(const Lattice_feature& feature : scene.features)
-      all.push_back(Features::make(feature, Scale::ONE));
-    const auto middle = all.begin() + static_cast<std::ptrdiff_t>(first_set_size(all.size()));
-    const std::vector<typename Features::Feature> a(all.begin(), middle), b(middle, all.end());
-    check_feature_pairs(
-      near_feature_pairs(scene.features, r2, is_open), all.size(),
-      [&](const Callback& callback) {
-        return CGAL::fixed_radius_near_features<CGAL::Parallel_tag>(all, bound, callback);
-      },
-      [&](const Callback& callback) {
-        return CGAL::fixed_radius_near_features(a, b, bound, callback);
-      },
-      scene.name.c_str());
+    const Pairs expected = near_feature_pairs(scene.features, r2, is_open);
+    for(const Scale scale : scales)
+      BOOST_TEST_CONTEXT("scale " << static_cast<int>(scale))
+      (check_near_features_on_kernel<Features, Kernels>(scene, expected, r2, is_open, scale), ...);
   }
 }
 
