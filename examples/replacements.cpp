@@ -6,6 +6,7 @@
 //
 // The headers of CGAL that are replaced are under the GPL.
 
+#include <CGAL/AABB_tree.h>
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Fuzzy_sphere.h>
@@ -21,6 +22,13 @@
 #include <CGAL/thick_intersection_d.h>
 #include <CGAL/thick_mesh_self_intersections.h>
 
+#if __has_include(<CGAL/AABB_traits_3.h>) // CGAL 6
+#include <CGAL/AABB_traits_3.h>
+#include <CGAL/AABB_triangle_primitive_3.h>
+#else
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#endif
 #if __has_include(<nanoflann.hpp>)
 #include <nanoflann.hpp>
 #endif
@@ -164,6 +172,42 @@ void compare_nanoflann(const std::vector<Point>& points, double r)
 }
 #endif
 
+using Position = std::vector<Triangle>::const_iterator;
+#if __has_include(<CGAL/AABB_traits_3.h>)
+using Tree_traits = CGAL::AABB_traits_3<Kernel, CGAL::AABB_triangle_primitive_3<Kernel, Position>>;
+#else
+using Tree_traits = CGAL::AABB_traits<Kernel, CGAL::AABB_triangle_primitive<Kernel, Position>>;
+#endif
+
+void compare_aabb_tree(const std::vector<Point>& points, const std::vector<Triangle>& triangles,
+                       double r)
+{
+  std::size_t theirs = 0, ours = 0;
+  {
+    std::size_t& count = theirs;
+    //! [aabb before]
+    CGAL::AABB_tree<Tree_traits> tree(triangles.begin(), triangles.end());
+    const Kernel::Vector_3 reach(r, r, r);
+    for(const Point& p : points) {
+      std::vector<Position> found;
+      tree.all_intersected_primitives(Kernel::Iso_cuboid_3(p - reach, p + reach),
+                                      std::back_inserter(found));
+      for(Position triangle : found)
+        if(CGAL::squared_distance(p, *triangle) <= r * r)
+          ++count;
+    }
+    //! [aabb before]
+  }
+  {
+    std::size_t& count = ours;
+    //! [aabb after]
+    CGAL::fixed_radius_near_neighbors(points, triangles, CGAL::within_distance(r),
+                                      [&](std::size_t, std::size_t) { ++count; });
+    //! [aabb after]
+  }
+  std::cout << "AABB_tree: " << theirs << ' ' << ours << '\n';
+}
+
 void compare_mesh(const Mesh& mesh)
 {
   using Face_pairs = std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>>;
@@ -195,6 +239,7 @@ int main()
 #ifdef NANOFLANN_VERSION
   compare_nanoflann(points, 0.1);
 #endif
+  compare_aabb_tree(points, triangles, 0.1);
   Mesh mesh;
   CGAL::make_grid(10, 10, mesh, true);
   for(const Mesh::Vertex_index v : mesh.vertices())
