@@ -13,9 +13,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/input/kinds.h>
 
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 
 namespace CGAL {
@@ -42,9 +40,9 @@ public:
   {
     return [this, position](int axis) {
       if constexpr(Is_point<Object>::value)
-        return longer(coordinate_bounds(objects_[position], axis));
+        return longer_by_reach(coordinate_bounds(objects_[position], axis));
       else
-        return longer(test_.interval(objects_[position], axis));
+        return longer_by_reach(test_.interval(objects_[position], axis));
     };
   }
 
@@ -56,11 +54,9 @@ public:
   }
 
 private:
-  // The sum is rounded once.
-  Interval longer(const std::pair<double, double>& interval) const
+  Interval longer_by_reach(const std::pair<double, double>& interval) const
   {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    return {interval.first, std::nextafter(interval.second + test_.reach(), infinity)};
+    return longer({interval.first, interval.second}, test_.reach());
   }
 
   const Elements& objects_;

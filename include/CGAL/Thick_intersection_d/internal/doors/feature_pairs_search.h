@@ -28,9 +28,7 @@
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -70,12 +68,8 @@ public:
 
   bool operator()(const Segment& a, const Segment& b) const { return are_near_(a, b); }
 
-  // Two intervals meet if their distance is at most the reach. The sum is rounded once.
-  Interval grown(const Interval& interval) const
-  {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    return {interval.low, std::nextafter(interval.high + are_near_.reach(), infinity)};
-  }
+  // Two intervals meet if their distance is at most the reach.
+  Interval grown(const Interval& interval) const { return longer(interval, are_near_.reach()); }
 
   bool takes_insides() const { return takes_zero_; }
 

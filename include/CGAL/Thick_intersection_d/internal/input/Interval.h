@@ -7,6 +7,7 @@
 
 // The coordinates between two doubles.
 
+#include <cmath>
 #include <limits>
 
 namespace CGAL {
@@ -36,6 +37,15 @@ struct Interval
     high = high < other.high ? other.high : high;
   }
 };
+
+// Returns an interval that is longer by `reach`, or by a little more. In every rounding mode, the
+// sum is off by less than a step of doubles, which is at most 2^-52 of it. Two steps are added, of
+// which that rounding takes less than one. Sums that underflow are exact.
+inline Interval longer(const Interval& interval, double reach)
+{
+  const double high = interval.high + reach;
+  return {interval.low, high + std::fabs(high) * 0x1p-51};
+}
 
 } // namespace internal
 } // namespace Thick_intersection_d
