@@ -14,6 +14,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Thick_ball_traits_d.h>
 #include <CGAL/closest_pair.h>
+#include <CGAL/thick_feature_intersection_d.h>
 #include <CGAL/thick_intersection_d.h>
 
 #include <boost/iterator/transform_iterator.hpp>
@@ -405,6 +406,8 @@ BOOST_AUTO_TEST_CASE(flushing_denormal_numbers_to_zero_is_refused)
     BOOST_CHECK_THROW(
       CGAL::thick_self_intersection_d(balls, ignore, CGAL::parameters::geom_traits(traits)),
       std::runtime_error);
+    BOOST_CHECK_THROW(CGAL::fixed_radius_near_neighbors(balls, bound, ignore), std::runtime_error);
+    BOOST_CHECK_THROW(CGAL::thick_feature_self_intersection_d(points, ignore), std::runtime_error);
     _mm_setcsr(state);
     BOOST_CHECK(CGAL::fixed_radius_near_neighbors(points, bound, ignore));
   }

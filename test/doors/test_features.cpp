@@ -8,6 +8,8 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <atomic>
+#include <cstddef>
 #include <iterator>
 #include <limits>
 #include <list>
@@ -83,10 +85,14 @@ BOOST_AUTO_TEST_CASE(each_pair_is_reported_once_however_many_segments_meet)
   Polyline zigzag, line = {Point(-1, 0), Point(1001, 0)};
   for(int i = 0; i <= 1000; ++i)
     zigzag.emplace_back(i, i % 2 == 0 ? 1 : -1);
+  const std::vector<Polyline> lines = {zigzag, line};
   Pairs pairs;
-  CGAL::thick_feature_self_intersection_d(std::vector<Polyline>{zigzag, line},
-                                          std::back_inserter(pairs));
+  CGAL::thick_feature_self_intersection_d(lines, std::back_inserter(pairs));
   BOOST_CHECK(pairs == Pairs({{0, 1}}));
+  std::atomic<std::size_t> count = 0;
+  CGAL::thick_feature_self_intersection_d<CGAL::Parallel_tag>(
+    lines, [&](std::size_t, std::size_t) { ++count; });
+  BOOST_CHECK_EQUAL(count, 1u);
 }
 
 BOOST_AUTO_TEST_CASE(callback_and_progress_stop_the_search)

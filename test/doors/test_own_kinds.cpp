@@ -8,6 +8,7 @@
 #include <CGAL/Arithmetic_tier.h>
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Dimension.h>
+#include <CGAL/Exact_rational.h>
 #include <CGAL/Scene_profile.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
@@ -260,6 +261,29 @@ BOOST_AUTO_TEST_CASE(callback_and_progress_stop_a_search_of_two_types)
   BOOST_CHECK(found_pairs(segments, balls, CGAL::within_distance(2.).open()).empty());
 }
 
+BOOST_AUTO_TEST_CASE(no_objects_are_closer_than_zero)
+{
+  const std::vector<Segment> segments = {{Point(0, 0), Point(1, 1)}, {Point(0, 1), Point(1, 0)}};
+  BOOST_CHECK((found_pairs(segments, CGAL::within_distance(0)) == Pairs{{0, 1}}));
+  BOOST_CHECK(found_pairs(segments, CGAL::within_distance(0).open()).empty());
+  BOOST_CHECK(found_pairs(segments, CGAL::within_squared_distance(0).open()).empty());
+  BOOST_CHECK((found_pairs(segments, CGAL::within_distance(1e-300).open()) == Pairs{{0, 1}}));
+}
+
+BOOST_AUTO_TEST_CASE(progress_counts_the_objects)
+{
+  std::vector<double> parts;
+  BOOST_CHECK(CGAL::fixed_radius_near_neighbors(
+    std::vector<Segment>(30, Segment(Point(0, 0), Point(1, 0))), CGAL::within_distance(1),
+    [](std::size_t, std::size_t) {}, CGAL::parameters::callback([&](double part) {
+      parts.push_back(part);
+      return true;
+    })));
+  BOOST_REQUIRE(!parts.empty());
+  BOOST_CHECK(std::is_sorted(parts.begin(), parts.end()));
+  BOOST_CHECK_EQUAL(parts.back(), 1);
+}
+
 BOOST_AUTO_TEST_CASE(lists_and_elements_of_two_types)
 {
   const std::list<Segment> segments = {{Point(0, 0), Point(4, 0)}, {Point(9, 0), Point(9, 9)}};
@@ -331,6 +355,19 @@ BOOST_AUTO_TEST_CASE(integers_decide_ties_on_a_grid)
   BOOST_CHECK_EQUAL(count, 2 * 7u * 8u);
   BOOST_CHECK_EQUAL(profile.decided(CGAL::Arithmetic_tier::INT128), 0u);
   BOOST_CHECK_EQUAL(profile.decided(CGAL::Arithmetic_tier::FILTERED_EXACT), 7u * 8u);
+}
+
+BOOST_AUTO_TEST_CASE(the_bound_lengthens_the_reach_and_refines_the_grid)
+{
+  CGAL::Scene_profile profile;
+  const auto ignore = [](std::size_t, std::size_t) {};
+  CGAL::fixed_radius_near_neighbors(lattice(1), CGAL::within_distance(.5), ignore, profile);
+  BOOST_CHECK_EQUAL(profile.size(), 64u);
+  BOOST_CHECK_EQUAL(profile.grid_exponent(), -1);
+  BOOST_CHECK_CLOSE(profile.reach(), 2.5, 1e-9); // two lengths, and the bound
+  CGAL::fixed_radius_near_neighbors(
+    lattice(1), CGAL::within_distance(CGAL::Exact_rational(1) / 3), ignore, profile);
+  BOOST_CHECK(!profile.has_grid());
 }
 
 BOOST_AUTO_TEST_CASE(exact_numbers_decide_ties_of_long_numbers)

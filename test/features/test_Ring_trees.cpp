@@ -16,6 +16,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -29,7 +30,7 @@ using internal::Place;
 using Doubles = CGAL::Simple_cartesian<double>;
 using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
 
-// Coordinates are integers times a unit.
+// Coordinates are integers times a unit, from an origin.
 template <class Kernel>
 struct Rings
 {
@@ -37,7 +38,7 @@ struct Rings
 
   typename Kernel::Point_2 point(const Lattice_point& p) const
   {
-    return {unit * static_cast<double>(p[0]), unit * static_cast<double>(p[1])};
+    return {origin + unit * static_cast<double>(p[0]), origin + unit * static_cast<double>(p[1])};
   }
 
   void add_ring(const Chain& ring)
@@ -57,10 +58,11 @@ struct Rings
 
   bool is_inside(const Lattice_point& p) const
   {
-    return trees.is_inside(Segment(point(p), point(p)), root, first, last);
+    const Segment ray(point(p), point({p[0] + 1, p[1] + 2, 0})); // begins there
+    return trees.is_inside(ray, root, first, last);
   }
 
-  typename Kernel::FT unit = 1;
+  typename Kernel::FT unit = 1, origin = 0;
   std::vector<Segment> segments;
   internal::Ring_trees<Segment> trees{segments};
   Place root = 0, first = 0, last = 0; // of the last polygon
@@ -99,10 +101,11 @@ bool is_on_ring(const Lattice_point& p, const Chain& ring)
 
 template <class Kernel>
 void check_rings(const std::vector<Chain>& polygon, const typename Kernel::FT& unit,
-                 std::size_t step)
+                 std::size_t step, const typename Kernel::FT& origin = 0)
 {
   Rings<Kernel> rings;
   rings.unit = unit;
+  rings.origin = origin;
   rings.add_ring({{0, 0, 0}, {9, 0, 0}, {0, 9, 0}});
   rings.end_polygon();
   for(const Chain& ring : polygon)
@@ -157,6 +160,14 @@ BOOST_AUTO_TEST_CASE(coordinates_that_are_no_doubles)
 {
   Random random(3);
   check_rings<Epeck>({any_ring(random, 30, 12)}, Epeck::FT(1) / 3, 1);
+  check_rings<Epeck>({wandering_ring(random, 80)}, Epeck::FT(1) / 3, 1);
+}
+
+// The bounds of all coordinates overlap: exact numbers decide which vertices are above a ray.
+BOOST_AUTO_TEST_CASE(coordinates_without_a_double_between_them)
+{
+  Random random(5);
+  check_rings<Epeck>({any_ring(random, 20, 10)}, std::ldexp(1., -80), 1, 1);
 }
 
 BOOST_AUTO_TEST_CASE(box_of_a_polygon)

@@ -1,0 +1,153 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The segments and parts of features of each kind, and what is wrong with some.
+
+#include <CGAL/Polygon_2.h>
+#include <CGAL/Polygon_with_holes_2.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <CGAL/Thick_intersection_d/internal/features/Feature_segments.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cstddef>
+#include <limits>
+#include <list>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(Feature_segments)
+
+namespace internal = CGAL::Thick_intersection_d::internal;
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_2;
+using Polyline = std::list<Point>;
+using Polygon = CGAL::Polygon_2<Kernel>;
+using With_holes = CGAL::Polygon_with_holes_2<Kernel>;
+using Polygons = std::vector<Polygon>;
+using Feature = std::variant<Point, Polyline, Polygon, With_holes, Polygons>;
+using Segments = internal::Feature_segments<Point>;
+using Ends = std::vector<std::pair<Point, Point>>;
+
+Polygon square(double x, double side)
+{
+  const Point corners[] = {{x, x}, {x + side, x}, {x + side, x + side}, {x, x + side}};
+  return Polygon(corners, corners + 4);
+}
+
+With_holes frame(double x, double side)
+{
+  With_holes frame(square(x, side));
+  frame.add_hole(Polygon());
+  for(const double at : {x + 1, x + side / 2})
+    frame.add_hole(square(at, side / 4));
+  return frame;
+}
+
+Ends ends_of(const Segments& segments, std::size_t first = 0)
+{
+  Ends ends;
+  for(std::size_t i = first; i < segments.size(); ++i)
+    ends.emplace_back(segments[i].source(), segments[i].target());
+  return ends;
+}
+
+BOOST_AUTO_TEST_CASE(polylines_are_open_and_polygons_are_closed)
+{
+  const Point p(0, 0), q(1, 0), r(0, 1);
+  const Point corners[] = {p, q, r};
+  const std::vector<Feature> features
+    = {p, Polyline(), Polyline{q}, Polyline{p, q, r}, Polygon(corners, corners + 3), Polygon(),
+       Polygon(corners, corners + 1)};
+  Segments segments;
+  segments.add_features(features);
+  BOOST_CHECK((ends_of(segments)
+               == Ends{{p, p}, {q, q}, {p, q}, {q, r}, {p, q}, {q, r}, {r, p}, {p, p}}));
+  BOOST_CHECK_EQUAL(segments.feature_count(), 7u);
+  BOOST_CHECK_EQUAL(segments.part_count(), 5u);
+  BOOST_CHECK_EQUAL(segments.polygon_count(), 2u);
+  const std::size_t feature_of_segment[] = {0, 2, 3, 3, 4, 4, 4, 6};
+  for(std::size_t i = 0; i < 8; ++i)
+    BOOST_CHECK_EQUAL(segments.feature_of(i), feature_of_segment[i]);
+  for(std::size_t part = 0; part < 5; ++part)
+    BOOST_CHECK_EQUAL(segments.is_polygon(part), part > 2);
+}
+
+BOOST_AUTO_TEST_CASE(each_polygon_of_a_range_is_a_part)
+{
+  const std::vector<Feature> features = {square(0, 1), Polygons{square(5, 1), square(9, 1)}};
+  Segments segments;
+  segments.add_features(features);
+  BOOST_REQUIRE_EQUAL(segments.part_count(), 3u);
+  BOOST_CHECK_EQUAL(segments.part(2).feature, 1u);
+  BOOST_CHECK_EQUAL(segments.part(2).first_segment, 8u);
+  BOOST_CHECK_EQUAL(segments.box(2).xmin(), 9);
+}
+
+BOOST_AUTO_TEST_CASE(holes_are_rings_of_the_same_part)
+{
+  Segments segments;
+  segments.add_features(std::vector<Feature>{square(0, 9), frame(0, 80), square(-9, 9)});
+  BOOST_CHECK_EQUAL(segments.size(), 20u);
+  BOOST_REQUIRE_EQUAL(segments.part_count(), 3u);
+  BOOST_CHECK_EQUAL(segments.box(1).xmax(), 80);
+
+  const double at[] = {0.5, 1.5, 20, 22, 41, 61, 79, 81};
+  const bool is_in_frame[] = {true, false, false, true, false, true, true, false};
+  for(std::size_t k = 0; k < 8; ++k) {
+    Segments points;
+    points.add_features(std::vector<Feature>{frame(0, 80), Point(at[k], at[k]), square(200, 9)});
+    BOOST_CHECK_EQUAL(points.is_inside(1, 0), is_in_frame[k]);
+    BOOST_CHECK(!points.is_inside(1, 2));
+  }
+}
+
+// The tree of the frame has several leaves, and a box of several rings may be right of a point.
+BOOST_AUTO_TEST_CASE(many_holes)
+{
+  With_holes sieve(square(0, 100));
+  for(int x = 1; x < 100; x += 2)
+    sieve.add_hole(square(x, 1));
+  Segments segments;
+  segments.add_features(std::vector<Feature>{sieve});
+  BOOST_CHECK_EQUAL(segments.size(), 4u * 51u);
+  for(int x = 0; x < 100; ++x) {
+    Segments points;
+    points.add_features(std::vector<Feature>{sieve, Point(x + .5, x + .25), Point(-1, x + .25)});
+    BOOST_CHECK_EQUAL(points.is_inside(1, 0), x % 2 == 0);
+    BOOST_CHECK(!points.is_inside(2, 0));
+  }
+}
+
+template <class Feature>
+std::string message_of(const std::vector<Feature>& features)
+{
+  Segments segments;
+  try {
+    segments.add_features(features);
+  }
+  catch(const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+BOOST_AUTO_TEST_CASE(errors_name_the_feature)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const Point p(0, 0), q(0, nan);
+  const std::string message = "Coordinate 1 of vertex of feature 1 is NaN or infinite.";
+  BOOST_CHECK_EQUAL(message_of(std::vector<Polyline>{{}, {q, p}}), message);
+  BOOST_CHECK_EQUAL(message_of(std::vector<Polyline>{{p}, {p, q}}), message);
+  BOOST_CHECK_EQUAL(message_of(std::vector<Point>{p, q}), message);
+  BOOST_CHECK_EQUAL(message_of(std::vector<With_holes>{frame(0, 8), With_holes()}),
+                    "Feature 1 has no outer boundary.");
+  BOOST_CHECK_EQUAL(message_of(std::vector<Polyline>{{p}}), "");
+}
+
+BOOST_AUTO_TEST_SUITE_END()
