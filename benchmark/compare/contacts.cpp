@@ -29,8 +29,8 @@ void print_times(const std::string& name, const std::vector<Contact_method>& met
 
 void print_contacts(std::size_t n, int rounds)
 {
-  std::cout << "\nTwo meshes of " << n << " faces each.\n";
-  print_line("meshes", "method", "found", "ms", "ratio");
+  std::cout << "\nTwo meshes of " << n << " faces each.\n\n";
+  print_head("meshes", "found", "ms", "time / ours");
   for(const Two_meshes& meshes : two_meshes(n)) {
     const std::string name = meshes.name + (meshes.do_meet ? ", 1 is right" : ", 0 is right");
     print_times(name, ways_to_any_contact(meshes), rounds);

@@ -27,12 +27,23 @@ std::vector<Near_method> other_methods(const Near_scene& scene);
 
 std::string name_of(const Near_scene& scene);
 
-// One line of a table: a scene, a method, and figures or their names.
+// One line of a table: a scene, a method, and figures.
 template <class... Figure>
 void print_line(const std::string& scene, const std::string& method, const Figure&... figure)
 {
-  std::cout << std::left << std::setw(36) << scene << std::setw(38) << method << std::right;
-  ((std::cout << std::setw(9) << figure), ...);
+  std::cout << "| " << scene << " | " << method << " |";
+  ((std::cout << ' ' << figure << " |"), ...);
+  std::cout << std::endl;
+}
+
+// The head of a table, with the names of the figures.
+template <class... Name>
+void print_head(const std::string& scene, const Name&... name)
+{
+  print_line(scene, "method", name...);
+  std::cout << "|---|---|";
+  for(std::size_t k = 0; k < sizeof...(name); ++k)
+    std::cout << "--:|";
   std::cout << std::endl;
 }
 

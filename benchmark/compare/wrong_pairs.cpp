@@ -43,8 +43,8 @@ std::size_t count_missing(Pair_list a, Pair_list b)
 
 void print_wrong_pairs(std::size_t n)
 {
-  std::cout << "\nWrong pairs, beside the oracle of the tests.\n";
-  print_line("scene", "method", "n", "pairs", "missing", "extra");
+  std::cout << "\nWrong pairs, beside the oracle of the tests.\n\n";
+  print_head("scene", "n", "pairs", "missing", "extra");
   for(const Near_scene& scene : scenes_of_ties(n)) {
     const Pair_list right = near_pairs_by_oracle(scene);
     std::vector<Near_method> methods = {near_objects()};
