@@ -80,6 +80,9 @@ public:
       }
   }
 
+  CGAL_RARELY_CALLED Squared_bound(const Squared_bound&) = default;
+  CGAL_RARELY_CALLED ~Squared_bound() = default;
+
   bool is_open() const { return open_; }
 
   // Whether every pair of points is within the bound.

@@ -18,6 +18,7 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_tier.h>
 #include <CGAL/Thick_intersection_d/internal/doors/Near_object_boxes.h>
 #include <CGAL/Thick_intersection_d/internal/doors/box_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/doors/few_near_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/doors/near_objects_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/Point_doubles.h>
@@ -231,6 +232,11 @@ bool report_near_pairs(const Elements& points, const Sets& sets,
   if constexpr(!Is_point<typename Elements::value_type>::value)
     return report_near_objects<ConcurrencyTag>(points, sets, bound, callback, np);
   else {
+    if constexpr(takes_few_points<Elements, NT, Callback>)
+      if(points.size() <= max_few_points)
+        if(const std::optional<bool> is_complete
+           = report_few_near_pairs(points, sets, bound, callback, np))
+          return *is_complete;
     Near_pairs_search<ConcurrencyTag, Elements> search(points, bound, false);
     return search.report(sets, callback, np, nullptr);
   }

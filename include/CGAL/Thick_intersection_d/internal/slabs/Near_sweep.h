@@ -52,7 +52,7 @@ inline constexpr bool has_positions<Report, std::void_t<decltype(&Report::positi
 //
 // `Report` takes two positions, returns false to stop, and has is_stopped().
 template <class Test, class Report>
-class Near_sweep final : public Run_sweep<typename Test::Run>
+class Near_sweep : public Run_sweep<typename Test::Run>
 {
   using Run = typename Test::Run;
   using Base = Run_sweep<Run>;
@@ -60,7 +60,11 @@ class Near_sweep final : public Run_sweep<typename Test::Run>
   using Base::is_stopped_;
 
 public:
-  Near_sweep(const Test& test, Report& report) : Base(test.question()), test_(test), report_(report)
+  Near_sweep(const Test& test, Report& report)
+    : Base(test.question(), [](Base& sweep, const Run& a, const Run& b) {
+        return static_cast<Near_sweep&>(sweep).report_found(a, b);
+      }),
+      test_(test), report_(report)
   {}
 
   // How many pairs each arithmetic has decided so far.
@@ -68,7 +72,7 @@ public:
 
 private:
   // Reports the found pairs that are pairs.
-  bool report_found(const Run& a, const Run& b) override
+  bool report_found(const Run& a, const Run& b)
   {
     const Place count = std::exchange(found_.count, 0);
     const Place undecided_count = std::exchange(found_.undecided_count, 0);

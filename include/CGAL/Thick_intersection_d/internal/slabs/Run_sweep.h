@@ -40,27 +40,29 @@ public:
   BOOST_NOINLINE void within(const Run_of_points& run)
   {
     const Run_of_points a = block_of(run);
-    const auto flush = [&] { return report_found(a, a); };
+    const auto flush = [&] { return report_found_(*this, a, a); };
     with_lanes([&](auto set) { set.collect_within(a, question_, found_, Flush(flush)); });
-    flush();
+    report_found_(*this, a, a);
   }
 
   // Reports the pairs of a point of one run and a point of another.
   BOOST_NOINLINE void between(const Run_of_points& run, const Run_of_points& b)
   {
     const Run_of_points a = block_of(run);
-    const auto flush = [&] { return report_found(a, b); };
+    const auto flush = [&] { return report_found_(*this, a, b); };
     with_lanes([&](auto set) { set.collect_between(a, b, question_, found_, Flush(flush)); });
-    flush();
+    report_found_(*this, a, b);
   }
 
 protected:
-  explicit Run_sweep(const Question& question) : question_(question) {}
-  ~Run_sweep() = default;
-
   // Empties `found_`, and reports the pairs. Returns false to stop, and sets `is_stopped_` then.
-  // Lanes call this function once per thousand found pairs.
-  virtual bool report_found(const Run_of_points& a, const Run_of_points& b) = 0;
+  // Lanes call this function once per thousand found pairs. It is no virtual function, because a
+  // program holds the name of each class that has one.
+  using Report_found = bool (*)(Run_sweep&, const Run_of_points& a, const Run_of_points& b);
+
+  Run_sweep(const Question& question, Report_found report_found)
+    : question_(question), report_found_(report_found)
+  {}
 
   Near_pairs found_;
   bool is_stopped_ = false;
@@ -72,6 +74,7 @@ private:
   }
 
   const Question question_;
+  const Report_found report_found_;
   Place block_index_ = 0;
   Place block_count_ = 1;
 };

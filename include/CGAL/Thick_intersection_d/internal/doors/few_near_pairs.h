@@ -1,0 +1,219 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_FEW_NEAR_PAIRS_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_FEW_NEAR_PAIRS_H
+
+// The search of near pairs of few points: each with each, without a scene and without memory but
+// the stack.
+
+#include <CGAL/Distance_bound.h>
+
+#include <CGAL/Thick_intersection_d/internal/arithmetic/check_denormals.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/doors/box_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
+#include <CGAL/Thick_intersection_d/internal/input/few_coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Plain_is_within.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Neighbor_collector.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Near_points.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Run_sweep.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
+
+#include <boost/config.hpp> // BOOST_NOINLINE
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// Slabs are faster for more points.
+inline constexpr std::size_t max_few_points = 256;
+
+// Whether points, by their types, are searched each with each if they are few. Lists are made of
+// slabs in any case.
+template <class Elements, class NT, class Callback>
+inline constexpr bool takes_few_points
+  = has_few_doubles<typename Elements::value_type>() && is_held_by_double_v<NT>
+    && !have_numbers<Elements> && !takes_lists<Callback>;
+
+// Few points as runs in the order of the user, on the stack.
+template <class Point>
+class Few_runs
+{
+public:
+  using Run = internal::Run<dimension_or<Point>(0), double>;
+
+  // Returns a run of the points [first, last). All runs together have `max_few_points` at most.
+  template <class Elements>
+  Run make(const Elements& points, std::size_t first, std::size_t last)
+  {
+    are_finite_ &= read_coordinates(points, first, last, x_, end_);
+    Run run = {{}, positions_.data() + end_, static_cast<Place>(last - first)};
+    for(std::size_t axis = 0; axis < x_.size(); ++axis)
+      run.x[axis] = x_[axis].data() + end_;
+    for(; first < last; ++first)
+      positions_[end_++] = static_cast<Place>(first);
+    for(Place lane = 0; lane < lanes; ++lane)
+      x_[0][end_++] = end_of_run<double>(lane);
+    return run;
+  }
+
+  // Whether the coordinates of all runs are finite.
+  bool are_finite() const { return are_finite_; }
+
+private:
+  static constexpr std::size_t capacity = max_few_points + 2 * lanes;
+
+  Few_coordinates<Point, capacity> x_;
+  std::array<Place, capacity> positions_;
+  std::size_t end_ = 0;
+  bool are_finite_ = true;
+};
+
+// Reports the pairs that lanes find among few points.
+template <class Elements, class Is_within, class Report>
+class Few_sweep : public Run_sweep<Run<dimension_or<typename Elements::value_type>(0), double>>
+{
+  using Run = internal::Run<dimension_or<typename Elements::value_type>(0), double>;
+  using Base = Run_sweep<Run>;
+  using Base::found_;
+
+public:
+  Few_sweep(const Elements& points, Is_within& is_within, Report& report)
+    : Base({std::numeric_limits<double>::infinity(), is_within.filter().inside,
+            is_within.filter().outside},
+           [](Base& sweep, const Run& a, const Run& b) {
+             return static_cast<Few_sweep&>(sweep).report_found(a, b);
+           }),
+      points_(points), is_within_(is_within), report_(report)
+  {}
+
+private:
+  bool report_found(const Run& a, const Run& b)
+  {
+    const Place count = std::exchange(found_.count, 0);
+    const Place undecided_count = std::exchange(found_.undecided_count, 0);
+    bool goes_on = !report_.is_stopped();
+    for(Place c = 0; goes_on && c < count; ++c)
+      goes_on = report_(found_.pairs[c].i, found_.pairs[c].j);
+    for(Place c = 0; goes_on && c < undecided_count; ++c) {
+      const Place i = a.positions[found_.undecided[c].i], j = b.positions[found_.undecided[c].j];
+      if(is_within_.decide_undecided(points_[i], points_[j]))
+        goes_on = report_(i, j);
+    }
+    return goes_on;
+  }
+
+  const Elements& points_;
+  Is_within& is_within_;
+  Report& report_;
+};
+
+// The pairs of at most `max_few_points` points: those of one set, or of a point of one set and a
+// point of another.
+template <class Elements, class Sets, class NT>
+class Few_near_pairs
+{
+  using Point = typename Elements::value_type;
+  using Is_within = Plain_is_within<Point, NT>;
+  static constexpr int dimension = dimension_or<Point>(0);
+
+public:
+  // The bound is to be neither negative nor NaN.
+  Few_near_pairs(const Elements& points, const Sets& sets, const Distance_bound<NT>& bound)
+    : points_(points), first_size_(points.size()), is_within_(bound)
+  {
+    if constexpr(Sets::are_two)
+      first_size_ = sets.first_size;
+  }
+
+  // Reports the pairs until the report says stop. Returns false, and reports none, if a coordinate
+  // is not finite.
+  template <class Report>
+  bool report_to(Report& report)
+  {
+    return points_.size() <= lanes ? report_in_turn(report) : report_in_lanes(report);
+  }
+
+private:
+  // To fill lanes takes longer than to look at the pairs of so few points.
+  template <class Report>
+  bool report_in_turn(Report& report)
+  {
+    Few_coordinates<Point, lanes> x;
+    if(!read_coordinates(points_, 0, points_.size(), x, 0))
+      return false;
+    const Distance_filter filter = is_within_.filter();
+    for(std::size_t i = 0; i < first_size_; ++i)
+      for(std::size_t j = Sets::are_two ? first_size_ : i + 1; j < points_.size(); ++j) {
+        double s = 0;
+        for(int axis = 0; axis < dimension; ++axis)
+          s += (x[axis][i] - x[axis][j]) * (x[axis][i] - x[axis][j]);
+        if(s > filter.outside)
+          continue;
+        if((s <= filter.inside || is_within_.decide_undecided(points_[i], points_[j]))
+           && !report(i, j))
+          return true;
+      }
+    return true;
+  }
+
+  template <class Report>
+  BOOST_NOINLINE bool report_in_lanes(Report& report)
+  {
+    Few_runs<Point> runs;
+    const auto a = runs.make(points_, 0, first_size_);
+    auto b = a;
+    if constexpr(Sets::are_two)
+      b = runs.make(points_, first_size_, points_.size());
+    if(!runs.are_finite())
+      return false;
+    Few_sweep<Elements, Is_within, Report> sweep(points_, is_within_, report);
+    if constexpr(Sets::are_two)
+      sweep.between(a, b);
+    else
+      sweep.within(a);
+    return true;
+  }
+
+  const Elements& points_;
+  std::size_t first_size_;
+  Is_within is_within_;
+};
+
+// Reports the pairs of at most `max_few_points` points. Returns false iff the search was stopped.
+// Returns nothing, and reports none, if the bound or a point is not valid.
+template <class Elements, class Sets, class NT, class Callback, class NamedParameters>
+std::optional<bool> report_few_near_pairs(const Elements& points, const Sets& sets,
+                                          const Distance_bound<NT>& bound, Callback& callback,
+                                          const NamedParameters& np)
+{
+  if(!(bound.value() >= NT(0)))
+    return std::nullopt;
+  check_denormals();
+  Few_near_pairs<Elements, Sets, NT> pairs(points, sets, bound);
+  auto progress = make_progress(np, points.size());
+  bool are_valid = false;
+  const bool is_complete = with_reporter(sets, callback, [&](auto& report) {
+    are_valid = pairs.report_to(report);
+    return are_valid && !report.is_stopped() && progress.advance(points.size());
+  });
+  return are_valid ? std::optional<bool>(is_complete) : std::nullopt;
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_FEW_NEAR_PAIRS_H

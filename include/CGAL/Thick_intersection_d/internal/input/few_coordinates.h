@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_FEW_COORDINATES_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_FEW_COORDINATES_H
+
+// Reads points that are so few that their coordinates find room on the stack.
+
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// Whether doubles hold all coordinates of points in the plane or in space, as their type tells.
+template <class Point>
+constexpr bool has_few_doubles()
+{
+  if constexpr(dimension_or<Point>(0) == 2 || dimension_or<Point>(0) == 3)
+    return is_held_by_double_v<Coordinate_t<Point>>;
+  else
+    return false;
+}
+
+// A column for each axis. Places that nothing was written to have no value.
+template <class Point, std::size_t size>
+using Few_coordinates = std::array<std::array<double, size>, dimension_or<Point>(0)>;
+
+// Writes the coordinates of the points [first, last) to places from `place` on. Returns false if
+// one of them is NaN or infinite.
+template <class Elements, class Columns>
+bool read_coordinates(const Elements& points, std::size_t first, std::size_t last, Columns& x,
+                      std::size_t place)
+{
+  bool are_finite = true;
+  for(; first < last; ++first, ++place) {
+    const auto& point = points[first];
+    for(std::size_t axis = 0; axis < x.size(); ++axis) {
+      const double value = static_cast<double>(coordinate(point, static_cast<int>(axis)));
+      are_finite &= std::fabs(value) <= (std::numeric_limits<double>::max)();
+      x[axis][place] = value;
+    }
+  }
+  return are_finite;
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_FEW_COORDINATES_H

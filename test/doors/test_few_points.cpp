@@ -1,0 +1,295 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Few points are searched each with each, on the stack. They get the pairs, the errors and the
+// order of reports that are promised for any number of points, and they get no memory.
+
+#include "support/brute_force.h"
+#include "support/counting_allocator.h"
+#include "support/instruction_sets.h"
+#include "support/kernels.h"
+#include "support/point_generators.h"
+#include "support/scenes.h"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using namespace test_support;
+
+namespace {
+
+constexpr std::size_t max_size = 260; // a few more than are searched each with each
+const double infinity = std::numeric_limits<double>::infinity();
+
+template <int Dimension>
+using Epick_points = Cartesian_points<CGAL::Epick, Dimension>;
+
+// The pairs of the first `size` points, of which `first_size` are the first set, if there are two.
+Pairs pairs_among(const Pairs& pairs, std::size_t size, std::size_t first_size = 0)
+{
+  Pairs among;
+  for(const Pair& pair : pairs)
+    if(pair.second < size
+       && (first_size == 0 || (pair.first < first_size && pair.second >= first_size)))
+      among.emplace_back(pair.first, pair.second - first_size);
+  return among;
+}
+
+void check_pairs(const std::string& what, const Pairs& expected, const Pairs& found)
+{
+  const Pairs_difference difference = compare(expected, found);
+  BOOST_CHECK_MESSAGE(difference.empty(), what << ": " << difference);
+}
+
+// Checks the pairs of the first n points, for any n. A search that is given a profile takes the way
+// of many points.
+template <class Maker, class NT>
+void check_all_sizes(const std::string& name, const Points& scene, const Pairs& truth,
+                     const CGAL::Distance_bound<NT>& bound)
+{
+  const auto all = make_points<Maker>(scene);
+  auto points = all;
+  for(std::size_t size = 0; size <= all.size(); ++size) {
+    const std::string what = name + ", " + std::to_string(size) + " points";
+    points.assign(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(size));
+    Pairs found, found_with_profile;
+    BOOST_CHECK(CGAL::fixed_radius_near_neighbors(points, bound, Pair_collector{found}));
+    CGAL::Scene_profile profile;
+    CGAL::fixed_radius_near_neighbors(points, bound, Pair_collector{found_with_profile}, profile);
+    check_pairs(what, pairs_among(truth, size), found);
+    check_pairs(what + ", profile", found, found_with_profile);
+    for(const std::size_t first_size : {size / 3, size - size / 8}) {
+      const auto middle = points.begin() + static_cast<std::ptrdiff_t>(first_size);
+      const std::vector<typename Maker::Point> a(points.begin(), middle), b(middle, points.end());
+      found.clear();
+      BOOST_CHECK(CGAL::fixed_radius_near_neighbors(a, b, bound, Pair_collector{found}));
+      if(first_size != 0)
+        check_pairs(what + " in two sets", pairs_among(truth, size, first_size), found);
+      else
+        BOOST_CHECK(found.empty());
+    }
+  }
+}
+
+template <int Dimension>
+std::vector<Point_scene> scenes_of_few_points()
+{
+  const auto some = [](Points points) {
+    points.resize((std::min)(points.size(), max_size));
+    return points;
+  };
+  const auto lattice = [&](double unit) {
+    return some(shuffled(lattice_points(Dimension, Dimension == 2 ? 17 : 7, unit), 3));
+  };
+  return {scene("uniform", Dimension, uniform_points(Dimension, max_size, 0, 1, 5),
+                Radius::of_length(0.1)),
+          scene("dense", Dimension, uniform_points(Dimension, max_size, 0, 1, 6),
+                Radius::of_length(0.9)),
+          scene("lattice of integers", Dimension, lattice(1), Radius::of_length(1)),
+          scene("lattice of integers, long bound", Dimension, lattice(1), Radius::of_length(5)),
+          scene("lattice of tenths", Dimension, lattice(0.1), Radius::of_length(0.1)),
+          scene("equal points", Dimension, identical_points(Dimension, max_size, 0.3),
+                Radius::of_length(0)),
+          scene("repeated points, bound 0", Dimension,
+                shuffled(repeated(uniform_points(Dimension, max_size / 4, 0, 1, 7), 4), 8),
+                Radius::of_length(0)),
+          scene("tiny", Dimension, uniform_points(Dimension, 40, 0, 1e-300, 9),
+                Radius::of_length(3e-301)),
+          scene("huge", Dimension, uniform_points(Dimension, 40, -8e307, 1.6e308, 10),
+                Radius::of_length(1e308))};
+}
+
+template <class Maker, int Dimension>
+void check_scenes()
+{
+  for(const Point_scene& s : scenes_of_few_points<Dimension>()) {
+    const Truth& truth = truth_of(s);
+    const auto bound = CGAL::within_distance(*s.radius.length());
+    check_all_sizes<Maker>(s.name, s.points, truth.pairs, bound);
+    check_all_sizes<Maker>(s.name + ", open", s.points, truth.open_pairs, bound.open());
+  }
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(pairs_in_the_plane)
+{
+  check_scenes<Epick_points<2>, 2>();
+}
+
+BOOST_AUTO_TEST_CASE(pairs_in_space)
+{
+  check_scenes<Epick_points<3>, 3>();
+}
+
+// Squares of numbers that are no squares, bounds beyond all points, and bounds of other types.
+BOOST_AUTO_TEST_CASE(bounds_of_any_kind)
+{
+  const Points scene_points = shuffled(lattice_points(2, 12, 1), 4);
+  const auto check = [&](const std::string& name, const Radius& radius, const auto& bound) {
+    const Truth truth = brute_force(scene_points, radius);
+    check_all_sizes<Epick_points<2>>(name, scene_points, truth.pairs, bound);
+    check_all_sizes<Epick_points<2>>(name + ", open", scene_points, truth.open_pairs, bound.open());
+  };
+  check("13", Radius::of_square("13"), CGAL::within_squared_distance(13));
+  check("13 as float", Radius::of_square("13"), CGAL::within_squared_distance(13.f));
+  check("13 as rational", Radius::of_square("13"),
+        CGAL::within_squared_distance(CGAL::Exact_rational(13)));
+  check("2 as long double", Radius::of_length(2), CGAL::within_distance(2.L));
+  check("infinite", Radius::of_length(100), CGAL::within_distance(infinity));
+  check("huge", Radius::of_length(100), CGAL::within_distance(1e300));
+}
+
+// A sum of squares that is rounded onto the bound, from above and from below.
+BOOST_AUTO_TEST_CASE(sums_that_are_rounded_onto_the_bound)
+{
+  for(const double tiny : {0x1p-30, 0x1p-60, 0x1p-200, 0x1p-1000})
+    for(const Points& pair :
+        {Points{{0, 0, 0}, {tiny, 1, 0}}, Points{{0, 0, 0}, {1, tiny, tiny}}}) {
+      const Truth truth = brute_force(pair, Radius::of_length(1));
+      BOOST_REQUIRE(truth.pairs.empty());
+      check_all_sizes<Epick_points<3>>("above", pair, {}, CGAL::within_distance(1));
+    }
+  const Points gap = {{-0x1p-60, 0, 0}, {1, 0, 0}}, short_gap = {{0x1p-60, 0, 0}, {1, 0, 0}};
+  check_all_sizes<Epick_points<3>>("gap", gap, {}, CGAL::within_distance(1));
+  check_all_sizes<Epick_points<3>>("short gap", short_gap, {{0, 1}},
+                                   CGAL::within_distance(1).open());
+}
+
+BOOST_AUTO_TEST_CASE(pairs_of_other_kernels)
+{
+  check_scenes<Cartesian_points<CGAL::Epeck, 2>, 2>();
+  const Points lattice = shuffled(lattice_points(3, 5, 0.5), 5);
+  const Truth truth = brute_force(lattice, Radius::of_length(0.5));
+  check_all_sizes<Cartesian_points<CGAL::Simple_cartesian<float>, 3>>(
+    "float", lattice, truth.pairs, CGAL::within_distance(0.5));
+}
+
+namespace {
+
+// What a search of points throws, as text; "" if it throws nothing.
+template <class Search>
+std::string error_of(const Search& search)
+{
+  try {
+    search();
+  }
+  catch(const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+} // namespace
+
+// The text is that of the search of many points, and nothing is reported before.
+BOOST_AUTO_TEST_CASE(errors_are_those_of_many_points)
+{
+  const double nan_value = std::numeric_limits<double>::quiet_NaN();
+  const auto report = [](std::size_t, std::size_t) { BOOST_ERROR("a pair before an error"); };
+  for(const std::size_t size : {2, 8, 9, 64, 200, 256})
+    for(const double value : {nan_value, infinity, -infinity})
+      for(const std::size_t position : {std::size_t(0), size / 2, size - 1})
+        for(const std::size_t axis : {0, 1, 2}) {
+          Points scene_points = identical_points(3, size, 1);
+          scene_points[position][axis] = value;
+          const auto points = make_points<Epick_points<3>>(scene_points);
+          const auto bound = CGAL::within_distance(1.);
+          CGAL::Scene_profile profile;
+          const std::string error = error_of(
+            [&] { CGAL::fixed_radius_near_neighbors(points, bound, report); });
+          BOOST_CHECK_EQUAL(error, error_of([&] {
+            CGAL::fixed_radius_near_neighbors(points, bound, report, profile);
+          }));
+          BOOST_CHECK_EQUAL(error, "Coordinate " + std::to_string(axis) + " of point "
+                                     + std::to_string(position) + " is NaN or infinite.");
+          const std::vector<CGAL::Epick::Point_3> a(points.begin(), points.begin() + 1);
+          const std::vector<CGAL::Epick::Point_3> b(points.begin() + 1, points.end());
+          BOOST_CHECK_EQUAL(error, error_of([&] {
+            CGAL::fixed_radius_near_neighbors(a, b, bound, report);
+          }));
+        }
+  const auto two = make_points<Epick_points<2>>(identical_points(2, 2, 1));
+  for(const double value : {-1., -infinity, nan_value})
+    for(const bool is_squared : {false, true})
+      BOOST_CHECK_EQUAL("The distance bound is negative or NaN.", error_of([&] {
+        CGAL::fixed_radius_near_neighbors(two, CGAL::Distance_bound<double>(value, is_squared),
+                                          report);
+      }));
+}
+
+BOOST_AUTO_TEST_CASE(a_callback_stops_the_search_of_few_points)
+{
+  for(const std::size_t size : {3, 8, 9, 100}) {
+    const auto points = make_points<Epick_points<2>>(identical_points(2, size, 1));
+    std::size_t count = 0;
+    const auto stop = [&](std::size_t, std::size_t) { return ++count != 2; };
+    BOOST_CHECK(!CGAL::fixed_radius_near_neighbors(points, CGAL::within_distance(0), stop));
+    BOOST_CHECK_EQUAL(count, 2u);
+    count = 0;
+    BOOST_CHECK(!CGAL::fixed_radius_near_neighbors(points, points, CGAL::within_distance(0), stop));
+    BOOST_CHECK_EQUAL(count, 2u);
+    const auto fail = [&](std::size_t, std::size_t) { throw std::out_of_range("callback"); };
+    BOOST_CHECK_THROW(CGAL::fixed_radius_near_neighbors(points, CGAL::within_distance(0), fail),
+                      std::out_of_range);
+
+    double last = 0;
+    const auto watch = [&](double progress) {
+      last = progress;
+      return true;
+    };
+    const auto cancel = [](double) { return false; };
+    const auto ignore = [](std::size_t, std::size_t) {};
+    BOOST_CHECK(CGAL::fixed_radius_near_neighbors(points, CGAL::within_distance(0), ignore,
+                                                  CGAL::parameters::callback(watch)));
+    BOOST_CHECK_EQUAL(last, 1);
+    BOOST_CHECK(!CGAL::fixed_radius_near_neighbors(points, CGAL::within_distance(0), ignore,
+                                                   CGAL::parameters::callback(cancel)));
+  }
+}
+
+// Scenes without near ties: those are found by the filter of each instruction set.
+BOOST_AUTO_TEST_CASE(the_order_of_few_pairs_depends_on_the_input_alone)
+{
+  for(const std::size_t size : {5, 8, 9, 40, 256}) {
+    const auto points = make_points<Epick_points<3>>(uniform_points(3, size, 0, 1, 11));
+    Pairs expected;
+    const auto bound = CGAL::within_distance(0.5);
+    CGAL::fixed_radius_near_neighbors(points, bound, Pair_collector{expected});
+    for(const auto set : instruction_sets()) {
+      const Forced_instruction_set forced(set);
+      Pairs found;
+      CGAL::fixed_radius_near_neighbors(points, bound, Pair_collector{found});
+      BOOST_CHECK(found == expected);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(few_points_need_no_memory)
+{
+  for(const Point_scene& s : scenes_of_few_points<3>()) {
+    const auto all = make_points<Epick_points<3>>(s.points);
+    const auto bound = CGAL::within_distance(*s.radius.length());
+    for(std::size_t size = 0; size <= (std::min)(all.size(), std::size_t(256)); ++size) {
+      const auto end = all.begin() + static_cast<std::ptrdiff_t>(size);
+      const std::vector<CGAL::Epick::Point_3> points(all.begin(), end);
+      std::size_t count = 0;
+      const auto add = [&](std::size_t, std::size_t) { ++count; };
+      const auto search = [&] {
+        const Memory_that_runs_out none(0);
+        CGAL::fixed_radius_near_neighbors(points, bound, add);
+        if(2 * size <= 256)
+          CGAL::fixed_radius_near_neighbors(points, points, bound, add);
+      };
+      BOOST_CHECK_NO_THROW(search());
+    }
+  }
+}
