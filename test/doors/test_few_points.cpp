@@ -14,12 +14,17 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/closest_pair.h>
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace test_support;
@@ -148,7 +153,7 @@ BOOST_AUTO_TEST_CASE(bounds_of_any_kind)
   check("huge", Radius::of_length(100), CGAL::within_distance(1e300));
 }
 
-// A sum of squares that is rounded onto the bound, from above and from below.
+// Sums of squares, or the square of the bound, that are rounded to the same double as the other.
 BOOST_AUTO_TEST_CASE(sums_that_are_rounded_onto_the_bound)
 {
   for(const double tiny : {0x1p-30, 0x1p-60, 0x1p-200, 0x1p-1000})
@@ -158,10 +163,20 @@ BOOST_AUTO_TEST_CASE(sums_that_are_rounded_onto_the_bound)
       BOOST_REQUIRE(truth.pairs.empty());
       check_all_sizes<Epick_points<3>>("above", pair, {}, CGAL::within_distance(1));
     }
-  const Points gap = {{-0x1p-60, 0, 0}, {1, 0, 0}}, short_gap = {{0x1p-60, 0, 0}, {1, 0, 0}};
-  check_all_sizes<Epick_points<3>>("gap", gap, {}, CGAL::within_distance(1));
-  check_all_sizes<Epick_points<3>>("short gap", short_gap, {{0, 1}},
-                                   CGAL::within_distance(1).open());
+  const Points below = {{0, 0, 0}, {5, 4, 0}}, above = {{0, 0, 0}, {5, 3, 0}};
+  check_all_sizes<Epick_points<3>>("41", below, {}, CGAL::within_distance(std::sqrt(41.)));
+  check_all_sizes<Epick_points<3>>("34", above, {{0, 1}},
+                                   CGAL::within_distance(std::sqrt(34.)).open());
+  for(const bool is_first : {false, true}) {
+    Points gap = {{-0x1p-60, 0, 0}, {1, 0, 0}}, short_gap = {{0x1p-60, 0, 0}, {1, 0, 0}};
+    if(is_first) {
+      std::swap(gap[0], gap[1]);
+      std::swap(short_gap[0], short_gap[1]);
+    }
+    check_all_sizes<Epick_points<3>>("gap", gap, {}, CGAL::within_distance(1));
+    check_all_sizes<Epick_points<3>>("short gap", short_gap, {{0, 1}},
+                                     CGAL::within_distance(1).open());
+  }
 }
 
 BOOST_AUTO_TEST_CASE(pairs_of_other_kernels)
@@ -171,6 +186,92 @@ BOOST_AUTO_TEST_CASE(pairs_of_other_kernels)
   const Truth truth = brute_force(lattice, Radius::of_length(0.5));
   check_all_sizes<Cartesian_points<CGAL::Simple_cartesian<float>, 3>>(
     "float", lattice, truth.pairs, CGAL::within_distance(0.5));
+}
+
+namespace {
+
+// For each n, the closest pair of the first n points, from 2 on.
+Pairs closest_pairs_by_rationals(const Points& points)
+{
+  std::vector<std::vector<CGAL::Exact_rational>> exact;
+  for(const Coordinates& c : points)
+    exact.emplace_back(c.begin(), c.end());
+  std::optional<CGAL::Exact_rational> least;
+  Pairs closest(points.size() + 1);
+  for(std::size_t j = 0; j < exact.size(); ++j) {
+    closest[j + 1] = closest[j];
+    for(std::size_t i = 0; i < j; ++i) {
+      CGAL::Exact_rational square(0);
+      for(std::size_t axis = 0; axis < exact[i].size(); ++axis)
+        square += CGAL::Exact_rational(exact[i][axis] - exact[j][axis])
+                  * CGAL::Exact_rational(exact[i][axis] - exact[j][axis]);
+      if(!least || square < *least || (square == *least && Pair(i, j) < closest[j + 1])) {
+        least = square;
+        closest[j + 1] = {i, j};
+      }
+    }
+  }
+  return closest;
+}
+
+template <int Dimension>
+void check_closest_pairs()
+{
+  namespace internal = CGAL::Thick_intersection_d::internal;
+  const auto np = CGAL::parameters::default_values();
+  for(const Point_scene& s : scenes_of_few_points<Dimension>()) {
+    const Pairs closest = closest_pairs_by_rationals(s.points);
+    const Truth& truth = truth_of(s);
+    const auto bound = CGAL::within_distance(*s.radius.length());
+    const auto all = make_points<Epick_points<Dimension>>(s.points);
+    for(std::size_t size = 2; size <= all.size(); ++size) {
+      const auto end = all.begin() + static_cast<std::ptrdiff_t>(size);
+      const std::vector<typename Epick_points<Dimension>::Point> points(all.begin(), end);
+      BOOST_TEST_CONTEXT(s.name << ", " << size << " points") {
+        const Pair found = CGAL::closest_pair(points);
+        BOOST_CHECK(found == closest[size]);
+        BOOST_CHECK(found
+                    == internal::find_closest_pair_of_many<CGAL::Sequential_tag>(
+                      internal::make_elements(points, np), np));
+        for(const bool is_open : {false, true}) {
+          const Pairs pairs = pairs_among(is_open ? truth.open_pairs : truth.pairs, size);
+          const auto close = CGAL::find_close_pair(points, is_open ? bound.open() : bound);
+          BOOST_CHECK_EQUAL(close.has_value(), !pairs.empty());
+          if(close)
+            BOOST_CHECK(std::find(pairs.begin(), pairs.end(), *close) != pairs.end());
+        }
+      }
+    }
+  }
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(closest_pairs_in_the_plane)
+{
+  check_closest_pairs<2>();
+}
+
+BOOST_AUTO_TEST_CASE(closest_pairs_in_space)
+{
+  check_closest_pairs<3>();
+}
+
+// Squares that are rounded to one double, or that differ by less than their errors.
+BOOST_AUTO_TEST_CASE(the_closest_of_near_ties)
+{
+  for(const double scale : {1., 0x1p-600, 0x1p600, 0x1p-1020})
+    for(const double tiny : {0x1p-30, 0x1p-40, 0x1p-51}) {
+      const Points far = {{0, 0, 0}, {scale, scale * tiny, 0}}, near = {{0, 0, 9}, {scale, 0, 9}};
+      for(const bool is_first : {false, true}) {
+        Points scene_points = is_first ? concatenated(near, far) : concatenated(far, near);
+        for(Coordinates& c : scene_points)
+          c[2] *= 1e3 * scale;
+        const auto points = make_points<Epick_points<3>>(scene_points);
+        const Pair closest = is_first || scale * tiny == 0 ? Pair(0, 1) : Pair(2, 3);
+        BOOST_CHECK(CGAL::closest_pair(points) == closest);
+      }
+    }
 }
 
 namespace {
@@ -209,6 +310,8 @@ BOOST_AUTO_TEST_CASE(errors_are_those_of_many_points)
           BOOST_CHECK_EQUAL(error, error_of([&] {
             CGAL::fixed_radius_near_neighbors(points, bound, report, profile);
           }));
+          BOOST_CHECK_EQUAL(error, error_of([&] { CGAL::closest_pair(points); }));
+          BOOST_CHECK_EQUAL(error, error_of([&] { CGAL::find_close_pair(points, bound); }));
           BOOST_CHECK_EQUAL(error, "Coordinate " + std::to_string(axis) + " of point "
                                      + std::to_string(position) + " is NaN or infinite.");
           const std::vector<CGAL::Epick::Point_3> a(points.begin(), points.begin() + 1);
@@ -219,11 +322,17 @@ BOOST_AUTO_TEST_CASE(errors_are_those_of_many_points)
         }
   const auto two = make_points<Epick_points<2>>(identical_points(2, 2, 1));
   for(const double value : {-1., -infinity, nan_value})
-    for(const bool is_squared : {false, true})
-      BOOST_CHECK_EQUAL("The distance bound is negative or NaN.", error_of([&] {
-        CGAL::fixed_radius_near_neighbors(two, CGAL::Distance_bound<double>(value, is_squared),
-                                          report);
+    for(const bool is_squared : {false, true}) {
+      const CGAL::Distance_bound<double> bound(value, is_squared);
+      const std::string expected = "The distance bound is negative or NaN.";
+      BOOST_CHECK_EQUAL(expected, error_of([&] {
+        CGAL::fixed_radius_near_neighbors(two, bound, report);
       }));
+      BOOST_CHECK_EQUAL(expected, error_of([&] { CGAL::find_close_pair(two, bound); }));
+    }
+  BOOST_CHECK_EQUAL("There is no closest pair of fewer than two points.", error_of([&] {
+    CGAL::closest_pair(std::vector<CGAL::Epick::Point_2>(1));
+  }));
 }
 
 BOOST_AUTO_TEST_CASE(a_callback_stops_the_search_of_few_points)
@@ -285,6 +394,10 @@ BOOST_AUTO_TEST_CASE(few_points_need_no_memory)
       const auto add = [&](std::size_t, std::size_t) { ++count; };
       const auto search = [&] {
         const Memory_that_runs_out none(0);
+        if(size >= 2) {
+          CGAL::closest_pair(points);
+          CGAL::has_close_pair(points, bound);
+        }
         CGAL::fixed_radius_near_neighbors(points, bound, add);
         if(2 * size <= 256)
           CGAL::fixed_radius_near_neighbors(points, points, bound, add);

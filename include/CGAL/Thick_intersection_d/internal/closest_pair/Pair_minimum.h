@@ -44,6 +44,9 @@ class Pair_minimum
   using Exact = Exact_number_t<Coordinate_t<Point>>;
 
 public:
+  // Takes points of any scene.
+  Pair_minimum(const Elements& points, int dimension) : points_(points), dimension_(dimension) {}
+
   // Takes the points of the scene.
   Pair_minimum(const Elements& points, const Scene& scene)
     : points_(points), dimension_(scene.dimension()), grid_exponent_(scene.grid_exponent)

@@ -15,16 +15,19 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Close_pair_search.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Closest_pair_search.h>
+#include <CGAL/Thick_intersection_d/internal/doors/few_closest_pair.h>
 #include <CGAL/Thick_intersection_d/internal/input/Point_doubles.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene_sample.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
+#include <CGAL/Thick_intersection_d/internal/input/few_coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Is_within_distance.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Plain_is_within.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
@@ -88,7 +91,7 @@ void report_near_points(const Elements& points, const Scene& scene,
 
 template <class ConcurrencyTag, class Elements, class NamedParameters>
 CGAL_RARELY_CALLED
-Position_pair find_closest_pair(const Elements& points, const NamedParameters& np)
+Position_pair find_closest_pair_of_many(const Elements& points, const NamedParameters& np)
 {
   const Scene scene = scan_checked_points<ConcurrencyTag>(points);
   if(points.size() < 2)
@@ -107,8 +110,22 @@ Position_pair find_closest_pair(const Elements& points, const NamedParameters& n
   return pair;
 }
 
+template <class ConcurrencyTag, class Elements, class NamedParameters>
+Position_pair find_closest_pair(const Elements& points, const NamedParameters& np)
+{
+  if constexpr(has_few_doubles<typename Elements::value_type>())
+    if(Few_closest_pair<Elements>::takes(points))
+      if(const Few_closest_pair<Elements> few(points); few.are_finite()) {
+        const Position_pair pair = few.find();
+        make_progress(np, points.size()).finish();
+        return pair;
+      }
+  return find_closest_pair_of_many<ConcurrencyTag>(points, np);
+}
+
 template <class ConcurrencyTag, class Elements, class NT, class NamedParameters>
-std::optional<Position_pair> find_pair_within(const Elements& points,
+CGAL_RARELY_CALLED
+std::optional<Position_pair> find_pair_of_many_within(const Elements& points,
                                               const Distance_bound<NT>& bound,
                                               const NamedParameters& np)
 {
@@ -124,6 +141,23 @@ std::optional<Position_pair> find_pair_within(const Elements& points,
   const std::optional<Position_pair> pair = search.find();
   progress.finish();
   return pair;
+}
+
+template <class ConcurrencyTag, class Elements, class NT, class NamedParameters>
+std::optional<Position_pair> find_pair_within(const Elements& points,
+                                              const Distance_bound<NT>& bound,
+                                              const NamedParameters& np)
+{
+  using Point = typename Elements::value_type;
+  if constexpr(has_few_doubles<Point>() && is_held_by_double_v<NT>)
+    if(Few_closest_pair<Elements>::takes(points) && bound.value() >= NT(0))
+      if(const Few_closest_pair<Elements> few(points); few.are_finite()) {
+        Plain_is_within<Point, NT> is_within(bound);
+        const Position_pair pair = few.find_within(is_within);
+        make_progress(np, points.size()).finish();
+        return pair.first != pair.second ? std::optional<Position_pair>(pair) : std::nullopt;
+      }
+  return find_pair_of_many_within<ConcurrencyTag>(points, bound, np);
 }
 
 } // namespace internal

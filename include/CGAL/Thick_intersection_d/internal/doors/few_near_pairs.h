@@ -37,9 +37,6 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Slabs are faster for more points.
-inline constexpr std::size_t max_few_points = 256;
-
 // Whether points, by their types, are searched each with each if they are few. Lists are made of
 // slabs in any case.
 template <class Elements, class NT, class Callback>
@@ -127,7 +124,6 @@ class Few_near_pairs
 {
   using Point = typename Elements::value_type;
   using Is_within = Plain_is_within<Point, NT>;
-  static constexpr int dimension = dimension_or<Point>(0);
 
 public:
   // The bound is to be neither negative nor NaN.
@@ -157,9 +153,7 @@ private:
     const Distance_filter filter = is_within_.filter();
     for(std::size_t i = 0; i < first_size_; ++i)
       for(std::size_t j = Sets::are_two ? first_size_ : i + 1; j < points_.size(); ++j) {
-        double s = 0;
-        for(int axis = 0; axis < dimension; ++axis)
-          s += (x[axis][i] - x[axis][j]) * (x[axis][i] - x[axis][j]);
+        const double s = computed_square(x, i, j);
         if(s > filter.outside)
           continue;
         if((s <= filter.inside || is_within_.decide_undecided(points_[i], points_[j]))

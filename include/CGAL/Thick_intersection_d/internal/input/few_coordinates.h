@@ -20,6 +20,9 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
+// Slabs and cells are faster for more points.
+inline constexpr std::size_t max_few_points = 256;
+
 // Whether doubles hold all coordinates of points in the plane or in space, as their type tells.
 template <class Point>
 constexpr bool has_few_doubles()
@@ -50,6 +53,16 @@ bool read_coordinates(const Elements& points, std::size_t first, std::size_t las
     }
   }
   return are_finite;
+}
+
+// Returns the squared distance of the points at two places, as doubles compute it.
+template <class Columns>
+double computed_square(const Columns& x, std::size_t i, std::size_t j)
+{
+  double sum = 0;
+  for(const auto& column : x)
+    sum += (column[i] - column[j]) * (column[i] - column[j]);
+  return sum;
 }
 
 } // namespace internal
