@@ -14,6 +14,7 @@
 #include <CGAL/Thick_intersection_d/internal/boxes/axes_of_boxes.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
@@ -29,6 +30,13 @@ namespace internal {
 
 // Whether places can number `size` objects with a copy of each.
 inline bool fits_box_route(std::size_t size) { return size < max_place / 2; }
+
+// Appends the parts of the text, as coordinates.h does.
+[[noreturn]] CGAL_RARELY_CALLED inline void throw_too_many_objects(std::size_t size)
+{
+  std::string message("There are too many objects: ");
+  throw std::length_error(message.append(std::to_string(size)).append("."));
+}
 
 // How many axes the boxes of objects have, in more than three dimensions. Up to eight axes are
 // worth their memory: points in six dimensions take 0.45 times as long with six axes as with four.
@@ -87,8 +95,7 @@ bool report_meeting_boxes(const Objects& objects, const Sets& sets, Callback& ca
                           Progress& progress)
 {
   if(!fits_box_route(objects.size()))
-    throw std::length_error("There are too many objects: " + std::to_string(objects.size())
-                            + ".");
+    throw_too_many_objects(objects.size());
   const auto search = [&](auto& report) {
     constexpr int dimension = Objects::static_dimension;
     constexpr int many_axes = max_box_axes(dimension);

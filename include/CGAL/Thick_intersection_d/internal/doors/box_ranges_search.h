@@ -11,6 +11,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/check_denormals.h>
 #include <CGAL/Thick_intersection_d/internal/doors/box_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_boxes.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
@@ -18,6 +19,10 @@
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
+#include <boost/config.hpp> // BOOST_NOINLINE
+
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -98,6 +103,38 @@ constexpr bool check_box_search()
   return check_concurrency<ConcurrencyTag>() && takes_boxes;
 }
 
+// The box route is faster for more boxes.
+inline constexpr std::size_t max_few_boxes = 64;
+
+// Whether boxes of doubles in the plane or in space meet. No branch, because none is predictable.
+template <class Box>
+bool do_few_boxes_meet(const Box& a, const Box& b)
+{
+  bool are_apart = false;
+  for(std::size_t axis = 0; axis < a.size(); ++axis)
+    are_apart |= (a[axis].high < b[axis].low) | (b[axis].high < a[axis].low);
+  return !are_apart;
+}
+
+// Reports the pairs of few boxes that doubles decide about: each with each, on the stack, in the
+// order of the user. `first` is the number of boxes in the first of two sets, or 0 if there is one
+// set. Returns false iff the search was stopped.
+template <int Dimension, class Meeting, class Report>
+BOOST_NOINLINE bool report_few_boxes(const Meeting& meeting, std::size_t first,
+                                     const Report& report)
+{
+  std::array<std::array<Interval, Dimension>, max_few_boxes> boxes;
+  for(std::size_t i = 0; i < meeting.size(); ++i)
+    for(int axis = 0; axis < Dimension; ++axis)
+      boxes[i][axis] = meeting.intervals(i)(axis);
+  const std::size_t end = first != 0 ? first : meeting.size();
+  for(std::size_t i = 0; i < end; ++i)
+    for(std::size_t j = (std::max)(i + 1, first); j < meeting.size(); ++j)
+      if(do_few_boxes_meet(boxes[i], boxes[j]) && !report(i, j - first))
+        return false;
+  return true;
+}
+
 // Checks the boxes, and reports the pairs. Returns false iff the search was stopped.
 template <class ConcurrencyTag, class Sets, class First, class Second, class Traits, class Callback>
 bool report_box_pairs(const First& first, const Second& second, const Traits& traits,
@@ -114,6 +151,10 @@ bool report_box_pairs(const First& first, const Second& second, const Traits& tr
     Sets sets = {};
     if constexpr(Sets::are_two)
       sets.first_size = boxes.first_size();
+    if constexpr(constexpr int dimension = Static_dimension<Traits>::value;
+                 dimension == 2 || dimension == 3)
+      if(boxes.size() <= max_few_boxes && meeting.are_exact())
+        return report_few_boxes<dimension>(meeting, Sets::are_two ? boxes.first_size() : 0, report);
     Unwatched_progress progress;
     return report_meeting_boxes<ConcurrencyTag>(meeting, sets, report, progress);
   }

@@ -10,6 +10,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -208,11 +209,19 @@ private:
     });
   }
 
+  // Appends the parts of the text, as coordinates.h does.
+  [[noreturn]] CGAL_RARELY_CALLED static void throw_nan(int axis, std::size_t position)
+  {
+    std::string message("Coordinate ");
+    message.append(std::to_string(std::size_t(axis))).append(" of box ");
+    message.append(std::to_string(position)).append(" is NaN.");
+    throw std::invalid_argument(message);
+  }
+
   void check_end(const std::pair<double, double>& end, int axis, std::size_t position)
   {
     if(!(end.first <= end.second))
-      throw std::invalid_argument("Coordinate " + std::to_string(axis) + " of box "
-                                  + std::to_string(position) + " is NaN.");
+      throw_nan(axis, position);
     have_double_ends_ = have_double_ends_ && end.first == end.second;
   }
 

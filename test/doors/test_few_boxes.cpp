@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Few boxes are compared each with each, on the stack. They get the pairs that CGAL reports, in an
+// order that the input tells, and no memory.
+
+#include "support/counting_allocator.h"
+#include "support/pairs.h"
+
+#include <CGAL/box_intersection_d.h>
+#include <CGAL/thick_box_intersection_d.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <limits>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using namespace test_support;
+
+namespace {
+
+template <int Dimension>
+using Box = CGAL::Box_intersection_d::Box_d<double, Dimension>;
+
+constexpr std::size_t max_size = 68; // a few more than are compared each with each
+
+// Boxes with corners on a grid, so that many touch. Some are flat.
+template <int Dimension>
+std::vector<Box<Dimension>> boxes_on_grid(std::size_t size, unsigned int seed, int min_side)
+{
+  std::mt19937 random(seed);
+  std::vector<Box<Dimension>> boxes;
+  while(boxes.size() < size) {
+    double low[Dimension], high[Dimension];
+    for(int axis = 0; axis < Dimension; ++axis) {
+      low[axis] = static_cast<double>(random() % 12);
+      high[axis] = low[axis] + min_side + static_cast<double>(random() % 3);
+    }
+    boxes.emplace_back(low, high);
+  }
+  return boxes;
+}
+
+// The pairs of ids that a search reports, and in their order.
+template <class Search>
+Pairs pairs_of(const Search& search)
+{
+  Pairs pairs;
+  search([&](const auto& a, const auto& b) { pairs.emplace_back(a.id(), b.id()); });
+  return pairs;
+}
+
+void check_pairs(const Pairs& expected, const Pairs& found)
+{
+  const Pairs_difference difference = compare(expected, found);
+  BOOST_CHECK_MESSAGE(difference.empty(), difference);
+}
+
+template <int Dimension>
+void check_all_sizes(int min_side)
+{
+  using CGAL::Box_intersection_d::BIPARTITE;
+  for(const auto topology : {CGAL::Box_intersection_d::CLOSED, CGAL::Box_intersection_d::HALF_OPEN})
+    for(std::size_t size = 0; size <= max_size; ++size) {
+      const unsigned int seed = 7 + static_cast<unsigned int>(size);
+      const auto boxes = boxes_on_grid<Dimension>(size, seed, min_side);
+      const auto others = boxes_on_grid<Dimension>(size / 3, 1, min_side);
+      BOOST_TEST_CONTEXT(size << " boxes, topology " << topology) {
+        auto a = boxes, b = others; // the other search moves the boxes
+        const auto self = [&](const auto& callback) {
+          CGAL::thick_box_self_intersection_d(boxes.begin(), boxes.end(), callback, 10, topology);
+        };
+        const Pairs pairs = pairs_of(self);
+        check_pairs(pairs_of([&](const auto& callback) {
+          CGAL::box_self_intersection_d(a.begin(), a.end(), callback, std::ptrdiff_t(10), topology);
+        }), pairs);
+        BOOST_CHECK(pairs == pairs_of(self));
+        check_pairs(pairs_of([&](const auto& callback) {
+          CGAL::box_intersection_d(a.begin(), a.end(), b.begin(), b.end(), callback,
+                                   std::ptrdiff_t(10), topology, BIPARTITE);
+        }), pairs_of([&](const auto& callback) {
+          CGAL::thick_box_intersection_d(boxes.begin(), boxes.end(), others.begin(), others.end(),
+                                         callback, 10, topology);
+        }));
+      }
+    }
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(pairs_of_few_boxes_are_those_of_cgal)
+{
+  for(const int min_side : {0, 1}) { // with flat boxes, and without
+    check_all_sizes<2>(min_side);
+    check_all_sizes<3>(min_side);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_callback_stops_the_search_of_few_boxes)
+{
+  const auto boxes = boxes_on_grid<3>(60, 2, 3);
+  int count = 0;
+  const auto stop = [&](const auto&, const auto&) { return ++count != 2; };
+  BOOST_CHECK(!CGAL::thick_box_self_intersection_d(boxes.begin(), boxes.end(), stop));
+  BOOST_CHECK_EQUAL(count, 2);
+}
+
+BOOST_AUTO_TEST_CASE(few_boxes_with_nan_are_refused)
+{
+  auto boxes = boxes_on_grid<2>(5, 3, 1);
+  double corner[] = {1, std::numeric_limits<double>::quiet_NaN()};
+  boxes[3] = Box<2>(corner, corner);
+  const auto report = [](const auto&, const auto&) { BOOST_ERROR("a pair before an error"); };
+  BOOST_CHECK_EXCEPTION(
+    CGAL::thick_box_self_intersection_d(boxes.begin(), boxes.end(), report), std::invalid_argument,
+    [](const std::invalid_argument& error) {
+      return error.what() == std::string("Coordinate 1 of box 3 is NaN.");
+    });
+}
+
+BOOST_AUTO_TEST_CASE(few_boxes_need_no_memory)
+{
+  for(std::size_t size = 0; size <= 64; ++size) {
+    const auto boxes = boxes_on_grid<3>(size, 4, 1);
+    std::size_t count = 0;
+    const auto search = [&] {
+      const Memory_that_runs_out none(0);
+      const auto add = [&](const auto&, const auto&) { ++count; };
+      CGAL::thick_box_self_intersection_d(boxes.begin(), boxes.end(), add);
+    };
+    BOOST_CHECK_NO_THROW(search());
+  }
+}
