@@ -10,12 +10,11 @@
 #include <CGAL/Distance_bound.h>
 #include <CGAL/Element_callback.h>
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/Neighbor_lists.h>
 #include <CGAL/Scene_profile.h>
+#include <CGAL/fixed_radius_neighbor_lists.h>
 #include <CGAL/tags.h>
 
 #include <CGAL/Thick_intersection_d/internal/doors/near_pairs_search.h>
-#include <CGAL/Thick_intersection_d/internal/doors/neighbor_lists_search.h>
 #include <CGAL/Thick_intersection_d/internal/doors/pair_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 
@@ -210,57 +209,6 @@ bool fixed_radius_near_neighbors(PointRangeA&& points_a, PointRangeB&& points_b,
   return internal::search_ranges<ConcurrencyTag>(callback, np, search, points_a, points_b);
 }
 
-/*!
-\ingroup PkgThickIntersectionDRef
-
-returns for each point of a range all other points whose distance is within a bound.
-
-The search takes \f$ O(n \log n + k \log k) \f$ time and \f$ O(n + k) \f$ space in fixed dimension,
-where \f$ k \f$ is the number of pairs \cgalCite{v-riato-03}. The result does not depend on the
-number of threads.
-
-The parameters are as for `fixed_radius_near_neighbors()`: the points may be objects. The lists hold
-positions.
-
-\return the lists. If the progress functor cancels the search, they hold some of the pairs, each in
-both of its lists.
-
-\throws std::invalid_argument as `fixed_radius_near_neighbors()`.
-\throws std::length_error if there are \f$ 2^{32} \f$ points or more.
-*/
-template <class ConcurrencyTag = Sequential_tag, class PointRange, class NT,
-          class NamedParameters = parameters::Default_named_parameters>
-Neighbor_lists fixed_radius_neighbor_lists(PointRange&& points,
-                                           const Distance_bound<NT>& bound,
-                                           const NamedParameters& np = parameters::default_values())
-{
-  return Thick_intersection_d::internal::collect_neighbors<ConcurrencyTag>(bound, np, points);
-}
-
-/*!
-\ingroup PkgThickIntersectionDRef
-
-returns for each point of a range all points of another range whose distance is within a bound.
-
-The lists are those of the points of `points_a`, and hold positions in `points_b`. Otherwise the
-function is as the version for one range, where \f$ n \f$ is the number of points of both ranges and
-\f$ k \f$ is the number of close pairs of their union.
-
-\return the lists. If the progress functor cancels the search, they hold some of the pairs.
-
-\throws std::invalid_argument as `fixed_radius_near_neighbors()`.
-\throws std::length_error if both ranges together have \f$ 2^{32} \f$ points or more.
-*/
-template <class ConcurrencyTag = Sequential_tag, class PointRangeA, class PointRangeB, class NT,
-          class NamedParameters = parameters::Default_named_parameters>
-Neighbor_lists fixed_radius_neighbor_lists(PointRangeA&& points_a, PointRangeB&& points_b,
-                                           const Distance_bound<NT>& bound,
-                                           const NamedParameters& np = parameters::default_values())
-{
-  namespace internal = Thick_intersection_d::internal;
-  return internal::collect_neighbors<ConcurrencyTag>(bound, np, points_a, points_b);
-}
-
 #ifndef DOXYGEN_RUNNING
 // Bare numbers as bounds: each call that has one stops with a sentence that says so.
 template <class ConcurrencyTag = Sequential_tag, class... Arguments>
@@ -268,13 +216,6 @@ std::enable_if_t<Thick_intersection_d::internal::has_bare_number_v<Arguments...>
 fixed_radius_near_neighbors(const Arguments&...)
 {
   return Thick_intersection_d::internal::check_bound<Arguments...>();
-}
-template <class ConcurrencyTag = Sequential_tag, class... Arguments>
-std::enable_if_t<Thick_intersection_d::internal::has_bare_number_v<Arguments...>, Neighbor_lists>
-fixed_radius_neighbor_lists(const Arguments&...)
-{
-  Thick_intersection_d::internal::check_bound<Arguments...>();
-  return {};
 }
 #endif
 

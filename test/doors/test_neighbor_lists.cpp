@@ -16,8 +16,10 @@
 #include <boost/test/unit_test.hpp>
 
 #include <array>
+#include <cstdint>
 #include <limits>
 #include <list>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -255,4 +257,41 @@ BOOST_AUTO_TEST_CASE(lists_of_other_points_have_no_distances)
   BOOST_CHECK_THROW(CGAL::neighbor_squared_distances(beyond, points), std::invalid_argument);
   BOOST_CHECK(CGAL::neighbor_squared_distances(CGAL::Neighbor_lists(),
                                                std::vector<Kernel::Point_2>()).empty());
+}
+
+// The arrays of lists are those of the lists before, if these are as long.
+BOOST_AUTO_TEST_CASE(lists_are_replaced_in_their_memory)
+{
+  using Maker = Cartesian_points<Kernel, 2>;
+  const Points scene_points = uniform_points(2, 500, 0, 1, 12);
+  const auto points = make_points<Maker>(scene_points);
+  const auto others = make_points<Maker>(uniform_points(2, 100, 0, 1, 13));
+  CGAL::Neighbor_lists lists;
+  BOOST_CHECK(CGAL::fixed_radius_neighbor_lists(points, CGAL::within_distance(0.1), lists));
+  check_lists(lists, scene_points, 0.1);
+  const std::size_t* const begins = lists.begins().data();
+  const std::uint32_t* const positions = lists.positions().data();
+
+  for(const double r : {0.08, 0., 0.05, 2., 0.1}) {
+    BOOST_CHECK(CGAL::fixed_radius_neighbor_lists(points, CGAL::within_distance(r), lists));
+    check_lists(lists, scene_points, r);
+    BOOST_CHECK(lists.begins().data() == begins);
+    if(r <= 0.08)
+      BOOST_CHECK(lists.positions().data() == positions);
+    const CGAL::Neighbor_lists of_two
+      = CGAL::fixed_radius_neighbor_lists(others, points, CGAL::within_distance(r));
+    BOOST_CHECK(CGAL::fixed_radius_neighbor_lists(others, points, CGAL::within_distance(r), lists));
+    BOOST_CHECK(lists == of_two);
+    BOOST_CHECK_EQUAL(lists.number_of_pairs(), of_two.number_of_pairs());
+    BOOST_CHECK(lists.begins().data() == begins);
+  }
+
+  const CGAL::Neighbor_lists before = lists;
+  BOOST_CHECK_THROW(CGAL::fixed_radius_neighbor_lists(points, CGAL::within_distance(-1.), lists),
+                    std::invalid_argument);
+  BOOST_CHECK(lists == before);
+  const auto cancel = [](double) { return false; };
+  BOOST_CHECK(!CGAL::fixed_radius_neighbor_lists(points, CGAL::within_distance(0.1), lists,
+                                                 CGAL::parameters::callback(cancel)));
+  BOOST_CHECK_EQUAL(lists.size(), points.size());
 }

@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -32,30 +33,35 @@ inline void check_list_size(std::size_t size)
     throw std::length_error("There are more points than lists of neighbors have positions for.");
 }
 
-// Of two ranges, the lists have positions in the second one, for each point of the first.
+// Replaces `lists`, in the memory that they have. Of two ranges, the lists have positions in the
+// second one, for each point of the first. Returns false iff the search was stopped.
 template <class ConcurrencyTag, class NT, class NamedParameters, class... Ranges>
-Neighbor_lists collect_neighbors(const Distance_bound<NT>& bound, const NamedParameters& np,
-                                 Ranges&... ranges)
+bool collect_neighbors(Neighbor_lists& lists, const Distance_bound<NT>& bound,
+                       const NamedParameters& np, Ranges&... ranges)
 {
   if constexpr((check_range<ConcurrencyTag, Ranges, NamedParameters>() && ...)) {
     const auto collect = [&](const auto& points, const auto& sets) {
       check_list_size(points.size());
       Neighbor_collector<ConcurrencyTag> collector(points.first().size());
       if constexpr(sizeof...(Ranges) == 1) {
-        if(!report_near_pairs<ConcurrencyTag>(points, sets, bound, collector, np))
-          return mutual_neighbors(collector.lists());
-        return collector.lists();
+        const bool is_complete
+          = report_near_pairs<ConcurrencyTag>(points, sets, bound, collector, np);
+        lists = collector.lists(true, std::move(lists));
+        if(!is_complete)
+          lists = mutual_neighbors(lists);
+        return is_complete;
       }
       else {
         const auto add = [&](std::size_t i, std::size_t j) { collector.add(i, j); };
-        report_near_pairs<ConcurrencyTag>(points, sets, bound, add, np);
-        return collector.lists(false);
+        const bool is_complete = report_near_pairs<ConcurrencyTag>(points, sets, bound, add, np);
+        lists = collector.lists(false, std::move(lists));
+        return is_complete;
       }
     };
     return with_sets(collect, make_elements(ranges, np)...);
   }
   else
-    return Neighbor_lists();
+    return false;
 }
 
 } // namespace internal

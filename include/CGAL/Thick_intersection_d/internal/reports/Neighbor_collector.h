@@ -66,9 +66,11 @@ public:
     return lists_.local();
   }
 
-  Neighbor_lists lists(bool are_of_one_set = true)
+  // Returns the lists, in the memory of `old_lists`, which may be any.
+  Neighbor_lists lists(bool are_of_one_set = true, Neighbor_lists old_lists = Neighbor_lists())
   {
-    return has_lists_ ? lists_of(lists_, true) : lists_of(pairs_, are_of_one_set);
+    return has_lists_ ? lists_of(lists_, true, std::move(old_lists))
+                      : lists_of(pairs_, are_of_one_set, std::move(old_lists));
   }
 
 private:
@@ -77,10 +79,12 @@ private:
   using All_bins = Per_thread<ConcurrencyTag, Bins>;
 
   template <class Bins>
-  Neighbor_lists lists_of(All_bins<Bins>& bins, bool are_of_one_set)
+  Neighbor_lists lists_of(All_bins<Bins>& bins, bool are_of_one_set, Neighbor_lists&& old_lists)
   {
-    std::vector<std::size_t> begins(size_ + 1, 0);
-    Positions positions;
+    std::vector<std::size_t> begins = std::move(old_lists).begins();
+    begins.assign(size_ + 1, 0);
+    Positions positions = std::move(old_lists).positions();
+    positions.clear();
     const std::vector<std::size_t> begins_of_bins = begins_of_all_bins(bins);
     positions.reserve(begins_of_bins.back());
     ask_for_huge_pages(positions.data(), begins_of_bins.back() * sizeof(Position));
