@@ -29,6 +29,8 @@ namespace internal {
 //   ask_for(a, b, pair)                 may ask for the memory that is_pair() will read
 //   are_undecided(a, b)                 whether found pairs need is_pair()
 //   is_pair(a, b, pair)                 decides about a found pair
+//   is_of_piece(a, b, pair)             does so if all that lanes left open is whether a pair of
+//                                       copies is one of this piece: are_copies(a, b)
 //
 // `Report` takes two positions, returns false to stop, and has is_stopped().
 template <class Test, class Report>
@@ -72,13 +74,27 @@ private:
       is_stopped_ = true;
     else if(test_.are_undecided(a, b))
       is_stopped_ = !decide_rows(a, b, row_count)
-                    || !report_pairs(a, b, remove_others(a, b, count));
+                    || !report_pairs(a, b, test_.are_copies(a, b) ? remove_copies(a, b, count)
+                                                                  : remove_others(a, b, count));
     else
       is_stopped_ = !report_rows(a, b, row_count) || !report_pairs(a, b, count);
     return !is_stopped_;
   }
 
-  // Moves the found pairs that are pairs to the front. Returns their number.
+  // Moves the found pairs that are pairs to the front. Returns their number. No jump depends on
+  // sides: no processor could foresee it.
+  Place remove_copies(const Run& a, const Run& b, Place count)
+  {
+    Place pair_count = 0;
+    for(Place c = 0; c < count; ++c) {
+      const Found_pair pair = found_.pairs[c];
+      found_.pairs[pair_count] = pair;
+      pair_count += test_.is_of_piece(a, b, pair);
+    }
+    return pair_count;
+  }
+
+  // The same, for pairs that need is_pair().
   Place remove_others(const Run& a, const Run& b, Place count)
   {
     Place pair_count = 0;

@@ -82,7 +82,20 @@ public:
   // Whether lanes tell that boxes meet, but not whether they are a pair.
   bool are_undecided(const Run& a, const Run& b) const
   {
-    return !(are_exact_ && dimension() <= Axes) || (a.has_copies && b.has_copies);
+    return !do_lanes_decide() || (a.has_copies && b.has_copies);
+  }
+
+  // Whether a pair that is found is one unless it is found in another piece as well.
+  bool are_copies(const Run& a, const Run& b) const
+  {
+    return do_lanes_decide() && a.has_copies && b.has_copies;
+  }
+
+  // Whether a pair belongs to this piece: to the one where not both boxes go on beyond the same
+  // side.
+  static bool is_of_piece(const Run& a, const Run& b, Found_pair pair)
+  {
+    return (a.sides[pair.i] & b.sides[pair.j]) == 0;
   }
 
   void ask_for(const Run& a, const Run& b, Found_pair pair) const
@@ -95,7 +108,7 @@ public:
 
   bool is_pair(const Run& a, const Run& b, Found_pair pair) const
   {
-    if((a.sides[pair.i] & b.sides[pair.j]) != 0)
+    if(!is_of_piece(a, b, pair))
       return false;
     if constexpr(!std::is_void_v<Box_filter>)
       if(dimension() == Axes) {
@@ -119,6 +132,8 @@ public:
   }
 
 private:
+  bool do_lanes_decide() const { return are_exact_ && dimension() <= Axes; }
+
   // The axes are in another order, but in the same one for all boxes.
   static std::array<Interval, Axes> box_at(const Run& run, Place place)
   {

@@ -100,6 +100,14 @@ public:
   }
 };
 
+// Whether box traits have ids.
+template <class Traits, class A, class = void>
+struct Has_id : std::false_type {};
+template <class Traits, class A>
+struct Has_id<Traits, A,
+              std::void_t<decltype(std::declval<const Traits&>().id(std::declval<A>()))>>
+  : std::true_type {};
+
 // Numbers the boxes from 0, those of the first range first. An empty box has no number: its lower
 // end is above its upper end along an axis, so it meets no box. The number of a box is its position
 // if no box is empty. The boxes of the two ranges may have different types.
@@ -114,6 +122,8 @@ public:
   {
     if(dimension_ < 1)
       throw std::invalid_argument("The dimension of boxes is to be 1 or more.");
+    if constexpr(Has_id<Traits, decltype(*std::declval<const First&>().begin())>::value)
+      have_distinct_ids_ = do_ids_ascend();
     number_boxes();
   }
 
@@ -127,6 +137,10 @@ public:
 
   // Whether a box is a single number along an axis.
   bool has_flat_box() const { return has_flat_box_; }
+
+  // Whether the ids show at once that no two boxes have the same one, as those of boxes that lie in
+  // the order in which they were made.
+  bool have_distinct_ids() const { return have_distinct_ids_; }
 
   // Returns doubles that enclose the box.
   Interval interval(std::size_t number, int axis) const
@@ -190,6 +204,25 @@ private:
     }
   }
 
+  // Whether ids ascend from each box to the next one, and from the last box to the first one, but
+  // for a single time.
+  bool do_ids_ascend() const
+  {
+    const auto id_at = [&](std::size_t position) {
+      return at(position, [&](auto&& box) { return traits_.id(box); });
+    };
+    if(size_ == 0)
+      return true;
+    auto last = id_at(size_ - 1);
+    int descents = 0;
+    for(std::size_t position = 0; position < size_ && descents <= 1; ++position) {
+      const auto id = id_at(position);
+      descents += !(last < id);
+      last = id;
+    }
+    return descents <= 1;
+  }
+
   // Looks at a box. Returns whether it is empty.
   bool check(std::size_t position)
   {
@@ -233,6 +266,7 @@ private:
   std::size_t first_size_; // the boxes of the first range that have a number
   bool have_double_ends_ = true;
   bool has_flat_box_ = false;
+  bool have_distinct_ids_ = false;
   std::vector<std::size_t> positions_; // without empty boxes; no positions if no box is empty
 };
 

@@ -138,32 +138,19 @@ private:
     high_ends_[k] = range.low + 1 - reaches_[k];
   }
 
-  // Sets the inner box: coordinates in it, ends included, are those of homes inside. It is empty
-  // unless each vector is along an axis. A fraction is then a product of one coordinate, so it is
-  // monotone, also as it is rounded: if both ends of the box are inside, all points in it are.
+  // Sets the inner box: coordinates in it, ends included, are those of homes inside. There is one
+  // if each vector is along an axis.
   void set_inner_box()
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     inner_box_.fill({-infinity, infinity});
-    has_inner_box_ = true;
     for(int k = 0; k < rank_; ++k) {
       const int axis = fractions_.axis_of(k);
-      if(axis < 0) {
-        has_inner_box_ = false;
+      if(axis < 0)
         return;
-      }
       inner_box_[axis] = fractions_.coordinates_between(k, low_ends_[k], high_ends_[k]);
     }
-    Fractions low_corner = {}, high_corner = {};
-    for(int axis = 0; axis < Dimension; ++axis)
-      if(std::isfinite(inner_box_[axis].low)) {
-        low_corner[axis] = inner_box_[axis].low;
-        high_corner[axis] = inner_box_[axis].high;
-      }
-    for(const Fractions& corner : {low_corner, high_corner}) {
-      const Fractions f = fractions_(corner);
-      has_inner_box_ = has_inner_box_ && !is_near_low(f) && !is_near_high(f);
-    }
+    has_inner_box_ = true;
   }
 
   template <class Point>

@@ -76,15 +76,16 @@ public:
   }
 
   // Returns the coordinates along axis_of(k) into which vector k goes between `low` and `high`
-  // times, but for a few at both ends.
+  // times, also as operator() rounds it, but for a few at both ends. Scaling is exact, unless it
+  // overflows, when no coordinate is as large, or underflows.
   Interval coordinates_between(int k, double low, double high) const
   {
-    const double fraction_of_unit = duals_[k][axis_of(k)] * scale_;
-    if(fraction_of_unit < 0)
+    const double dual = duals_[k][axis_of(k)];
+    if(dual < 0)
       std::swap(low, high);
-    const double first = low / fraction_of_unit, last = high / fraction_of_unit;
+    const double first = low / dual / scale_, last = high / dual / scale_;
     const double margin = rounding * (std::fabs(first) + std::fabs(last)
-                                      + 1 / std::fabs(fraction_of_unit));
+                                      + 1 / std::fabs(dual) / scale_) + 0x1p-1000;
     return {first + margin, last - margin};
   }
 

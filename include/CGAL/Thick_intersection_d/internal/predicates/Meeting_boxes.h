@@ -21,14 +21,6 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Whether box traits have ids.
-template <class Traits, class A, class = void>
-struct Has_id : std::false_type {};
-template <class Traits, class A>
-struct Has_id<Traits, A,
-              std::void_t<decltype(std::declval<const Traits&>().id(std::declval<A>()))>>
-  : std::true_type {};
-
 template <class Traits, class A, class B>
 bool have_same_id([[maybe_unused]] const Traits& traits, A& a, B& b)
 {
@@ -94,7 +86,8 @@ public:
   // Whether two boxes are one and the same, by their ids.
   bool are_same(std::size_t i, std::size_t j) const
   {
-    return with_boxes(i, j, [&](auto&& a, auto&& b) { return have_same_id(traits(), a, b); });
+    return !boxes_.have_distinct_ids()
+           && with_boxes(i, j, [&](auto&& a, auto&& b) { return have_same_id(traits(), a, b); });
   }
 
 private:
