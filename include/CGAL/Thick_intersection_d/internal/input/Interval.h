@@ -7,6 +7,8 @@
 
 // The coordinates between two doubles.
 
+#include <boost/config.hpp> // BOOST_NOINLINE
+
 #include <cmath>
 #include <limits>
 
@@ -40,8 +42,9 @@ struct Interval
 
 // Returns an interval that is longer by `reach`, or by a little more. In every rounding mode, the
 // sum is off by less than a step of doubles, which is at most 2^-52 of it. Two steps are added, of
-// which that rounding takes less than one. Sums that underflow are exact.
-inline Interval longer(const Interval& interval, double reach)
+// which that rounding takes less than one. Sums that underflow are exact. A search asks for it in
+// many places, once for each box, so it is not inline.
+BOOST_NOINLINE inline Interval longer(const Interval& interval, double reach)
 {
   const double high = interval.high + reach;
   return {interval.low, high + std::fabs(high) * 0x1p-51};
