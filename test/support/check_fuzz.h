@@ -17,6 +17,7 @@
 
 #include <CGAL/Box_intersection_d/Box_d.h>
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Scene_profile.h>
 #include <CGAL/Thick_ball_traits_d.h>
 #include <CGAL/Thick_object_traits_d.h>
 #include <CGAL/Thick_point_traits_d.h>
@@ -126,6 +127,8 @@ private:
       if(first_set_size_)
         CGAL::fixed_radius_near_neighbors<ConcurrencyTag>(first(points_), second(points_), bound,
                                                           collect);
+      else if(CGAL::Scene_profile profile; draw_.is_chance(2)) // by slabs, however few they are
+        CGAL::fixed_radius_near_neighbors<ConcurrencyTag>(points_, bound, collect, profile);
       else
         CGAL::fixed_radius_near_neighbors<ConcurrencyTag>(points_, bound, collect);
     });
