@@ -11,12 +11,17 @@
 #include <CGAL/Neighbor_lists.h>
 #include <CGAL/Periodic_neighbor_lists.h>
 
+#include <CGAL/Thick_intersection_d/internal/doors/neighbor_lists_search.h>
 #include <CGAL/Thick_intersection_d/internal/doors/periodic_search.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Periods.h>
+#include <CGAL/Thick_intersection_d/internal/reports/parameters_of_part.h>
+
+#include <boost/range/iterator_range_core.hpp>
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -40,36 +45,85 @@ struct Image_neighbor
   }
 };
 
-// Returns the lists of so many points. Distributes the neighbors over the lists, then sorts each.
-template <int Dimension, class Neighbors>
-Periodic_neighbor_lists<Dimension> sorted_lists(std::size_t size, Neighbors& parts,
-                                                bool are_of_one_set)
+// Lists of neighbors that are moved, of few of many points.
+template <int Dimension>
+class Image_neighbors
 {
-  std::vector<std::size_t> begins(size + 2, 0); // of the list after the next one, at first
-  parts.for_each([&](const auto& neighbors) {
-    for(const auto& neighbor : neighbors)
-      ++begins[neighbor.point + 2];
-  });
-  for(std::size_t i = 2; i < begins.size(); ++i)
-    begins[i] += begins[i - 1];
-  std::vector<Image_neighbor<Dimension>> sorted(begins.back());
-  parts.for_each([&](const auto& neighbors) {
-    for(const auto& neighbor : neighbors)
-      sorted[begins[neighbor.point + 1]++] = neighbor;
-  });
-  begins.pop_back();
-  std::vector<Neighbor_lists::Position> positions(sorted.size());
-  std::vector<Offset<Dimension>> offsets(sorted.size());
-  for(std::size_t i = 0; i < size; ++i)
-    std::sort(sorted.data() + begins[i], sorted.data() + begins[i + 1]);
-  for(std::size_t k = 0; k < sorted.size(); ++k) {
-    positions[k] = sorted[k].neighbor;
-    offsets[k] = sorted[k].offset;
+  using Neighbor = Image_neighbor<Dimension>;
+
+public:
+  // Takes the neighbors of so many points, which each thread has found some of. Distributes them
+  // over the points, then sorts each list.
+  template <class Parts>
+  Image_neighbors(std::size_t size, Parts& parts)
+    : begins_(size + 2, 0) // of the list after the next one, at first
+  {
+    parts.for_each([&](const std::vector<Neighbor>& neighbors) {
+      for(const Neighbor& neighbor : neighbors)
+        ++begins_[neighbor.point + 2];
+    });
+    std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
+    neighbors_.resize(begins_.back());
+    parts.for_each([&](const std::vector<Neighbor>& neighbors) {
+      for(const Neighbor& neighbor : neighbors)
+        neighbors_[begins_[neighbor.point + 1]++] = neighbor;
+    });
+    for(std::size_t i = 0; i < size; ++i)
+      std::sort(neighbors_.data() + begins_[i], neighbors_.data() + begins_[i + 1]);
   }
+
+  std::size_t begin(std::size_t i) const { return begins_[i]; }
+
+  // The neighbors of point i, in the order of their positions and offsets.
+  boost::iterator_range<const Neighbor*> operator[](std::size_t i) const
+  {
+    return {neighbors_.data() + begins_[i], neighbors_.data() + begins_[i + 1]};
+  }
+
+private:
+  std::vector<std::size_t> begins_;
+  std::vector<Neighbor> neighbors_;
+};
+
+// Returns the lists of both kinds of neighbors, those that no offset between homes moves and the
+// others. offset_of(i, j) returns the offset of the former.
+template <class ConcurrencyTag, int Dimension, class Offset_of>
+Periodic_neighbor_lists<Dimension>
+merged_lists(const Neighbor_lists& of_homes, const Image_neighbors<Dimension>& moved,
+             bool are_of_one_set, const Offset_of& offset_of)
+{
+  using Neighbor = Image_neighbor<Dimension>;
+  std::vector<std::size_t> begins(of_homes.size() + 1, 0);
+  for(std::size_t i = 0; i < begins.size(); ++i)
+    begins[i] = of_homes.begins()[i] + moved.begin(i);
+  std::vector<Neighbor_lists::Position> positions(begins.back());
+  std::vector<Offset<Dimension>> offsets(begins.back());
+  for_each_block<ConcurrencyTag>(of_homes.size(), [&](std::size_t i, std::size_t end) {
+    for(std::size_t place = begins[i]; i != end; ++i) {
+      auto next = moved[i].begin();
+      const auto put_until = [&](const Neighbor& last) {
+        for(; next != moved[i].end() && *next < last; ++next, ++place) {
+          positions[place] = next->neighbor;
+          offsets[place] = next->offset;
+        }
+      };
+      for(const Neighbor_lists::Position j : of_homes[i]) {
+        const Neighbor home = {static_cast<Neighbor_lists::Position>(i), j, offset_of(i, j)};
+        put_until(home);
+        positions[place] = j;
+        offsets[place++] = home.offset;
+      }
+      for(; next != moved[i].end(); ++next, ++place) {
+        positions[place] = next->neighbor;
+        offsets[place] = next->offset;
+      }
+    }
+  });
   return {Neighbor_lists(std::move(begins), std::move(positions), are_of_one_set),
           std::move(offsets)};
 }
 
+// The pairs that no offset between homes moves are most of all, and make lists as without periods.
 template <class ConcurrencyTag, class Domain, class NT, class NamedParameters, class... Ranges>
 auto collect_periodic_neighbors(const Domain& domain, const Distance_bound<NT>& bound,
                                 const NamedParameters& np, Ranges&... ranges)
@@ -79,6 +133,16 @@ auto collect_periodic_neighbors(const Domain& domain, const Distance_bound<NT>& 
     using Neighbor = Image_neighbor<dimension>;
     using Position = Neighbor_lists::Position;
     using Sets = std::decay_t<decltype(sets)>;
+    Periodic_search<ConcurrencyTag, std::decay_t<decltype(elements)>, Sets, Domain, NT>
+      search(elements, sets, domain, bound, false);
+
+    Neighbor_lists of_homes;
+    bool is_complete = false;
+    search.with_homes([&](const auto& homes) {
+      is_complete = collect_neighbors_of<ConcurrencyTag>(
+        of_homes, homes, sets, bound, parameters_of_part(np, 0, search.share_of_homes()));
+    });
+
     Per_thread<ConcurrencyTag, std::vector<Neighbor>> parts{std::vector<Neighbor>()};
     const auto add = [&](std::size_t i, std::size_t j, const Offset<dimension>& offset) {
       std::vector<Neighbor>& own = parts.local();
@@ -87,10 +151,13 @@ auto collect_periodic_neighbors(const Domain& domain, const Distance_bound<NT>& 
         own.push_back({static_cast<Position>(j), static_cast<Position>(i),
                        offset_between(offset, Offset<dimension>{})});
     };
-    Periodic_search<ConcurrencyTag, std::decay_t<decltype(elements)>, Sets, Domain, NT>
-      search(elements, sets, domain, bound, false);
-    search.report(add, np, nullptr);
-    return sorted_lists<dimension>(elements.first().size(), parts, !Sets::are_two);
+    if(is_complete)
+      search.report_near(add, parameters_of_part(np, search.share_of_homes(), 1), nullptr);
+    return merged_lists<ConcurrencyTag, dimension>(
+      of_homes, Image_neighbors<dimension>(of_homes.size(), parts), !Sets::are_two,
+      [&](std::size_t i, std::size_t j) {
+        return search.offset_of_homes(i, search.first_of_second() + j);
+      });
   };
   return with_periodic_sets<ConcurrencyTag, Domain>(np, collect, ranges...);
 }

@@ -14,6 +14,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/doors/joined_profile.h>
 #include <CGAL/Thick_intersection_d/internal/doors/near_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/doors/pair_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
@@ -84,24 +85,46 @@ public:
   {
     if(!images_)
       return report_points(report, np, profile);
-    const Moved near(points_, periods_, images_->near());
-    const double share = static_cast<double>(points_.size())
-                         / static_cast<double>(points_.size() + near.size());
-    const auto np_of_homes = parameters_of_part(np, 0, images_->have_near() ? share : 1);
+    const auto np_of_homes = parameters_of_part(np, 0, share_of_homes());
+    const auto np_of_near = parameters_of_part(np, share_of_homes(), 1);
     if(profile == nullptr)
       return report_homes(report, np_of_homes, nullptr)
-             && report_near(near, report, parameters_of_part(np, share, 1), nullptr);
+             && report_near(report, np_of_near, nullptr);
 
     // The profile does not change if a callback throws.
     Scene_profile of_homes = *profile;
+    const Moved near(points_, periods_, images_->near());
     Scene_profile of_near(scan_points<ConcurrencyTag>(near, "image"), reach_);
     if(const std::optional<Arithmetic_tier> forced = profile->forced_tier())
       of_near.force_tier(*forced); // refused before anything is reported
-    const bool is_complete
-      = report_homes(report, np_of_homes, &of_homes)
-        && report_near(near, report, parameters_of_part(np, share, 1), &of_near);
-    *profile = images_->have_near() ? joined_profile(of_homes, of_near) : of_homes;
+    const bool is_complete = report_homes(report, np_of_homes, &of_homes)
+                             && report_near(report, np_of_near, &of_near);
+    *profile = images_->have_near()
+                 ? joined_profile(points_.size(), dimension, reach_, of_homes, of_near)
+                 : of_homes;
     return is_complete;
+  }
+
+  // Reports the pairs of a home and a moved home: all but those that no offset between homes moves.
+  template <class Report, class NamedParameters>
+  bool report_near(Report& report, const NamedParameters& np, Scene_profile* profile) const
+  {
+    if(!images_ || !images_->have_near())
+      return true;
+    const auto& images = images_->near();
+    const Two_sets sets{images_->first_near_size()};
+    return search(Moved(points_, periods_, images), sets, [&](std::size_t i, std::size_t j) {
+      return report_images(report, images[i], images[sets.first_size + j]);
+    }, np, profile);
+  }
+
+  // How much of the work, about, is the search of the homes.
+  double share_of_homes() const
+  {
+    const std::size_t size = points_.size();
+    return !images_ || !images_->have_near()
+             ? 1
+             : static_cast<double>(size) / static_cast<double>(size + images_->near().size());
   }
 
   // The number of vectors of the basis.
@@ -121,16 +144,29 @@ public:
   void with_homes(const Task& task) const
   {
     if constexpr(is_lattice_v<Domain>)
-      if(images_->are_moved())
+      if(are_homes_moved())
         return task(Moved(points_, periods_, images_->homes()));
     task(points_);
   }
 
+  // Whether the home of a point is not the point itself.
+  bool are_homes_moved() const { return images_ && images_->are_moved(); }
+
   // Returns the offset of the second of two points whose homes are not moved.
   Offsets offset_of_homes(std::size_t i, std::size_t j) const
   {
-    const auto& homes = images_->homes();
-    return images_->are_moved() ? offset_between(homes[i].offset, homes[j].offset) : Offsets{};
+    return are_homes_moved()
+             ? offset_between(images_->homes()[i].offset, images_->homes()[j].offset)
+             : Offsets{};
+  }
+
+  // The position of the first point of the second set.
+  std::size_t first_of_second() const
+  {
+    if constexpr(Sets::are_two)
+      return sets_.first_size;
+    else
+      return 0;
   }
 
   Exact squared_distance(std::size_t i, std::size_t j, const Offsets& offset) const
@@ -171,20 +207,6 @@ private:
     return search_of_points_.report_profiled(sets_, report_pair, np, profile);
   }
 
-  // Reports the pairs of a home and a moved home.
-  template <class Report, class NamedParameters>
-  bool report_near(const Moved& near, Report& report, const NamedParameters& np,
-                   Scene_profile* profile) const
-  {
-    if(!images_->have_near())
-      return true;
-    const auto& images = images_->near();
-    const Two_sets sets{images_->first_near_size()};
-    return search(near, sets, [&](std::size_t i, std::size_t j) {
-      return report_images(report, images[i], images[sets.first_size + j]);
-    }, np, profile);
-  }
-
   // Reports two images in the order of their points. Those of one point are ordered by the offset.
   // The order is chosen without a jump, which no processor could foresee.
   template <class Report>
@@ -201,43 +223,12 @@ private:
     }
   }
 
-  std::size_t first_of_second() const
-  {
-    if constexpr(Sets::are_two)
-      return sets_.first_size;
-    else
-      return 0;
-  }
-
   template <class Some_sets, class Callback, class NamedParameters>
   bool search(const Moved& images, const Some_sets& sets, const Callback& callback,
               const NamedParameters& np, Scene_profile* profile) const
   {
     Near_pairs_search<ConcurrencyTag, Moved> search(images, bound_, profile != nullptr);
     return search.report_profiled(sets, callback, np, profile);
-  }
-
-  // Returns the profile of the homes and of the images near them.
-  Scene_profile joined_profile(const Scene_profile& homes, const Scene_profile& near) const
-  {
-    std::vector<std::pair<double, double>> box;
-    for(int axis = 0; axis < dimension; ++axis)
-      box.emplace_back((std::min)(homes.range(axis).first, near.range(axis).first),
-                       (std::max)(homes.range(axis).second, near.range(axis).second));
-    std::optional<int> grid_exponent;
-    if(homes.has_grid() && near.has_grid())
-      grid_exponent = (std::min)(homes.grid_exponent(), near.grid_exponent());
-    Scene_profile profile(points_.size(), box, reach_, grid_exponent);
-    if(homes.forced_tier())
-      profile.force_tier(*homes.forced_tier());
-    Decision_counts counts;
-    for(std::size_t tier = 0; tier < arithmetic_tier_count; ++tier)
-      for(const Scene_profile* part : {&homes, &near})
-        counts.add(static_cast<Arithmetic_tier>(tier),
-                   part->decided(static_cast<Arithmetic_tier>(tier)));
-    profile.set_counts(counts);
-    profile.set_coordinates(homes.coordinate_bits(), homes.are_coordinates_rounded());
-    return profile;
   }
 
   static double finite_reach(const Distance_bound<NT>& bound)
