@@ -10,6 +10,7 @@
 // decided exactly.
 
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/input/Numbered_boxes.h>
 
 #include <cmath>
 #include <cstddef>
