@@ -71,12 +71,15 @@ void ask_for_approximation([[maybe_unused]] const Elements& points,
     prefetch_to_read(points[position].for_compact_container());
 }
 
-// Asks for the memory of a point, if the range holds it.
+// Asks for the memory of a point, if the range holds it: for the cache lines of its two ends.
 template <class Elements>
 void ask_for_point([[maybe_unused]] const Elements& points, [[maybe_unused]] std::size_t position)
 {
-  if constexpr(std::is_lvalue_reference_v<decltype(points[position])>)
-    prefetch_to_read(std::addressof(points[position]));
+  if constexpr(std::is_lvalue_reference_v<decltype(points[position])>) {
+    const auto* const point = std::addressof(points[position]);
+    prefetch_to_read(point);
+    prefetch_to_read(reinterpret_cast<const char*>(point + 1) - 1);
+  }
 }
 
 // Returns doubles that enclose coordinate i of p. A lazy point has them in its approximation. Its
