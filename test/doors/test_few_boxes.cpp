@@ -99,6 +99,14 @@ BOOST_AUTO_TEST_CASE(pairs_of_few_boxes_are_those_of_cgal)
   }
 }
 
+BOOST_AUTO_TEST_CASE(few_boxes_meet_none_of_an_empty_range)
+{
+  const auto boxes = boxes_on_grid<2>(20, 5, 3);
+  const auto report = [](const auto&, const auto&) { BOOST_ERROR("a pair of one range"); };
+  CGAL::thick_box_intersection_d(boxes.begin(), boxes.end(), boxes.end(), boxes.end(), report);
+  CGAL::thick_box_intersection_d(boxes.end(), boxes.end(), boxes.begin(), boxes.end(), report);
+}
+
 BOOST_AUTO_TEST_CASE(a_callback_stops_the_search_of_few_boxes)
 {
   const auto boxes = boxes_on_grid<3>(60, 2, 3);

@@ -117,17 +117,18 @@ bool do_few_boxes_meet(const Box& a, const Box& b)
 }
 
 // Reports the pairs of few boxes that doubles decide about: each with each, on the stack, in the
-// order of the user. `first` is the number of boxes in the first of two sets, or 0 if there is one
-// set. Returns false iff the search was stopped.
-template <int Dimension, class Meeting, class Report>
-BOOST_NOINLINE bool report_few_boxes(const Meeting& meeting, std::size_t first,
+// order of the user. Returns false iff the search was stopped.
+template <int Dimension, class Meeting, class Sets, class Report>
+BOOST_NOINLINE bool report_few_boxes(const Meeting& meeting, [[maybe_unused]] const Sets& sets,
                                      const Report& report)
 {
+  std::size_t first = 0, end = meeting.size(); // of the second set, and of the first one
+  if constexpr(Sets::are_two)
+    first = end = sets.first_size;
   std::array<std::array<Interval, Dimension>, max_few_boxes> boxes;
   for(std::size_t i = 0; i < meeting.size(); ++i)
     for(int axis = 0; axis < Dimension; ++axis)
       boxes[i][axis] = meeting.intervals(i)(axis);
-  const std::size_t end = first != 0 ? first : meeting.size();
   for(std::size_t i = 0; i < end; ++i)
     for(std::size_t j = (std::max)(i + 1, first); j < meeting.size(); ++j)
       if(do_few_boxes_meet(boxes[i], boxes[j]) && !report(i, j - first))
@@ -154,7 +155,7 @@ bool report_box_pairs(const First& first, const Second& second, const Traits& tr
     if constexpr(constexpr int dimension = Static_dimension<Traits>::value;
                  dimension == 2 || dimension == 3)
       if(boxes.size() <= max_few_boxes && meeting.are_exact())
-        return report_few_boxes<dimension>(meeting, Sets::are_two ? boxes.first_size() : 0, report);
+        return report_few_boxes<dimension>(meeting, sets, report);
     Unwatched_progress progress;
     return report_meeting_boxes<ConcurrencyTag>(meeting, sets, report, progress);
   }
