@@ -26,6 +26,7 @@
 #include <iomanip>
 #include <iostream>
 #include <memory>
+#include <new>
 #include <optional>
 #include <string>
 
@@ -276,6 +277,9 @@ int main(int argc, char** argv)
     else
       near_pairs::run(options);
     return 0;
+  }
+  catch(const std::bad_alloc&) {
+    return near_pairs::end_with_error("there is not enough memory");
   }
   catch(const std::exception& error) {
     return near_pairs::end_with_error(error.what());

@@ -42,6 +42,8 @@ void catch_signals()
   std::signal(SIGXFSZ, SIG_IGN); // a file that is too large for the limit is an error then
   std::signal(SIGINT, stop);
   std::signal(SIGTERM, stop);
+  if(std::signal(SIGHUP, stop) == SIG_IGN)
+    std::signal(SIGHUP, SIG_IGN); // started by nohup
   if(std::signal(SIGPIPE, stop_quietly) == SIG_IGN)
     std::signal(SIGPIPE, SIG_IGN); // whoever started the program wants an error
 }

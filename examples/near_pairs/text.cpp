@@ -17,15 +17,28 @@ bool begins_letter(char byte)
   return (static_cast<unsigned char>(byte) & 0xC0) != 0x80;
 }
 
-// Whether each byte above 127 belongs to a letter of UTF-8.
+// Whether each byte above 127 belongs to a letter of UTF-8, in its shortest form, and neither to
+// half of a letter of UTF-16 nor to a number beyond all letters.
 bool is_utf8(const std::string& text)
 {
   std::size_t missing = 0;
+  unsigned char first = 0x80, last = 0xBF; // what the next missing byte may be
   for(char letter : text) {
     const auto byte = static_cast<unsigned char>(letter);
-    if((missing == 0) != begins_letter(letter) || byte == 0xC0 || byte == 0xC1 || byte > 0xF4)
-      return false;
-    missing = missing != 0 ? missing - 1 : byte >= 0xF0 ? 3 : byte >= 0xE0 ? 2 : byte >= 0xC0;
+    if(missing != 0) {
+      if(byte < first || byte > last)
+        return false;
+      --missing;
+      first = 0x80;
+      last = 0xBF;
+    }
+    else if(byte >= 0x80) {
+      if(byte < 0xC2 || byte > 0xF4)
+        return false;
+      missing = byte >= 0xF0 ? 3 : byte >= 0xE0 ? 2 : 1;
+      first = byte == 0xE0 ? 0xA0 : byte == 0xF0 ? 0x90 : 0x80;
+      last = byte == 0xED ? 0x9F : byte == 0xF4 ? 0x8F : 0xBF;
+    }
   }
   return missing == 0;
 }

@@ -625,6 +625,11 @@ assert points[2]["geometry"] == {"type": "Point", "coordinates": [-0.000001, -5.
 assert points[2]["properties"] == {"i": 2, "id": "c", "neighbors": 0, "component": 1}
 END
   verdict "maps in GeoJSON" python3 map.py
+  # Half a letter of UTF-16, two forms that are too long, and a number beyond all letters.
+  printf 'id,lat,lon\n\355\240\200,10,179\n\340\200\257,20,-179\n\300\257,30,0\n\364\220\200\200,40,0\n' \
+    > letters.csv
+  run letters.csv --geographic --distance 2000km --pairs pairs.geojson --points points.geojson
+  verdict "  are UTF-8" python3 -c 'open("points.geojson", "rb").read().decode("utf-8")'
   run equator.csv --distance 1 --pairs pairs.geojson --points points.geojson --decimal
   verdict "  of degrees in the plane" grep -q '"coordinates":\[\[0.01,0\],\[1,0\]\]' pairs.geojson
   run equator.csv --distance 0 --geographic --pairs pairs.geojson
@@ -1124,6 +1129,9 @@ if [ -w /dev/full ]; then
   verdict "  ends the search" ends_early
   verdict "  and the line of the percentage" grep -q $'\rnear_pairs: ' err
 fi
+(ulimit -v 400000; timeout 60 "$binary" /dev/zero --distance 1 > out 2> err)
+status=$?
+verdict "a file that memory does not hold" is_one_error "there is not enough memory"
 (ulimit -f 100; exec "$binary" "$ships" --distance 1 --pairs limited.csv > out 2> err)
 status=$?
 verdict "a file that is too large" is_one_error "limited.csv: cannot be written to its end"
@@ -1136,6 +1144,19 @@ status=${PIPESTATUS[0]}
 verdict "a pipe that is closed early ends the program by its signal" test "$status" -eq 141
 verdict "  quietly" test ! -s err
 verdict "  and leaves no temporary file" test -z "$(find . -name 'closed.svg.part*')"
+mkfifo pipe
+"$binary" "$ships" --distance 1 --pairs - --picture hung.svg > pipe 2> err &
+program=$!
+exec 9< pipe # holds the program up, when the pipe is full
+while kill -0 $program && [ -z "$(find . -name 'hung.svg*')" ]; do sleep 0.1; done
+kill -HUP $program
+cat <&9 > /dev/null
+exec 9<&-
+wait $program
+status=$?
+true > out
+verdict "a terminal that hangs up stops the program" is_one_error "stopped"
+verdict "  and leaves no file" test -z "$(find . -name 'hung.svg*')"
 rm -f out
 (trap '' PIPE; "$binary" "$ships" --distance 1 --pairs - 2> err; echo $? > ended) | head -n 1 > first
 status=$(cat ended)
