@@ -274,6 +274,28 @@ BOOST_AUTO_TEST_CASE(the_closest_of_near_ties)
     }
 }
 
+// Squares whose order is another one as they are rounded. Two points have almost the same distance
+// from the origin, because they have almost the same coordinates, in another order.
+BOOST_AUTO_TEST_CASE(the_closest_of_rounded_squares)
+{
+  Random random(5);
+  const auto square = [](const Coordinates& c) { return c[0] * c[0] + c[1] * c[1] + c[2] * c[2]; };
+  int count = 0;
+  for(int i = 0; i < 1000; ++i) {
+    const Coordinates v = {random.uniform(), random.uniform(), random.uniform()};
+    const Coordinates w = {v[2], v[0], std::nextafter(v[1], 0.)};
+    count += square(v) < square(w);
+    const auto points = make_points<Epick_points<3>>({{0, 0, 0}, v, {-w[0], -w[1], -w[2]}});
+    BOOST_CHECK(CGAL::closest_pair(points) == Pair(0, 2));
+  }
+  BOOST_CHECK_GT(count, 10);
+
+  // Squares that underflow: of .4 and .6 of the smallest number, and .8 is more than .6.
+  const double x = 0x1p-537 * std::sqrt(.4), y = 0x1p-537 * std::sqrt(.6);
+  const auto points = make_points<Epick_points<3>>({{0, 0, 0}, {x, x, 0}, {0, 0, 1}, {y, 0, 1}});
+  BOOST_CHECK(CGAL::closest_pair(points) == Pair(2, 3));
+}
+
 namespace {
 
 // What a search of points throws, as text; "" if it throws nothing.
