@@ -40,7 +40,39 @@ auto numbered(const Boxes<NT>& first, const Boxes<NT>& second)
     first, second, traits);
 }
 
+struct Box_with_id : Interval_box<int>
+{
+  int number;
+  explicit Box_with_id(int number) : Interval_box<int>{0, 1}, number(number) {}
+  int id() const { return number; }
+};
+
+// Whether the ids of two ranges show that they are distinct.
+bool are_distinct(const std::vector<int>& first, const std::vector<int>& second)
+{
+  using Traits = internal::Box_members<Box_with_id>;
+  using Range = std::vector<Box_with_id>;
+  const Traits traits;
+  const Range a(first.begin(), first.end()), b(second.begin(), second.end());
+  return internal::Numbered_boxes<Range, Range, Traits>(a, b, traits).have_distinct_ids();
+}
+
 } // namespace
+
+BOOST_AUTO_TEST_CASE(ids_that_ascend_are_distinct)
+{
+  BOOST_CHECK(are_distinct({1, 2, 3}, {}));
+  BOOST_CHECK(are_distinct({1, 2}, {3, 4}));
+  BOOST_CHECK(are_distinct({3, 4}, {1, 2}));
+  BOOST_CHECK(are_distinct({}, {7}));
+  BOOST_CHECK(are_distinct({}, {}));
+  BOOST_CHECK(!are_distinct({1, 2, 2, 3}, {}));
+  BOOST_CHECK(!are_distinct({1, 2}, {2, 3}));
+  BOOST_CHECK(!are_distinct({1, 2}, {1, 2}));
+  BOOST_CHECK(!are_distinct({2, 3}, {1, 2}));
+  BOOST_CHECK(!are_distinct({5}, {5}));
+  BOOST_CHECK(!are_distinct({2, 1, 3, 2}, {}));
+}
 
 BOOST_AUTO_TEST_CASE(ends_that_are_no_numbers_are_refused)
 {
