@@ -52,8 +52,8 @@ Neighbor_lists fixed_radius_neighbor_lists(PointRange&& points,
 \ingroup PkgThickIntersectionDRef
 
 replaces lists by those of the version above, in the memory that they have. So a loop that makes
-lists of points that move gets this memory once. New memory is often several times as slow as the
-search, because the system hands out and clears each page anew.
+lists of points that move gets this memory once. New memory may take as long as the search, because
+the system hands out and clears each page anew.
 
 \param points,bound,np as in the version above.
 \param lists are replaced, whatever points they are of. They do not change if the function throws,

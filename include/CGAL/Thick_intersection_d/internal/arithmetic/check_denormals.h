@@ -22,7 +22,7 @@ inline void check_denormals()
   const volatile double least_normal = (std::numeric_limits<double>::min)();
   const volatile double larger = 1.5 * (std::numeric_limits<double>::min)();
   const volatile double denormal = larger - least_normal; // 0 if results are flushed
-  if(!(denormal > 0))                                // or if arguments are
+  if(!(denormal > 0))                                    // or if arguments are
     throw std::runtime_error(
       "The processor flushes denormal numbers to zero, so differences of coordinates may vanish. "
       "Before the search, call _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_OFF) and "

@@ -126,8 +126,8 @@ Position_pair find_closest_pair(const Elements& points, const NamedParameters& n
 template <class ConcurrencyTag, class Elements, class NT, class NamedParameters>
 CGAL_RARELY_CALLED
 std::optional<Position_pair> find_pair_of_many_within(const Elements& points,
-                                              const Distance_bound<NT>& bound,
-                                              const NamedParameters& np)
+                                                      const Distance_bound<NT>& bound,
+                                                      const NamedParameters& np)
 {
   using Number = Coordinate_t<typename Elements::value_type>;
   const Squared_bound<Exact_number_t<Number>> squared_bound(bound);

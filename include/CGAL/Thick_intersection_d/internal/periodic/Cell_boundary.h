@@ -116,7 +116,8 @@ public:
 
 private:
   // Returns the largest integer that is not above x. The compiler's code of std::floor() is a call
-  // where processors may lack the instruction. All fractions are smaller than integers can be.
+  // where processors may lack the instruction. Here x is within a few ranges of fractions of zero,
+  // which are shorter than integers can be.
   static double floor_of(double x)
   {
     const double integer = static_cast<int>(x);
