@@ -95,6 +95,16 @@ BOOST_AUTO_TEST_CASE(each_pair_is_reported_once_however_many_segments_meet)
   BOOST_CHECK_EQUAL(count, 1u);
 }
 
+BOOST_AUTO_TEST_CASE(a_pair_is_reported_once_however_many_parts_are_inside)
+{
+  using Union = std::vector<With_holes>;
+  const Union parts = {With_holes(polygon(square(2, 2, 1))), With_holes(polygon(square(5, 5, 1)))};
+  const std::vector<Union> unions = {parts, {With_holes(polygon(square(0, 0, 9)))}};
+  Pairs pairs;
+  CGAL::thick_feature_self_intersection_d(unions, std::back_inserter(pairs));
+  BOOST_CHECK(pairs == Pairs({{0, 1}}));
+}
+
 BOOST_AUTO_TEST_CASE(callback_and_progress_stop_the_search)
 {
   const std::vector<Polygon> polygons(20, polygon(square(0, 0, 9)));
