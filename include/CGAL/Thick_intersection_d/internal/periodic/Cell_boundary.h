@@ -73,8 +73,7 @@ public:
     else
       for(std::size_t position = first; position < last; ++position) {
         positions[count] = static_cast<Place>(position);
-        const Fractions f = fractions_(doubles(points[position]));
-        count += is_near_low(f) | is_near_high(f); // so is one that may be moved
+        count += sides(fractions_(doubles(points[position]))) != 0; // so is one that may be moved
       }
     return count;
   }
@@ -94,15 +93,19 @@ public:
     return f;
   }
 
-  // Whether a home may be near homes moved by a vector, or by the opposite of one.
-  bool is_near_high(const Fractions& f) const
+  // The sides of the range of homes that a home is near, as bits. Moved by vector k, a home at the
+  // low side may be near homes, and one at the high side moved by the opposite of the vector.
+  unsigned sides(const Fractions& f) const
   {
-    return is_near_high(f, std::make_index_sequence<Dimension>());
+    return sides(f, std::make_index_sequence<Dimension>());
   }
-  bool is_near_low(const Fractions& f) const
-  {
-    return is_near_low(f, std::make_index_sequence<Dimension>());
-  }
+  static constexpr unsigned low_side(int k) { return 1U << k; }
+  static constexpr unsigned high_side(int k) { return 1U << (Dimension + k); }
+  static constexpr unsigned high_sides = (1U << 2 * Dimension) - (1U << Dimension);
+  static constexpr unsigned all_sides = (1U << 2 * Dimension) - 1;
+
+  // Whether a home that is moved twice by one vector is near no home.
+  bool is_moved_once() const { return is_moved_once_; }
 
   // How many vectors k may move a home, for it to be near homes: from the first number to the last.
   double first_move(const Fractions& f, int k) const
@@ -135,6 +138,7 @@ private:
                                                 + std::fabs(range.low));
     reaches_[k] += slack;
     ranges_[k] = range;
+    is_moved_once_ = is_moved_once_ && range.length() + 2 * reaches_[k] < 2;
     low_ends_[k] = range.high - 1 + reaches_[k];
     high_ends_[k] = range.low + 1 - reaches_[k];
   }
@@ -170,19 +174,16 @@ private:
   }
 
   template <std::size_t... K>
-  bool is_near_high(const Fractions& f, std::index_sequence<K...>) const
+  unsigned sides(const Fractions& f, std::index_sequence<K...>) const
   {
-    return ((f[K] >= high_ends_[K]) | ...);
-  }
-  template <std::size_t... K>
-  bool is_near_low(const Fractions& f, std::index_sequence<K...>) const
-  {
-    return ((f[K] <= low_ends_[K]) | ...);
+    return ((unsigned(f[K] <= low_ends_[K]) * low_side(K)) | ...)
+           | ((unsigned(f[K] >= high_ends_[K]) * high_side(K)) | ...);
   }
 
   const Cell_fractions<Dimension> fractions_;
   int rank_;
   bool are_wrapped_;
+  bool is_moved_once_ = true;
   Fractions reaches_ = {};
   std::array<Interval, Dimension> ranges_ = {}; // of the homes
   Fractions low_ends_; // homes beyond them may be near homes in another cell

@@ -20,6 +20,7 @@
 #include <CGAL/Thick_intersection_d/internal/periodic/Cell_boundary.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Images.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Lattice_basis.h>
+#include <CGAL/Thick_intersection_d/internal/periodic/Periods.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
 #include <boost/config.hpp> // BOOST_NOINLINE
@@ -52,6 +53,8 @@ public:
                const Lattice_basis<Dimension>& basis, const Boundary& boundary)
     : basis_(basis), boundary_(boundary)
   {
+    if(boundary.is_moved_once())
+      set_offsets(Sets::are_two);
     std::vector<Found> found(block_count<ConcurrencyTag>());
     for_each_numbered_block<ConcurrencyTag>(
       found.size(), points.size(), [&](std::size_t block, std::size_t first, std::size_t last) {
@@ -70,15 +73,35 @@ public:
   bool have_near() const { return first_near_size_ != 0 && first_near_size_ != near_.size(); }
 
 private:
+  // The points are still in the cache when the few near the boundary are read again.
+  static constexpr std::size_t points_at_once = 1024;
+
+  // Images of so many points, each of which is written down, and kept or not.
+  struct Kept_images
+  {
+    std::array<Image<Dimension>, points_at_once> images;
+    std::size_t count = 0;
+
+    void put(const Image<Dimension>& image, bool is_kept)
+    {
+      images[count] = image;
+      count += is_kept;
+    }
+    void move_to(Image_list& list)
+    {
+      list.insert(list.end(), images.begin(), images.begin() + count);
+      count = 0;
+    }
+  };
+
   struct Found
   {
     Image_list moved_homes; // those that are not the points themselves
     Image_list near_homes;
     Image_list near_others;
+    Kept_images next_homes; // which follow in the two lists
+    Kept_images next_others;
   };
-
-  // The points are still in the cache when the few near the boundary are read again.
-  static constexpr std::size_t points_at_once = 1024;
 
   template <class Elements, class Sets>
   void add_points(const Elements& points, std::size_t first, std::size_t last, const Sets& sets,
@@ -90,29 +113,42 @@ private:
       const std::size_t count = boundary_.find_near(points, first, end, positions.data());
       for(std::size_t i = 0; i < count; ++i)
         add(points[positions[i]], positions[i], sets, found);
+      found.next_homes.move_to(found.near_homes);
+      found.next_others.move_to(found.near_others);
+      if(found.near_homes.size() + found.near_others.size() >= max_near)
+        throw_too_many();
     }
   }
 
-  // Adds the home of a point, and images of it, where others may be near them.
+  // Adds the home of a point, and images of it, where others may be near them. No processor could
+  // foresee which sides a home is near, so there are few jumps.
   template <class Point, class Sets>
   BOOST_NOINLINE
   void add(const Point& point, Place position, const Sets& sets, Found& found) const
   {
     Fractions cell;
     const Fractions f = boundary_.fractions_in_cell(point, cell);
-    const bool is_near_low = boundary_.is_near_low(f), is_near_high = boundary_.is_near_high(f);
-    const bool is_near_any = is_near_low || is_near_high;
+    const unsigned sides = boundary_.sides(f);
     Image<Dimension> home = {position, {}};
     if(cell != Fractions{}) {
-      home = moved_image(position, [&](int k) { return -cell[k]; });
+      for(double& x : cell)
+        x = -x;
+      home.offset = steps_of(cell, position);
       found.moved_homes.push_back(home);
     }
-    if(is_of_first(sets, position) && (Sets::are_two ? is_near_any : is_near_high))
-      found.near_homes.push_back(home);
-    if(is_of_second(sets, position) && (Sets::are_two ? is_near_any : is_near_low))
-      add_moved(f, cell, position, Sets::are_two, found.near_others);
-    if(found.near_homes.size() + found.near_others.size() >= max_near)
-      throw_too_many();
+    constexpr unsigned sides_of_near = Sets::are_two ? Boundary::all_sides : Boundary::high_sides;
+    found.next_homes.put(home, is_of_first(sets, position) && (sides & sides_of_near) != 0);
+    const bool is_moved = is_of_second(sets, position);
+    if(boundary_.is_moved_once()) {
+      const unsigned moving_sides = is_moved ? sides : 0;
+      const Offset<Dimension>* offset = offsets_.data() + first_offsets_[moving_sides];
+      const Offset<Dimension>* const end = offsets_.data() + first_offsets_[moving_sides + 1];
+      found.next_others.put(moved(home, *offset), offset != end);
+      while(offset < end - 1)
+        found.near_others.push_back(moved(home, *++offset));
+    }
+    else if(is_moved)
+      add_moved(f, home, Sets::are_two, found.near_others);
   }
 
   void collect(const std::vector<Found>& found, std::size_t size)
@@ -150,25 +186,53 @@ private:
   static bool is_of_first(const Two_sets& sets, std::size_t i) { return i < sets.first_size; }
   static bool is_of_second(const Two_sets& sets, std::size_t i) { return i >= sets.first_size; }
 
-  // Appends the images of a home that may be within the bound of homes: those moved by positive
-  // offsets, or by all that are not zero.
-  void add_moved(const Fractions& f, const Fractions& cell, Place position, bool are_all,
-                 Image_list& moved) const
+  // Appends the images of a home that may be within the bound of homes.
+  void add_moved(const Fractions& f, const Image<Dimension>& home, bool are_all,
+                 Image_list& images) const
   {
     Fractions first = {}, last = {};
     for(int k = 0; k < basis_.rank(); ++k) {
       first[k] = boundary_.first_move(f, k);
       last[k] = boundary_.last_move(f, k);
-      if(first[k] > last[k])
-        return;
     }
+    for_each_move(first, last, are_all, [&](const Fractions& move) {
+      images.push_back(moved(home, steps_of(move, home.position)));
+      return images.size() < max_near;
+    });
+  }
+
+  // Sets the offsets that are needed where no home is moved by a vector more than once. The homes
+  // near the same sides are moved by the same offsets.
+  void set_offsets(bool are_all)
+  {
+    for(unsigned sides = 0; sides <= Boundary::all_sides; ++sides) {
+      first_offsets_[sides] = offsets_.size();
+      Fractions first = {}, last = {};
+      for(int k = 0; k < basis_.rank(); ++k) {
+        first[k] = (sides & Boundary::high_side(k)) != 0 ? -1 : 0;
+        last[k] = (sides & Boundary::low_side(k)) != 0 ? 1 : 0;
+      }
+      for_each_move(first, last, are_all, [this](const Fractions& move) {
+        offsets_.push_back(steps_of(move, 0));
+        return true;
+      });
+    }
+    first_offsets_.back() = offsets_.size();
+    offsets_.push_back({}); // which is read, and not kept, where there are none
+  }
+
+  // Calls task(move) with how many times each vector moves a home, from first to last, until the
+  // task returns false: positive moves, or all that are not zero.
+  template <class Task>
+  static void for_each_move(Fractions first, const Fractions& last, bool are_all, const Task& task)
+  {
     if(!are_all)
       first[0] = (std::max)(first[0], 0.);
-    // Invariant: m is the next offset, in lexicographical order.
-    for(Fractions m = first; m[0] <= last[0] && moved.size() < max_near;) {
-      const Fractions zero = {};
-      if(are_all ? m != zero : m > zero)
-        moved.push_back(moved_image(position, [&](int k) { return m[k] - cell[k]; }));
+    const Fractions zero = {};
+    // Invariant: m is the next move, in lexicographical order.
+    for(Fractions m = first; m[0] <= last[0];) {
+      if((are_all ? m != zero : m > zero) && !task(m))
+        return;
       int k = Dimension - 1;
       for(++m[k]; k > 0 && m[k] > last[k]; ++m[k]) {
         m[k] = first[k];
@@ -177,20 +241,28 @@ private:
     }
   }
 
-  // Returns the point at a position, moved by vectors(k) times vector k of the basis.
-  template <class Vectors>
-  Image<Dimension> moved_image(Place position, const Vectors& vectors) const
+  // Returns how many times each period is in a sum of multiples of the vectors, which moves the
+  // point at a position.
+  Offset<Dimension> steps_of(const Fractions& multiples, Place position) const
   {
-    Image<Dimension> image = {position, {}};
+    Offset<Dimension> offset;
     for(int i = 0; i < Dimension; ++i) {
       double sum = 0; // rounded only if it is refused
       for(int k = 0; k < basis_.rank(); ++k)
-        sum += vectors(k) * static_cast<double>(basis_.steps(k)[i]);
-      if(!(std::fabs(sum) < max_offset))
+        sum += multiples[k] * static_cast<double>(basis_.steps(k)[i]);
+      if(!(std::fabs(sum) < max_offset / 2))
         throw std::length_error("An image of point " + std::to_string(position)
                                 + " is too many periods away.");
-      image.offset[i] = static_cast<int>(sum);
+      offset[i] = static_cast<int>(sum);
     }
+    return offset;
+  }
+
+  static Image<Dimension> moved(const Image<Dimension>& home, const Offset<Dimension>& offset)
+  {
+    Image<Dimension> image = home;
+    for(int i = 0; i < Dimension; ++i)
+      image.offset[i] += offset[i];
     return image;
   }
 
@@ -199,6 +271,8 @@ private:
   Image_list homes_;
   Image_list near_;
   std::size_t first_near_size_ = 0;
+  std::vector<Offset<Dimension>> offsets_; // of homes near the same sides, one after another
+  std::array<std::size_t, Boundary::all_sides + 2> first_offsets_;
 };
 
 } // namespace internal
