@@ -147,13 +147,18 @@ private:
   static std::pair<double, double> enclosed_sum(const std::pair<double, double>& x, double y)
   {
     const double low = x.first + y, high = x.second + y;
-    return {is_sum(low, x.first, y) ? low : low - std::fabs(low) * 0x1p-52,
-            is_sum(high, x.second, y) ? high : high + std::fabs(high) * 0x1p-52};
+    return {low - error_of_sum(low, x.first, y), high + error_of_sum(high, x.second, y)};
   }
 
-  // Whether s, the computed sum x + y, is not rounded. The difference of s and the number of larger
-  // absolute value is exact, in every rounding mode.
-  static bool is_sum(double s, double x, double y) { return s - x == y && s - y == x; }
+  // Returns zero if s, the computed sum x + y, is not rounded: without a jump, which no processor
+  // could foresee. The difference of s and the number of larger absolute value is exact, in every
+  // rounding mode.
+  static double error_of_sum(double s, double x, double y)
+  {
+    constexpr std::array<double, 2> relative_errors = {0x1p-52, 0};
+    const bool is_exact = (s - x == y) & (s - y == x);
+    return std::fabs(s) * relative_errors[is_exact];
+  }
 
   std::array<std::array<Exact, Dimension>, Dimension> vectors_;
   std::array<std::array<double, Dimension>, Dimension> steps_ = {}; // NaN if no doubles
