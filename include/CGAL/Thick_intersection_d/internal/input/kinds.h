@@ -159,8 +159,10 @@ template <class Elements>
 void ask_for_object([[maybe_unused]] const Elements& objects, [[maybe_unused]] std::size_t position)
 {
   const auto ask_for = [](const auto& object) {
+    const auto* const first = reinterpret_cast<const char*>(std::addressof(object));
     for(std::size_t line = 0; line * cache_line_size < sizeof(object); ++line)
-      prefetch_to_read(std::addressof(object), line);
+      prefetch_to_read(first, line);
+    prefetch_to_read(first + sizeof(object) - 1); // it may begin in the middle of a line
   };
   if constexpr(Is_one_of_two<typename Elements::value_type>::value)
     of_range(objects[position], ask_for);

@@ -59,28 +59,52 @@ struct Hull
 template <class Object>
 using Hull_of = Hull<hull_dimension_v<Object>, hull_size_v<Object>>;
 
+// Returns a vertex of the hull of an object of doubles, or of a Hull.
+template <class Object>
+auto hull_vertex(const Object& object, std::size_t k)
+{
+  using Points = Skeleton_t<Object>;
+  std::array<double, static_cast<std::size_t>(hull_dimension_v<Object>)> x;
+  for(int axis = 0; axis < hull_dimension_v<Object>; ++axis) {
+    const int v = place_of_vertex<Points, hull_size_v<Object>>(k, axis);
+    x[axis] = static_cast<double>(coordinate(vertex_of(skeleton(object), v), axis));
+  }
+  return x;
+}
+template <int Dimension, std::size_t Size>
+auto hull_vertex(const Hull<Dimension, Size>& hull, std::size_t k)
+{
+  return hull.vertices[k];
+}
+
+template <class Object>
+Interval hull_radius(const Object& object)
+{
+  if constexpr(Is_ball<Object>::value) {
+    const std::pair<double, double> radius = bounds(object.second);
+    return {radius.first, radius.second};
+  }
+  else
+    return {0, 0};
+}
+
 template <class Object>
 Hull_of<Object> hull_of(const Object& object)
 {
   constexpr std::size_t size = hull_size_v<Object>;
   using Points = Skeleton_t<Object>;
   Hull_of<Object> hull;
+  hull.radius = hull_radius(object);
   const Points& points = skeleton(object);
-  if constexpr(has_double_vertices_v<Points>)
-    read_vertices<size>(points, [&](std::size_t k, int axis, double x) {
-      hull.vertices[k][axis] = x;
-    });
-  else
-    for(std::size_t k = 0; k < size; ++k)
+  for(std::size_t k = 0; k < size; ++k)
+    if constexpr(has_double_vertices_v<Points>)
+      hull.vertices[k] = hull_vertex(object, k);
+    else
       for(int axis = 0; axis < vertex_dimension_v<Points>; ++axis) {
         const auto x = vertex_bounds(points, place_of_vertex<Points, size>(k, axis), axis);
         hull.vertices[k][axis] = x.first;
         hull.error = (std::max)(hull.error, x.second - x.first);
       }
-  if constexpr(Is_ball<Object>::value) {
-    const std::pair<double, double> radius = bounds(object.second);
-    hull.radius = {radius.first, radius.second};
-  }
   return hull;
 }
 

@@ -20,8 +20,11 @@
 #include <CGAL/Thick_intersection_d/internal/predicates/Hull.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Hull_bound.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Hull_distance.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/are_hulls_near.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_kernel_objects_intersect.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/exact_hull_distance.h>
+
+#include <boost/config.hpp> // BOOST_FORCEINLINE
 
 #include <algorithm>
 #include <array>
@@ -113,13 +116,31 @@ CGAL_RARELY_CALLED bool are_near_in_exact_numbers(const A& a, const B& b,
                                                                         vertices_of_b);
 }
 
-// The question that doubles leave undecided. Objects that intersect are within every bound.
+// Returns doubles that enclose the bound on the distance of the hulls of two objects.
+template <class A, class B>
+Interval reach_of_objects(const Hull_bound& bound, const A& a, const B& b)
+{
+  if constexpr(Is_ball<A>::value || Is_ball<B>::value)
+    return reach_of_hulls(bound, hull_radius(a), hull_radius(b));
+  else
+    return bound.radius;
+}
+
+// The question that the first guesses leave undecided. `v` is the last of them. Objects that
+// intersect are within every bound.
 template <class A, class B, class Exact_bound>
 CGAL_RARELY_CALLED bool
-decide_near_objects(const A& a, const B& b, const Hull_of<A>& hull_a, const Hull_of<B>& hull_b,
-                    const Distance_of<A, B>& distance, const Hull_bound& bound,
-                    const Exact_bound& exact_bound, Arithmetic_tier& tier)
+decide_near_objects(const A& a, const B& b, const typename Distance_of<A, B>::Vector& v,
+                    const Hull_bound& bound, const Exact_bound& exact_bound, Arithmetic_tier& tier)
 {
+  const Hull_of<A> hull_a = hull_of(a);
+  const Hull_of<B> hull_b = hull_of(b);
+  Distance_of<A, B> distance(hull_a, hull_b, v);
+  const Uncertain<bool> are_within = distance.is_within(reach_of_objects(bound, a, b));
+  if(is_certain(are_within)) {
+    tier = Arithmetic_tier::DOUBLE;
+    return get_certain(are_within);
+  }
   const Arithmetic_tier least_tier = tier;
   const bool do_intersect = do_kernel_objects_intersect(skeleton(a), skeleton(b), tier);
   tier = (std::max)(tier, Arithmetic_tier::INT128);
@@ -132,6 +153,22 @@ decide_near_objects(const A& a, const B& b, const Hull_of<A>& hull_a, const Hull
   return are_near_in_exact_numbers(a, b, distance, exact_bound());
 }
 
+// What doubles guess first about the distance of two objects. `v` is as in are_hulls_near().
+template <class A, class B>
+BOOST_FORCEINLINE Uncertain<bool> guess_near_objects(const A& a, const B& b,
+                                                     const Interval& reach,
+                                                     typename Distance_of<A, B>::Vector& v)
+{
+  constexpr std::size_t size_a = hull_size_v<A>, size_b = hull_size_v<B>;
+  if constexpr(has_double_vertices_v<Skeleton_t<A>> && has_double_vertices_v<Skeleton_t<B>>)
+    return are_hulls_near<size_a, size_b>(a, b, 0, reach, v);
+  else {
+    const Hull_of<A> hull_a = hull_of(a);
+    const Hull_of<B> hull_b = hull_of(b);
+    return are_hulls_near<size_a, size_b>(hull_a, hull_b, hull_a.error + hull_b.error, reach, v);
+  }
+}
+
 // Whether objects of one kind each are within a bound, which holds for the distance zero at least.
 // `exact_bound` returns it for exact numbers. `tier` is the first arithmetic after the filter, and
 // becomes the one that was needed.
@@ -139,13 +176,10 @@ template <class A, class B, class Exact_bound>
 bool are_kinds_near(const A& a, const B& b, const Hull_bound& bound, const Exact_bound& exact_bound,
                     Arithmetic_tier& tier)
 {
-  const Hull_of<A> hull_a = hull_of(a);
-  const Hull_of<B> hull_b = hull_of(b);
-  const Interval reach = reach_of_hulls(bound, hull_a.radius, hull_b.radius);
-  Distance_of<A, B> distance(hull_a, hull_b);
-  const Uncertain<bool> are_near = distance.is_within(reach.low, reach.high);
+  typename Distance_of<A, B>::Vector v;
+  const Uncertain<bool> are_near = guess_near_objects(a, b, reach_of_objects(bound, a, b), v);
   if(!is_certain(are_near))
-    return decide_near_objects(a, b, hull_a, hull_b, distance, bound, exact_bound, tier);
+    return decide_near_objects(a, b, v, bound, exact_bound, tier);
   tier = Arithmetic_tier::DOUBLE;
   return get_certain(are_near);
 }
