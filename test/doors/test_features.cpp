@@ -8,6 +8,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <iterator>
@@ -119,13 +120,17 @@ BOOST_AUTO_TEST_CASE(callback_and_progress_stop_the_search)
   BOOST_CHECK(!CGAL::thick_feature_self_intersection_d(
     nested, [&](std::size_t, std::size_t) { return ++count < 7; }));
   BOOST_CHECK_EQUAL(count, 7u);
-  double last = 0;
+  double last = 0, last_before_pairs = 1;
   BOOST_CHECK(CGAL::thick_feature_self_intersection_d(
-    nested, [](std::size_t, std::size_t) {}, CGAL::parameters::callback([&](double done) {
+    nested,
+    [&](std::size_t, std::size_t) { last_before_pairs = (std::min)(last_before_pairs, last); },
+    CGAL::parameters::callback([&](double done) {
       last = done;
       return true;
     })));
   BOOST_CHECK_EQUAL(last, 1);
+  // No boundaries meet: all pairs are found when these are done, and what is inside is not.
+  BOOST_CHECK(last_before_pairs > .5 && last_before_pairs < .9);
   BOOST_CHECK(!CGAL::thick_feature_self_intersection_d(
     nested, [](std::size_t, std::size_t) {},
     CGAL::parameters::callback([](double) { return false; })));
