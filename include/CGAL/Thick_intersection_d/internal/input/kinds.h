@@ -88,9 +88,9 @@ struct Kind_list<std::tuple<Kinds...>>
 {
   using First = std::tuple_element_t<0, std::tuple<Kinds...>>;
 
-  template <template <class> class Property>
+  template <template <class...> class Property>
   static constexpr bool are_all = (Property<Kinds>::value && ...);
-  template <template <class> class Property>
+  template <template <class...> class Property>
   static constexpr bool is_any = (Property<Kinds>::value || ...);
 };
 
