@@ -7,6 +7,8 @@
 
 #include <CGAL/Thick_intersection_d/internal/arrays/prefix_sums.h>
 
+#include <CGAL/tags.h>
+
 #include <boost/test/unit_test.hpp>
 
 #include <cstddef>
@@ -18,6 +20,7 @@ BOOST_AUTO_TEST_SUITE(prefix_sums)
 
 using namespace test_support;
 using CGAL::Thick_intersection_d::internal::replace_by_prefix_sums;
+using CGAL::Thick_intersection_d::internal::replace_by_sums_over_blocks;
 
 BOOST_AUTO_TEST_CASE(each_count_becomes_the_sum_of_those_before)
 {
@@ -32,6 +35,29 @@ BOOST_AUTO_TEST_CASE(each_count_becomes_the_sum_of_those_before)
       BOOST_CHECK_EQUAL(sums[i], std::accumulate(counts.begin(), counts.begin() + i, 0u));
     BOOST_CHECK_EQUAL(all, std::accumulate(counts.begin(), counts.end(), 0u));
   }
+}
+
+// Several groups of buckets, the last of which is not full.
+BOOST_AUTO_TEST_CASE(each_count_becomes_the_sum_of_those_in_blocks_before)
+{
+  Random random(3);
+  for(const std::size_t blocks : {1, 2, 7})
+    for(const std::size_t size : {1, 16, 50}) {
+      std::vector<std::uint32_t> counts;
+      for(std::size_t i = 0; i < blocks * size; ++i)
+        counts.push_back(static_cast<std::uint32_t>(random.below(4)));
+      std::vector<std::uint32_t> sums = counts;
+      std::vector<std::uint64_t> totals(size, 0);
+      replace_by_sums_over_blocks<CGAL::Sequential_tag>(sums.data(), blocks, size, totals.data());
+      for(std::size_t i = 0; i < size; ++i) {
+        std::uint64_t sum = 0;
+        for(std::size_t block = 0; block < blocks; ++block) {
+          BOOST_CHECK_EQUAL(sums[block * size + i], sum);
+          sum += counts[block * size + i];
+        }
+        BOOST_CHECK_EQUAL(totals[i], sum);
+      }
+    }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

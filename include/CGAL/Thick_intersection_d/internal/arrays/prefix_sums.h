@@ -7,6 +7,12 @@
 
 // The step of a counting sort between counting the elements of buckets and moving the elements.
 
+#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+
+#include <boost/config.hpp> // BOOST_NOINLINE
+
+#include <algorithm>
+#include <cstddef>
 #include <utility>
 
 namespace CGAL {
@@ -24,6 +30,37 @@ Count replace_by_prefix_sums(Count* first, Count* last)
   for(; first != last; ++first)
     sum += std::exchange(*first, sum);
   return sum;
+}
+
+// The same of several blocks of elements, which are counted and moved at the same time: counts[b *
+// size + i] are the elements of bucket i in block b. Replaces each count by the sum of the counts
+// of its bucket in the blocks before it. Sets the totals of the buckets, which are to be zero.
+//
+// The counts of a group of buckets, one cache line of each block, are one task.
+template <class ConcurrencyTag, class Count, class Total>
+BOOST_NOINLINE void replace_by_sums_over_blocks(Count* counts, std::size_t blocks, std::size_t size,
+                                                Total* totals)
+{
+  const std::size_t group = blocks == 1 ? size : 64 / sizeof(Count);
+  for_each_block<ConcurrencyTag>((size + group - 1) / group, [&](std::size_t g, std::size_t end) {
+    for(; g != end; ++g)
+      for(std::size_t block = 0; block != blocks; ++block) {
+        Count* const row = counts + block * size;
+        for(std::size_t i = g * group; i != (std::min)((g + 1) * group, size); ++i) {
+          const Total before = totals[i];
+          totals[i] += std::exchange(row[i], static_cast<Count>(before));
+        }
+      }
+  });
+}
+
+// Adds the totals of the buckets before each bucket to the counts of a block. These become the
+// places where the elements of the block go.
+template <class Count, class Total>
+BOOST_NOINLINE void add_begins(Count* counts, const Total* begins, std::size_t size)
+{
+  for(std::size_t i = 0; i != size; ++i)
+    counts[i] += static_cast<Count>(begins[i]);
 }
 
 } // namespace internal

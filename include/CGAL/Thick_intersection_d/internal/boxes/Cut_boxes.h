@@ -7,16 +7,17 @@
 
 // Cuts boxes into pieces along an axis. A box goes to each piece that it meets.
 
+#include <CGAL/Thick_intersection_d/internal/arrays/prefix_sums.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Equal_cut.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -36,21 +37,21 @@ public:
   Cut_boxes(const Piece<Box>& boxes, int axis, const Equal_cut& cut)
     : boxes_(boxes), axis_(axis), cut_(cut),
       blocks_(boxes.size() < min_size_for_threads ? 1 : block_count<ConcurrencyTag>()),
-      next_(boxes.set_count() * cut.count() * blocks_, 0), begins_(next_.size() / blocks_ + 1)
+      next_(make_uninitialized<Place>(boxes.set_count() * cut.count() * blocks_)),
+      begins_(boxes.set_count() * cut.count() + std::size_t(1), 0)
   {
-    for_each_box([&](Place* next, const Box& box) {
-      const Place last = cut_(box.high[axis_]);
-      for(Place piece = cut_(box.low[axis_]); piece <= last; ++piece)
-        ++next[piece];
-    });
-    auto begin = begins_.begin();
-    for(std::size_t set = 0; set < boxes.set_count(); ++set)
-      for(Place piece = 0; piece < cut.count(); ++piece) {
-        *begin++ = size_;
-        for(std::size_t block = 0; block < blocks_; ++block)
-          size_ += std::exchange(next_of(set, block)[piece], static_cast<Place>(size_));
+    for_each_block_of_boxes([&](std::size_t, Place* next, const Box* box, const Box* end) {
+      std::fill_n(next, cut_.count(), Place(0));
+      for(; box != end; ++box) {
+        const Place last = cut_(box->high[axis_]);
+        for(Place piece = cut_(box->low[axis_]); piece <= last; ++piece)
+          ++next[piece];
       }
-    *begin = size_;
+    });
+    for(std::size_t set = 0; set < boxes.set_count(); ++set)
+      replace_by_sums_over_blocks<ConcurrencyTag>(next_of(set, 0), blocks_, cut.count(),
+                                                  begins_.data() + set * cut.count());
+    size_ = replace_by_prefix_sums(begins_.data(), begins_.data() + begins_.size());
   }
 
   // The number of boxes in all pieces.
@@ -60,14 +61,17 @@ public:
   void distribute()
   {
     copies_ = make_uninitialized<Box>(size_);
-    for_each_box([&](Place* next, const Box& box) {
-      const Place first = cut_(box.low[axis_]);
-      const Place last = cut_(box.high[axis_]);
-      copies_[next[first]++] = box;
-      for(Place piece = first + 1; piece <= last; ++piece) {
-        Box& copy = copies_[next[piece]++];
-        copy = box;
-        copy.sides |= Place(1) << axis_;
+    for_each_block_of_boxes([&](std::size_t set, Place* next, const Box* box, const Box* end) {
+      add_begins(next, begins_.data() + set * cut_.count(), cut_.count());
+      for(; box != end; ++box) {
+        const Place first = cut_(box->low[axis_]);
+        const Place last = cut_(box->high[axis_]);
+        copies_[next[first]++] = *box;
+        for(Place piece = first + 1; piece <= last; ++piece) {
+          Box& copy = copies_[next[piece]++];
+          copy = *box;
+          copy.sides |= Place(1) << axis_;
+        }
       }
     });
   }
@@ -89,18 +93,17 @@ private:
   // Where the next box of each piece goes.
   Place* next_of(std::size_t set, std::size_t block)
   {
-    return next_.data() + (set * blocks_ + block) * cut_.count();
+    return next_.get() + (set * blocks_ + block) * cut_.count();
   }
 
-  // Calls task(next, box).
+  // Calls task(set, next, first, last) for blocks of boxes.
   template <class Task>
-  void for_each_box(const Task& task)
+  void for_each_block_of_boxes(const Task& task)
   {
     for(std::size_t set = 0; set < boxes_.set_count(); ++set)
       for_each_numbered_block<ConcurrencyTag>(
         blocks_, boxes_[set].size(), [&](std::size_t block, std::size_t i, std::size_t last) {
-          for(Place* const next = next_of(set, block); i != last; ++i)
-            task(next, boxes_[set].first[i]);
+          task(set, next_of(set, block), boxes_[set].first + i, boxes_[set].first + last);
         });
   }
 
@@ -108,7 +111,7 @@ private:
   const int axis_;
   const Equal_cut cut_;
   const std::size_t blocks_;
-  std::vector<Place> next_; // for each set, block and piece
+  const std::unique_ptr<Place[]> next_; // for each set, block and piece
   std::vector<std::uint64_t> begins_; // for each set and piece
   std::uint64_t size_ = 0;
   std::unique_ptr<Box[]> copies_;

@@ -8,6 +8,7 @@
 // The points of one or two sets in the order of their slabs: the divide step of [V03], made
 // multiway. [V03] is cited in Recursive_route.h.
 
+#include <CGAL/Thick_intersection_d/internal/arrays/prefix_sums.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
@@ -128,31 +129,30 @@ private:
     const int slab_axis = std::is_same_v<Stored, Flat_point> ? flat_axes_[1] : axis;
     const Place count = cut.count();
     const std::size_t blocks = block_count<ConcurrencyTag>();
-    std::vector<Place> next(blocks * count, 0);
+    const std::unique_ptr<Place[]> next(new Place[blocks * count]);
     for_each_numbered_block<ConcurrencyTag>(
       blocks, size, [&](std::size_t block, std::size_t i, std::size_t end) {
+        Place* const counts = next.get() + block * count;
+        std::fill_n(counts, count, Place(0));
         for(; i != end; ++i)
-          ++next[block * count + cut(source.coordinate(i, slab_axis))];
+          ++counts[cut(source.coordinate(i, slab_axis))];
       });
     begins_ = std::vector<Place>(count + std::size_t(1), 0);
-    Place sum = 0;
-    for(Place slab = 0; slab < count; ++slab) {
-      begins_[slab] = sum;
-      for(std::size_t block = 0; block < blocks; ++block)
-        sum += std::exchange(next[block * count + slab], sum);
-    }
-    begins_[count] = sum;
+    replace_by_sums_over_blocks<ConcurrencyTag>(next.get(), blocks, count, begins_.data());
+    replace_by_prefix_sums(begins_.data(), begins_.data() + begins_.size());
     for_each_numbered_block<ConcurrencyTag>(
       blocks, size, [&](std::size_t block, std::size_t i, std::size_t end) {
+        Place* const places = next.get() + block * count;
+        add_begins(places, begins_.data(), count);
         Place slabs[distance];
         while(i != end) {
           const std::size_t some = (std::min)(end - i, std::size_t(distance));
           for(std::size_t p = 0; p < some; ++p) {
             slabs[p] = cut(source.coordinate(i + p, slab_axis));
-            prefetch_to_write(&points[next[block * count + slabs[p]]]);
+            prefetch_to_write(&points[places[slabs[p]]]);
           }
           for(std::size_t p = 0; p < some; ++p, ++i)
-            put(source, i, points[next[block * count + slabs[p]]++]);
+            put(source, i, points[places[slabs[p]]++]);
         }
       });
   }
