@@ -24,9 +24,9 @@
 // a random seed. The comparisons are counted, so a join takes O(n) time, to the end or not.
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
-#include <CGAL/Thick_intersection_d/internal/arrays/Chunked_lists.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/Cell_lists.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Hashed_cells.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Some_positions.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Step_budget.h>
@@ -46,6 +46,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -81,15 +82,18 @@ inline std::size_t max_join_steps(std::size_t size)
   return (std::max)(max_steps_per_point * size, max_steps_of_few_points);
 }
 
-// A point in a cell. Bits of its hash identify the cell: those below the bits of its list.
-struct Cell_entry
+// Returns how many lists the entries of `size` points are distributed over: a power of two.
+template <class ConcurrencyTag>
+std::size_t cell_list_count(std::size_t size)
 {
-  std::uint32_t cell;
-  Place position;
-};
-
-// Lists of entries, in chunks of a page.
-using Cell_entry_lists = Chunked_lists<Cell_entry, 4096 / sizeof(Cell_entry)>;
+  std::size_t count = 1;
+  while(size / count > entries_per_list && count < max_list_count)
+    count *= 2;
+  if constexpr(is_parallel_v<ConcurrencyTag>) // enough for all threads
+    while(size / count > min_entries_per_list && count < block_count<ConcurrencyTag>())
+      count *= 2;
+  return count;
+}
 
 template <class ConcurrencyTag, int Dimension, class Elements>
 class Cell_join
@@ -111,13 +115,11 @@ public:
   bool operator()(const Some_positions& sample, std::size_t max_steps,
                   const Make_visitor& make_visitor, Progress& progress) const
   {
-    std::size_t list_count = 1; // a power of two
-    while(sample.size() / list_count > entries_per_list && list_count < max_list_count)
-      list_count *= 2;
-    All_lists all_lists{Cell_entry_lists(list_count)};
-    for_each_block<ConcurrencyTag>(sample.size(), [&](std::size_t first, std::size_t last) {
-      enter(sample, first, last, list_count, all_lists.local(), progress);
-    });
+    const std::size_t list_count = cell_list_count<ConcurrencyTag>(sample.size());
+    const Lists lists(sample.size(), list_count,
+                      [&](std::size_t first, std::size_t last, const auto& append) {
+                        enter(sample, first, last, list_count, append, progress);
+                      });
 
     Step_budget budget(max_steps);
     std::atomic<bool> go_on = !progress.is_cancelled();
@@ -126,7 +128,7 @@ public:
       Bucket_table table;
       Step_counter counter(budget);
       for(std::size_t list = first; list != last && go_on.load(std::memory_order_relaxed); ++list)
-        if(!join(all_lists, list, table, counter, visitor)
+        if(!join(lists, list, table, counter, visitor)
            || !progress.advance(sample.size() * (list + 1) / list_count
                                 - sample.size() * list / list_count))
           go_on.store(false, std::memory_order_relaxed);
@@ -137,18 +139,19 @@ public:
 private:
   static constexpr std::size_t batch_size = 512;
 
-  // The entries that each thread makes.
-  using All_lists = Per_thread<ConcurrencyTag, Cell_entry_lists>;
+  using Lists = Cell_lists<std::conditional_t<is_parallel_v<ConcurrencyTag>, Parallel_tag,
+                                              Sequential_tag>>;
 
   // Appends the entries of the points [first, last) of the sample. Most of them have one cell. So
   // the first cells of a batch of points come first, without branches, and then the other cells.
-  template <class Progress>
+  template <class Append_to_list, class Progress>
   void enter(const Some_positions& sample, std::size_t first, std::size_t last,
-             std::size_t list_count, Cell_entry_lists& lists, Progress& progress) const
+             std::size_t list_count, const Append_to_list& append_to_list,
+             Progress& progress) const
   {
     const auto append = [&](std::uint64_t hash, Place position) {
       const std::uint64_t bits = (hash >> 32) * list_count; // the list, and 32 bits below it
-      lists.append(bits >> 32, {static_cast<std::uint32_t>(bits), position});
+      append_to_list(bits >> 32, {static_cast<std::uint32_t>(bits), position});
     };
     std::array<Place, batch_size> positions;
     std::array<std::uint64_t, batch_size> hashes;
@@ -198,18 +201,17 @@ private:
   // Visits the pairs of a list that are in a common cell. Returns false iff the visitor stops, or
   // no steps are left.
   template <class Visitor>
-  static bool join(All_lists& all_lists, std::size_t list, Bucket_table& table,
+  static bool join(const Lists& lists, std::size_t list, Bucket_table& table,
                    Step_counter& counter, Visitor& visitor)
   {
-    std::size_t size = 0;
-    all_lists.for_each([&](const Cell_entry_lists& lists) { size += lists.size(list); });
+    const std::size_t size = lists.size(list);
     const std::uint64_t slot_count = std::uint64_t(1) << hash_table_bits(size);
     table.heads.assign(slot_count, 0);
     std::uint32_t* const heads = table.heads.data();
     typename Bucket_table::Link* const links = table.links.require(size);
     std::uint32_t count = 0;
 
-    const auto visit_and_add = [&](const Cell_entry& entry) {
+    return lists.for_each(list, [&](const Cell_entry& entry) {
       std::uint32_t& head = heads[entry.cell * slot_count >> 32];
       for(std::uint32_t other = head; other != 0; other = links[other - 1].next)
         if(!counter.step()
@@ -219,12 +221,7 @@ private:
       links[count] = {entry, head};
       head = ++count;
       return true;
-    };
-    bool go_on = true;
-    all_lists.for_each([&](const Cell_entry_lists& lists) {
-      go_on = go_on && lists.for_each(list, visit_and_add);
     });
-    return go_on;
   }
 
   const Elements& points_;

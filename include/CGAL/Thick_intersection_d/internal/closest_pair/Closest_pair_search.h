@@ -99,8 +99,8 @@ private:
       offer_all(sample);
       return true;
     }
-    return search<Dimension>(Some_positions(sample, seed_)) && can_join<Dimension>()
-           && join<Dimension>(sample);
+    return search<Dimension>(Some_positions(ConcurrencyTag(), sample, seed_))
+           && can_join<Dimension>() && join<Dimension>(sample);
   }
 
   // Whether cells can be about as large as the distance of the closest pair so far.

@@ -8,8 +8,10 @@
 // The positions of some points: of the first ones, or of a random sample.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/prefix_sums.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/tuning.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 
 #include <boost/config.hpp> // BOOST_NOINLINE
 
@@ -30,11 +32,14 @@ public:
   explicit Some_positions(std::size_t size) : size_(size) {}
 
   // Draws each point of another sample with a probability of 1/8.
-  BOOST_NOINLINE Some_positions(const Some_positions& sample, std::uint64_t& seed)
+  template <class ConcurrencyTag>
+  BOOST_NOINLINE
+  Some_positions(ConcurrencyTag, const Some_positions& sample, std::uint64_t& seed)
   {
-    for(std::size_t i = random_word(seed) % max_sample_step; i < sample.size();
-        i += 1 + random_word(seed) % max_sample_step)
-      positions_.push_back(sample[i]);
+    if constexpr(is_parallel_v<ConcurrencyTag>)
+      draw_in_strata<ConcurrencyTag>(sample, seed);
+    else
+      draw(sample, 0, sample.size(), seed, [&](Place p) { positions_.push_back(p); });
     size_ = positions_.size();
   }
 
@@ -55,6 +60,37 @@ public:
   }
 
 private:
+  // Calls task(position) for the points that are drawn of [first, last).
+  template <class Task>
+  static void draw(const Some_positions& sample, std::size_t first, std::size_t last,
+                   std::uint64_t& seed, const Task& task)
+  {
+    for(std::size_t i = first + random_word(seed) % max_sample_step; i < last;
+        i += 1 + random_word(seed) % max_sample_step)
+      task(sample[i]);
+  }
+
+  // Draws from each stratum twice, by a seed of its own: first to count the points, and then to
+  // write them down.
+  template <class ConcurrencyTag>
+  void draw_in_strata(const Some_positions& sample, std::uint64_t& seed)
+  {
+    std::vector<std::uint64_t> seeds(sample.size() / sample_stratum_size + 1);
+    for(std::uint64_t& seed_of_stratum : seeds)
+      seed_of_stratum = random_word(seed);
+    const auto draw_each = [&](const auto& task) {
+      for_each_numbered_block<ConcurrencyTag>(
+        seeds.size(), sample.size(), [&](std::size_t s, std::size_t first, std::size_t last) {
+          std::uint64_t own_seed = seeds[s];
+          draw(sample, first, last, own_seed, [&](Place position) { task(s, position); });
+        });
+    };
+    std::vector<std::size_t> next(seeds.size() + 1, 0); // where the next point of a stratum goes
+    draw_each([&](std::size_t s, Place) { ++next[s]; });
+    positions_.resize(replace_by_prefix_sums(next.data(), next.data() + next.size()));
+    draw_each([&](std::size_t s, Place position) { positions_[next[s]++] = position; });
+  }
+
   std::size_t size_;
   std::vector<Place> positions_; // none if the first points are taken
 };

@@ -43,7 +43,8 @@ public:
   }
 
 private:
-  static constexpr std::size_t batch_size = 4096;
+  // So few that it matters little what the tasks of a search leave over.
+  static constexpr std::size_t batch_size = 256;
 
   const std::size_t steps_;
   std::atomic<std::size_t> left_;

@@ -60,6 +60,14 @@ inline constexpr std::size_t max_equality_steps_per_point = 20;
 inline constexpr std::size_t entries_per_list = 4096;
 inline constexpr std::size_t max_list_count = 2048;
 
+// In parallel, there are lists for all threads unless these would have fewer entries, and threads
+// enter at least so many points at a time.
+inline constexpr std::size_t min_entries_per_list = 512;
+inline constexpr std::size_t min_entry_block_size = 512;
+
+// In parallel, a sample is drawn from so many points at a time.
+inline constexpr std::size_t sample_stratum_size = 8192;
+
 // The first look for a close pair takes this part of the points, the first ones of the range: where
 // cells are heavy, these points will do. With a 16th, to find that there is no close pair takes
 // 1.44 times as long in the plane, 1.91 times in space.
