@@ -6,6 +6,7 @@
 #include "support/point_generators.h"
 
 #include <CGAL/Thick_intersection_d/internal/arrays/sort_distinct.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -19,16 +20,31 @@ BOOST_AUTO_TEST_SUITE(sort_distinct)
 
 using namespace test_support;
 
+// Sorts in memory that is kept, and holds what was sorted before.
+class Sorter
+{
+public:
+  void operator()(std::vector<std::uint32_t>& numbers)
+  {
+    CGAL::Thick_intersection_d::internal::sort_distinct(
+      numbers.data(), numbers.data() + numbers.size(), memory_);
+  }
+
+private:
+  CGAL::Thick_intersection_d::internal::Buffer<std::uint32_t> memory_;
+};
+
 BOOST_AUTO_TEST_CASE(distinct_numbers_are_sorted)
 {
   Random random(5);
-  for(std::size_t size = 0; size < 300; ++size) {
+  Sorter sort;
+  for(std::size_t size = 0; size < 600; ++size) {
     std::vector<std::uint32_t> numbers;
     for(std::size_t i = 0; i < size; ++i) // distinct, half of them with the highest bit
-      numbers.push_back(static_cast<std::uint32_t>(i << 24 | random.below(1 << 24)) ^ 0xffffffffu);
+      numbers.push_back(static_cast<std::uint32_t>(i << 22 | random.below(1 << 22)) ^ 0xffffffffu);
     std::vector<std::uint32_t> expected = numbers;
     std::sort(expected.begin(), expected.end());
-    CGAL::Thick_intersection_d::internal::sort_distinct(numbers.data(), numbers.data() + size);
+    sort(numbers);
     BOOST_CHECK(numbers == expected);
   }
 }
@@ -37,15 +53,16 @@ BOOST_AUTO_TEST_CASE(distinct_numbers_are_sorted)
 BOOST_AUTO_TEST_CASE(any_order_is_sorted)
 {
   Random random(6);
-  for(std::size_t size = 2; size < 300; ++size) {
+  Sorter sort;
+  for(std::size_t size = 2; size < 600; ++size) {
     std::vector<std::uint32_t> expected = {0, 0xffffffffu};
     for(std::size_t i = 2; i < size; ++i)
-      expected.push_back(static_cast<std::uint32_t>(i * 14316557));
+      expected.push_back(static_cast<std::uint32_t>(i * 7158278));
     std::vector<std::uint32_t> numbers = expected;
     for(std::size_t i = size; i > 1; --i)
       std::swap(numbers[i - 1], numbers[random.below(i)]);
     std::sort(expected.begin(), expected.end());
-    CGAL::Thick_intersection_d::internal::sort_distinct(numbers.data(), numbers.data() + size);
+    sort(numbers);
     BOOST_CHECK(numbers == expected);
   }
 }

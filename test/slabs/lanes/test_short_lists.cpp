@@ -44,7 +44,7 @@ void check_sort(const Sort& sort)
       list.positions.fill(static_cast<internal::Place>(random.below(1000)));
       std::copy(positions.begin(), positions.end(), list.positions.begin());
       Sorted sorted = {};
-      sort(list, size, sorted.data());
+      sort(list.positions.data(), size, sorted.data());
       std::sort(positions.begin(), positions.end());
       BOOST_CHECK(std::equal(positions.begin(), positions.end(), sorted.begin()));
     }

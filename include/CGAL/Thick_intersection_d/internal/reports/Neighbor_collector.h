@@ -150,9 +150,10 @@ private:
 
     const std::size_t first = bin * Bins::bin_size;
     const std::size_t count = (std::min)(Bins::bin_size, size_ - first);
+    [[maybe_unused]] Buffer<Position> memory_of_sort;
     for(std::size_t i = 0; i < count; ++i) {
       if constexpr(!Bins::are_sorted)
-        sort_distinct(lists + (i == 0 ? 0 : ends[i - 1]), lists + ends[i]);
+        sort_distinct(lists + (i == 0 ? 0 : ends[i - 1]), lists + ends[i], memory_of_sort);
       begins[first + i + 1] = begin + ends[i];
     }
   }

@@ -101,7 +101,8 @@ public:
       else if(size > Short_list::capacity)
         finish_long_list(number, ends_[number - slab.first], bins);
       else if(size > 0)
-        sort_short_list(lists_[number], size, bins.append_short(positions_[number], size));
+        sort_short_list(lists_[number].positions.data(), size,
+                        bins.append_short(positions_[number], size));
     }
     window_.pop_front();
   }
@@ -185,7 +186,7 @@ private:
     Place* const list = long_list_.require(size);
     std::copy_n(lists_[number].positions.data(), Short_list::capacity, list);
     std::copy(last - (size - Short_list::capacity), last, list + Short_list::capacity);
-    sort_distinct(list, list + size);
+    sort_distinct(list, list + size, memory_of_sort_, sort_short_list);
     bins.append(positions_[number], list, list + size);
   }
 
@@ -201,6 +202,7 @@ private:
   std::vector<std::size_t> ends_; // by numbers, from the first one of a slab on
   Buffer<Place> sorted_;
   Buffer<Place> long_list_;
+  Buffer<Place> memory_of_sort_;
 };
 
 } // namespace internal

@@ -17,14 +17,14 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Writes the first `size` positions of a list to `sorted` in ascending order. There is room for a
-// whole list.
-inline void sort_short_list(const Short_list& list, Place size, Place* sorted)
+// Writes the first `size` of some positions to `sorted` in ascending order. There is room for a
+// whole list in either place.
+inline void sort_short_list(const Place* positions, Place size, Place* sorted)
 {
   if(instruction_set() == Instruction_set::AVX512)
-    Short_lists_avx512::sort(list, size, sorted);
+    Short_lists_avx512::sort(positions, size, sorted);
   else
-    Short_lists_plain::sort(list, size, sorted);
+    Short_lists_plain::sort(positions, size, sorted);
 }
 
 } // namespace internal

@@ -33,10 +33,9 @@ struct Short_lists_avx512
 {
   // Sorts like Short_lists_plain. Lanes without a position hold the largest number, so they are
   // sorted to the end.
-  CGAL_THICK_INTERSECTION_D_AVX512 static void sort(const Short_list& list, Place size,
+  CGAL_THICK_INTERSECTION_D_AVX512 static void sort(const Place* positions, Place size,
                                                     Place* sorted)
   {
-    const Place* const positions = list.positions.data();
     if(size < lane_count)
       store(sorted_16(load(positions, size)), sorted);
     else {

@@ -10,7 +10,6 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/sort_distinct.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 
-#include <algorithm>
 #include <array>
 
 namespace CGAL {
@@ -25,17 +24,17 @@ struct alignas(64) Short_list
 
   std::array<Place, capacity> positions;
 };
+static_assert(Short_list::capacity == max_run_size);
 
 struct Short_lists_plain
 {
   static bool is_supported() { return true; }
 
-  // Writes the first `size` positions of a list to `sorted` in ascending order. There is room for
-  // a whole list.
-  static void sort(const Short_list& list, Place size, Place* sorted)
+  // Writes the first `size` of some positions to `sorted` in ascending order. There is room for a
+  // whole list in either place.
+  static void sort(const Place* positions, Place size, Place* sorted)
   {
-    std::copy_n(list.positions.data(), size, sorted);
-    sort_distinct(sorted, sorted + size);
+    sort_run_by_ranks(positions, size, sorted);
   }
 };
 
