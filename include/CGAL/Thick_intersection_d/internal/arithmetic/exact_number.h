@@ -18,6 +18,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 
+#include <cfloat>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -27,6 +28,10 @@
 
 #ifdef __FAST_MATH__
 #error "Thick_intersection_d is exact and relies on IEEE 754: compile without -ffast-math."
+#endif
+// The x87 unit rounds sums and products of doubles to long double first, if they are not stored.
+#if FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 2
+#error "Thick_intersection_d is exact and relies on IEEE 754: compile with -msse2 -mfpmath=sse."
 #endif
 
 namespace CGAL {
