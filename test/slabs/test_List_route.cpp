@@ -15,6 +15,8 @@
 
 #include <tbb/global_control.h>
 
+#include <mutex>
+
 using namespace test_support;
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -29,7 +31,16 @@ Slab_tuning small_tuning(Random& random)
   tuning.points_per_slab = static_cast<internal::Place>(1 + random.below(8));
   tuning.points_per_strip = static_cast<internal::Place>(1 + random.below(3));
   tuning.points_per_sorted_strip = static_cast<internal::Place>(1 + random.below(4));
-  tuning.max_slab_size = static_cast<internal::Place>(4 << random.below(4));
+  tuning.points_per_column = static_cast<internal::Place>(1 + random.below(8));
+  tuning.max_slab_size = static_cast<internal::Place>(4 << random.below(8));
+  return tuning;
+}
+
+// One slab, or a few, in many columns.
+Slab_tuning few_slabs()
+{
+  Slab_tuning tuning;
+  tuning.points_per_column = 8;
   return tuning;
 }
 
@@ -44,18 +55,41 @@ Pairs pairs_of(const CGAL::Neighbor_lists& lists)
   return pairs;
 }
 
+// The pairs by slabs that threads sweep, and that are cut into columns if they are few.
+template <int Dimension, class Point>
+void check_pairs(const std::vector<Point>& points, const CGAL::Distance_bound<double>& bound,
+                 const Slab_tuning& tuning, const Pairs& expected)
+{
+  with_near_points<Dimension>(points, bound, [&](const auto& near) {
+    std::mutex mutex;
+    Pairs found;
+    auto callback = [&](std::size_t i, std::size_t j) {
+      const std::lock_guard<std::mutex> lock(mutex);
+      found.emplace_back(i, j);
+    };
+    internal::Pair_reporter<decltype(callback)> report(callback);
+    internal::Unwatched_progress progress;
+    const internal::Slab_route<CGAL::Parallel_tag, std::decay_t<decltype(near)>> route(near,
+                                                                                       tuning);
+    route.search(internal::One_set(), report, progress);
+    BOOST_CHECK(sorted(found) == sorted(expected));
+  });
+}
+
 template <int Dimension>
 void check_lists(const Points& points, double r, Random& random)
 {
   const auto made = make_points<Cartesian_points<Kernel, Dimension>>(points);
   const auto bound = CGAL::within_distance(r);
   Pairs expected;
-  for(const Pair& p : near_pairs_by_recursion(made, bound, Dimension)) {
+  const Pairs pairs = near_pairs_by_recursion(made, bound, Dimension);
+  for(const Pair& p : pairs) {
     expected.push_back(p);
     expected.emplace_back(p.second, p.first);
   }
   expected = sorted(expected);
-  for(const Slab_tuning& tuning : {Slab_tuning(), small_tuning(random)}) {
+  for(const Slab_tuning& tuning : {Slab_tuning(), few_slabs(), small_tuning(random)}) {
+    check_pairs<Dimension>(made, bound, tuning, pairs);
     BOOST_CHECK(
       pairs_of(slab_lists<CGAL::Sequential_tag, Dimension>(made, bound, tuning)) == expected);
     BOOST_CHECK(

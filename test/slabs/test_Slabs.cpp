@@ -71,7 +71,8 @@ void check_slabs(const Slabs_of<Dimension>& slabs, const Points& points)
   internal::Buffer<internal::Slab_point<Dimension, double>> buffer;
   for(internal::Place s = 0; s < slabs.count(); ++s) {
     double high = below;
-    const auto* p = slabs.points(s, buffer);
+    internal::Place size = 0;
+    const auto* p = slabs.points(s, buffer, size);
     for(const auto* const end = p + slabs.size(s); p != end; ++p) {
       ++times[p->position];
       BOOST_CHECK(std::equal(p->x.begin(), p->x.end(), points[p->position].begin()));

@@ -12,6 +12,7 @@
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_sweep.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slab_column.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_lists.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_route.h>
@@ -23,7 +24,9 @@
 
 #include <CGAL/assertions.h> // CGAL_unreachable
 
+#include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -35,6 +38,7 @@ class List_route
 {
   using Point = typename Test::Point;
   using Slabs_nearby = typename Slab_window<Point>::Slabs_nearby;
+  using All_slabs = Slabs_of<ConcurrencyTag, Test>;
 
 public:
   List_route(const Test& test, const Slab_tuning& tuning = Slab_tuning())
@@ -61,11 +65,14 @@ public:
 private:
   static constexpr int axis = Point::slab_axis;
 
-  // Whether no slab has more points than two of the blocks that threads take have on average.
-  static bool are_small(const Slabs<Point>& slabs, std::size_t blocks)
+  // Whether each slab fits in a cache, or has no more points than two of the blocks that threads
+  // take have on average.
+  bool are_small(const All_slabs& slabs, std::size_t blocks) const
   {
-    for(Place slab = 0; slab < slabs.count(); ++slab)
-      if(slabs.size(slab) * blocks > 2 * static_cast<std::size_t>(slabs.size()))
+    const std::size_t max_size = (std::max)(static_cast<std::size_t>(tuning_.max_slab_size),
+                                            2 * static_cast<std::size_t>(slabs.size()) / blocks);
+    for(Place slab = 0; slab < slabs.count() * slabs.columns().count(); ++slab)
+      if(slabs.size(slab) > max_size)
         return false;
     return true;
   }
@@ -74,16 +81,19 @@ private:
   template <class Collector, class Report, class Progress>
   bool sweep_all_slabs(Collector& collector, Report& report, Progress& progress) const
   {
-    const Slabs<Point> slabs(ConcurrencyTag(), test_, test_.size(), reach_, Point_sets(), tuning_);
+    const All_slabs slabs(ConcurrencyTag(), test_, test_.size(), reach_, Point_sets(), tuning_);
     const std::size_t count = block_count<ConcurrencyTag>();
     if(!are_small(slabs, count))
       return false;
     for_each_block<ConcurrencyTag>(count, [&](std::size_t block, std::size_t end) {
       try {
         for(; block != end; ++block) {
-          const auto [first, last] = slabs.block(block, count);
-          if(first != last)
-            sweep_slabs(slabs, first, last, collector.local_lists(), report, progress);
+          const std::pair<Place, Place> range = slabs.block(block, count);
+          for_each_column(slabs, range.first, range.second, reach_, true,
+                          [&](const auto& column, Place first, Place last) {
+                            sweep_slabs(column, first, last, collector.local_lists(), report,
+                                        progress);
+                          });
         }
       }
       catch(...) {
@@ -97,17 +107,17 @@ private:
   // Makes the lists of the points in the slabs [first, last). The slab before them belongs to
   // another block, whose thread makes its lists. So it is swept with these slabs once more, but not
   // with itself. Slabs are two reaches high, so further slabs are beyond reach.
-  template <class Bins, class Report, class Progress>
+  template <class Source, class Bins, class Report, class Progress>
   CGAL_RARELY_CALLED
-  void sweep_slabs(const Slabs<Point>& slabs, Place first, Place last, Bins& bins, Report& report,
+  void sweep_slabs(const Source& slabs, Place first, Place last, Bins& bins, Report& report,
                    Progress& progress) const
   {
     Slab_lists<Report> lists(report);
     Near_sweep<Test, Slab_lists<Report>> near_sweep(test_, lists);
     Slab_sweep<Point> sweep(reach_, near_sweep);
     const auto number = [&](Strips<Point>& slab) { lists.number(slab); };
-    Slab_window<Point, decltype(number)> window(slabs, reach_, first == 0 ? 0 : first - 1, tuning_,
-                                                number);
+    Slab_window<Point, decltype(number), Source> window(slabs, reach_, first == 0 ? 0 : first - 1,
+                                                        tuning_, number);
     Slabs_nearby nearby;
     for(; window.slab() < last && !report.is_stopped(); window.pop()) {
       window.find_within_reach(window.front()->interval(axis).high, nearby);
@@ -118,7 +128,10 @@ private:
       }
       else {
         route_.sweep_slab(*window.front(), nearby, sweep, near_sweep, report, progress);
-        lists.finish(bins);
+        if constexpr(is_parallel_v<ConcurrencyTag>)
+          lists.finish_without_border(*window.front(), bins);
+        else
+          lists.finish(bins);
       }
     }
     test_.publish(near_sweep.counts());

@@ -38,6 +38,8 @@ public:
     : points_(points), scale_(scale)
   {}
 
+  static constexpr bool has_numbers = Points::has_numbers;
+
   std::size_t size() const { return points_.size(); }
   double reach() const { return scale_.question().reach; }
 

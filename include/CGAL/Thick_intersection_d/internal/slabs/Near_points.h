@@ -58,6 +58,9 @@ public:
       near_(is_within.filter_of_doubles())
   {}
 
+  // Whether numbers are other ones than the positions.
+  static constexpr bool has_numbers = have_numbers<Elements>;
+
   std::size_t size() const { return points_.size(); }
   double reach() const { return near_.reach; }
 

@@ -13,6 +13,7 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Strips.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/short_lists.h>
@@ -88,23 +89,22 @@ public:
   // Removes the first slab from the window, and hands its lists to `bins` (List_bins.h), in
   // ascending order.
   template <class Bins>
-  BOOST_NOINLINE void finish(Bins& bins)
+  void finish(Bins& bins)
   {
-    const Numbers slab = window_.front();
-    take_further_neighbors(slab);
-    for(Place number = slab.first; number != slab.end; ++number) {
-      prefetch_to_read(lists_.data() + number, lines_ahead);
-      prefetch_to_read(lists_.data() + number, lines_ahead + 1);
-      const Place size = sizes_[number];
-      if(size == 1)
-        *bins.append_short(positions_[number], 1) = lists_[number].positions[0];
-      else if(size > Short_list::capacity)
-        finish_long_list(number, ends_[number - slab.first], bins);
-      else if(size > 0)
-        sort_short_list(lists_[number].positions.data(), size,
-                        bins.append_short(positions_[number], size));
-    }
-    window_.pop_front();
+    take_further_neighbors(window_.front());
+    hand_over(bins);
+  }
+
+  // The same, without the lists of points in the border of a column. `strips` are the strips of
+  // the slab.
+  template <class Point, class Bins>
+  void finish_without_border(const Strips<Point>& strips, Bins& bins)
+  {
+    take_further_neighbors(window_.front());
+    for(const auto& strip : strips.strips())
+      if(strip.sides == Column_sets::side_of_border)
+        std::fill_n(sizes_.data() + window_.front().first + strip.begin, strip.size(), Place(0));
+    hand_over(bins);
   }
 
   // Removes the first slab from the window, and its lists with it.
@@ -153,6 +153,26 @@ private:
       lists_.resize(end);
     }
     return static_cast<Place>(first);
+  }
+
+  // Removes the first slab from the window, and hands its lists to `bins`.
+  template <class Bins>
+  BOOST_NOINLINE void hand_over(Bins& bins)
+  {
+    const Numbers slab = window_.front();
+    for(Place number = slab.first; number != slab.end; ++number) {
+      prefetch_to_read(lists_.data() + number, lines_ahead);
+      prefetch_to_read(lists_.data() + number, lines_ahead + 1);
+      const Place size = sizes_[number];
+      if(size == 1)
+        *bins.append_short(positions_[number], 1) = lists_[number].positions[0];
+      else if(size > Short_list::capacity)
+        finish_long_list(number, ends_[number - slab.first], bins);
+      else if(size > 0)
+        sort_short_list(lists_[number].positions.data(), size,
+                        bins.append_short(positions_[number], size));
+    }
+    window_.pop_front();
   }
 
   // Moves the further neighbors of the points of a slab to `sorted_`, in the order of the points.

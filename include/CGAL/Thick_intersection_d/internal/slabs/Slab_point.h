@@ -41,6 +41,19 @@ struct Point_sets
   Place count() const { return are_two() ? 2 : 1; }
 };
 
+// The points of a column of slabs (Slab_column.h), which meet each other, and those of its border,
+// which do not. The latter have a bit more in their positions.
+struct Column_sets
+{
+  bool have_border;
+  Point_sets sets; // if there is no border
+
+  static constexpr Place border_bit = Place(1) << 31;
+  static constexpr Place side_of_border = 4;
+
+  Place count() const { return have_border ? 2 : sets.count(); }
+};
+
 // The intervals of the coordinates of some points, one per axis.
 template <int Dimension>
 using Box_of_intervals = std::array<Interval, Dimension>;

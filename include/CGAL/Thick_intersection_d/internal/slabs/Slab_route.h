@@ -16,10 +16,12 @@
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_sweep.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slab_column.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_sweep.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_window.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slabs.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slabs_nearby.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Strips.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/tuning.h>
 
@@ -28,20 +30,21 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
 // `Test` is a source for Slabs and a test for Near_sweep. It also has a type Point, like
-// Slab_point, whose runs are its own, and the functions size(), reach(), number(position),
-// are_all_pairs() and publish(counts), as Near_points does.
+// Slab_point, whose runs are its own, a constant has_numbers, and the functions size(), reach(),
+// number(position), are_all_pairs() and publish(counts), as Near_points does.
 template <class ConcurrencyTag, class Test>
 class Slab_route
 {
   using Point = typename Test::Point;
-  using Window = Slab_window<Point>;
-  using Slabs_nearby = typename Window::Slabs_nearby;
+  using Slabs_nearby = internal::Slabs_nearby<Point>;
+  using All_slabs = Slabs_of<ConcurrencyTag, Test>;
 
 public:
   Slab_route(const Test& test, const Slab_tuning& tuning = Slab_tuning())
@@ -58,7 +61,7 @@ public:
     if(test_.are_all_pairs())
       return report_all(point_sets, report, progress);
     sweep_all_slabs(
-      Slabs<Point>(ConcurrencyTag(), test_, test_.size(), reach_, point_sets, tuning_), report,
+      All_slabs(ConcurrencyTag(), test_, test_.size(), reach_, point_sets, tuning_), report,
       progress);
     return !report.is_stopped();
   }
@@ -103,24 +106,26 @@ private:
 
   // Sweeps all slabs, in blocks that threads may sweep at the same time.
   template <class Report, class Progress>
-  void sweep_all_slabs(const Slabs<Point>& slabs, Report& report, Progress& progress) const
+  void sweep_all_slabs(const All_slabs& slabs, Report& report, Progress& progress) const
   {
     const std::size_t count = block_count<ConcurrencyTag>();
     for_each_block<ConcurrencyTag>(count, [&](std::size_t block, std::size_t end) {
       for(; block != end; ++block) {
-        const auto [first, last] = slabs.block(block, count);
-        if(first != last)
-          sweep_slabs(slabs, first, last, report, progress);
+        const std::pair<Place, Place> range = slabs.block(block, count);
+        for_each_column(slabs, range.first, range.second, reach_, false,
+                        [&](const auto& column, Place first, Place last) {
+                          sweep_slabs(column, first, last, report, progress);
+                        });
       }
     });
   }
 
   // Sweeps each of the slabs [first, last) with itself and with the slabs within reach behind it.
-  template <class Report, class Progress>
-  CGAL_RARELY_CALLED void sweep_slabs(const Slabs<Point>& slabs, Place first, Place last,
-                                      Report& report, Progress& progress) const
+  template <class Source, class Report, class Progress>
+  CGAL_RARELY_CALLED void sweep_slabs(const Source& slabs, Place first, Place last, Report& report,
+                                      Progress& progress) const
   {
-    Window window(slabs, reach_, first, tuning_);
+    Slab_window<Point, Leave_slab, Source> window(slabs, reach_, first, tuning_);
     Near_sweep<Test, Report> near_sweep(test_, report);
     Slab_sweep<Point> sweep(reach_, near_sweep);
     Slabs_nearby nearby;
@@ -172,7 +177,8 @@ private:
   {
     blocks.take_block(static_cast<Place>(block), static_cast<Place>(count));
     sweep.between(slab, nearby);
-    advance(progress, slab.size() * (block + 1) / count - slab.size() * block / count, report);
+    const std::size_t size = is_parallel_v<ConcurrencyTag> ? slab.own_size() : slab.size();
+    advance(progress, size * (block + 1) / count - size * block / count, report);
   }
 
   template <class Progress, class Report>

@@ -39,12 +39,13 @@ struct Pending_slab
   Place size() const { return end - begin; }
 };
 
-template <class Point>
+// `Source` is Slabs, or a column of them.
+template <class Point, class Source = Slabs<Point>>
 class Slab_stream
 {
 public:
   // Starts with the slab `first`.
-  Slab_stream(const Slabs<Point>& slabs, double reach, Place first, const Slab_tuning& tuning)
+  Slab_stream(const Source& slabs, double reach, Place first, const Slab_tuning& tuning)
     : slabs_(slabs), reach_(reach), tuning_(tuning), next_slab_(first),
       maker_(reach, slabs.sets(), tuning)
   {}
@@ -92,8 +93,9 @@ private:
   {
     if(next_slab_ == slabs_.count())
       return false;
-    points_ = slabs_.points(next_slab_, unpacked_);
-    pending_.push_back({0, slabs_.size(next_slab_), 0, -1});
+    Place size = 0;
+    points_ = slabs_.points(next_slab_, unpacked_, size);
+    pending_.push_back({0, size, 0, -1});
     ++next_slab_;
     return true;
   }
@@ -141,7 +143,7 @@ private:
     std::reverse(pending_.begin() + bottom, pending_.end());
   }
 
-  const Slabs<Point>& slabs_;
+  const Source& slabs_;
   const double reach_;
   const Slab_tuning tuning_;
   Place next_slab_;
@@ -149,7 +151,7 @@ private:
   Buffer<Point> unpacked_;            // the same, if they are stored otherwise
   std::vector<Pending_slab> pending_; // a stack: the last slab comes first
   std::array<Buffer<Point>, max_cut_depth + 1> scratch_; // the points of slabs that were cut
-  Strips_maker<Point> maker_;
+  Strips_maker<Point, typename Source::Sets> maker_;
   Bucket_sorter<Point> sorter_;
 };
 

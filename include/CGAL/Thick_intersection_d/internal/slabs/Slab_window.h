@@ -32,15 +32,16 @@ struct Leave_slab
   {}
 };
 
-// Calls number(slab) for each slab that becomes ready, in their order.
-template <class Point, class Number = Leave_slab>
+// Calls number(slab) for each slab that becomes ready, in their order. `Source` is as for
+// Slab_stream.
+template <class Point, class Number = Leave_slab, class Source = Slabs<Point>>
 class Slab_window
 {
 public:
   using Slabs_nearby = internal::Slabs_nearby<Point>;
 
   // Starts with the slab `first`.
-  Slab_window(const Slabs<Point>& slabs, double reach, Place first, const Slab_tuning& tuning,
+  Slab_window(const Source& slabs, double reach, Place first, const Slab_tuning& tuning,
               const Number& number = Number())
     : stream_(slabs, reach, first, tuning), reach_(reach), end_(slabs.count()), number_(number)
   {}
@@ -94,7 +95,7 @@ private:
     return true;
   }
 
-  Slab_stream<Point> stream_;
+  Slab_stream<Point, Source> stream_;
   const double reach_;
   const Place end_;
   const Number number_;

@@ -16,6 +16,7 @@
 #include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Equal_cut.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slab_columns.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/tuning.h>
 
@@ -33,10 +34,13 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-template <class Point>
+// `Columns` are Slab_columns if slabs that are too few for all threads are to be cut into columns.
+template <class Point, class Columns = One_column>
 class Slabs
 {
 public:
+  using Sets = Point_sets;
+
   // Takes the `size` points of `source`. The source has the functions interval(axis),
   // coordinate(position, axis) and put(position, place).
   template <class ConcurrencyTag, class Source>
@@ -49,6 +53,10 @@ public:
     const Interval trimmed = trim(source, places);
     const double count = piece_count(trimmed, places, reach, tuning.points_per_slab);
     const Equal_cut cut(trimmed, (std::min)(count, max_slab_count));
+    if constexpr(may_have_columns)
+      if(!sets.are_two() && !are_flat() && places < Column_sets::border_bit)
+        cut_columns(source.interval(column_axis), cut.count(), places, reach,
+                    block_count<ConcurrencyTag>(), tuning.points_per_column);
     if(are_flat())
       distribute<ConcurrencyTag>(source, cut, places, flat_points_);
     else
@@ -57,13 +65,18 @@ public:
 
   const Point_sets& sets() const { return sets_; }
 
-  Place count() const { return static_cast<Place>(begins_.size()) - 1; }
+  // The number of slabs in each column. The slabs of a column follow those of the column before.
+  Place count() const { return (static_cast<Place>(begins_.size()) - 1) / columns_.count(); }
+  const Columns& columns() const { return columns_; }
+
   Place size() const { return begins_.back(); }
   Place size(Place slab) const { return begins_[slab + 1] - begins_[slab]; }
 
-  // Returns the first point of a slab. The points are in `buffer` unless they are stored whole.
-  const Point* points(Place slab, Buffer<Point>& buffer) const
+  // Returns the first point of a slab, and sets their number. The points are in `buffer` unless
+  // they are stored whole.
+  const Point* points(Place slab, Buffer<Point>& buffer, Place& number) const
   {
+    number = size(slab);
     if(!are_flat())
       return points_.get() + begins_[slab];
     const Flat_point* const first = flat_points_.get() + begins_[slab];
@@ -101,6 +114,8 @@ private:
   };
 
   static constexpr int axis = Point::slab_axis;
+  static constexpr int column_axis = axis - 1;
+  static constexpr bool may_have_columns = !std::is_same_v<Columns, One_column>;
 
   // How many points ahead the memory that a point goes to is asked for.
   static constexpr int distance = 16;
@@ -127,7 +142,7 @@ private:
   {
     points = make_uninitialized<Stored>(size);
     const int slab_axis = std::is_same_v<Stored, Flat_point> ? flat_axes_[1] : axis;
-    const Place count = cut.count();
+    const Place count = cut.count() * columns_.count();
     const std::size_t blocks = block_count<ConcurrencyTag>();
     const std::unique_ptr<Place[]> next(new Place[blocks * count]);
     for_each_numbered_block<ConcurrencyTag>(
@@ -135,7 +150,7 @@ private:
         Place* const counts = next.get() + block * count;
         std::fill_n(counts, count, Place(0));
         for(; i != end; ++i)
-          ++counts[cut(source.coordinate(i, slab_axis))];
+          ++counts[slab_of(source, cut, slab_axis, i)];
       });
     begins_ = std::vector<Place>(count + std::size_t(1), 0);
     replace_by_sums_over_blocks<ConcurrencyTag>(next.get(), blocks, count, begins_.data());
@@ -148,13 +163,24 @@ private:
         while(i != end) {
           const std::size_t some = (std::min)(end - i, std::size_t(distance));
           for(std::size_t p = 0; p < some; ++p) {
-            slabs[p] = cut(source.coordinate(i + p, slab_axis));
+            slabs[p] = slab_of(source, cut, slab_axis, i + p);
             prefetch_to_write(&points[places[slabs[p]]]);
           }
           for(std::size_t p = 0; p < some; ++p, ++i)
             put(source, i, points[places[slabs[p]]++]);
         }
       });
+  }
+
+  // Returns the slab, in its column, that a point goes to.
+  template <class Source>
+  Place slab_of(const Source& source, const Equal_cut& cut, int slab_axis, std::size_t i) const
+  {
+    const Place slab = cut(source.coordinate(i, slab_axis));
+    if constexpr(may_have_columns)
+      if(columns_.count() > 1)
+        return slab + cut.count() * columns_(source.coordinate(i, column_axis));
+    return slab;
   }
 
   template <class Source>
@@ -191,7 +217,17 @@ private:
     return {(std::max)(sample.low - margin, all.low), (std::min)(sample.high + margin, all.high)};
   }
 
+  // Cuts the slabs into columns if they are fewer than threads need.
+  void cut_columns(const Interval& interval, Place slabs, Place size, double reach,
+                   std::size_t blocks, double points_per_column)
+  {
+    if(2 * static_cast<std::size_t>(slabs) < blocks)
+      columns_ = Columns(interval, reach, (std::min)(slabs_per_block * static_cast<double>(blocks),
+                                                     size / points_per_column) / slabs);
+  }
+
   const Point_sets sets_;
+  Columns columns_;
   std::array<int, 2> flat_axes_ = {}; // the axes along which flat points differ
   Number flat_coordinate_ = 0;
   std::unique_ptr<Flat_point[]> flat_points_; // or else

@@ -108,6 +108,30 @@ public:
         });
   }
 
+  // The same. Takes the bit of the border away from positions.
+  template <class Sets>
+  void append(const Point* first, const Point* last, const Sets& sets)
+  {
+    if(!sets.have_border)
+      append(first, last, sets.sets);
+    else
+      for(const Place side : {Place(0), Sets::side_of_border})
+        append_if(first, last, side, [&](Place& position) {
+          const bool is_in_border = (position & Sets::border_bit) != 0;
+          position &= Sets::border_bit - 1;
+          return is_in_border == (side != 0);
+        });
+  }
+
+  // The number of points that are not in the border of a column.
+  Place own_size() const
+  {
+    Place size = 0;
+    for(const Strip_of_points& strip : strips_)
+      size += strip.sides == Column_sets::side_of_border ? 0 : strip.size();
+    return size;
+  }
+
   // Appends the border of a strip of `other`: the points that meet `interval` along `axis`.
   void append_border(const Strips& other, const Strip_of_points& strip, int axis,
                      const Interval& interval)
@@ -147,8 +171,10 @@ private:
         columns_[axis].data()[strip.end] = p.x[axis];
         strip.box[axis].add(p.x[axis]);
       }
-      positions_.data()[strip.end] = p.position;
-      strip.end += keep(p.position); // no branch: the next point takes the place of one not kept
+      Place position = p.position;
+      const bool is_kept = keep(position);
+      positions_.data()[strip.end] = position;
+      strip.end += is_kept; // no branch: the next point takes the place of one not kept
     }
     close(strip);
   }

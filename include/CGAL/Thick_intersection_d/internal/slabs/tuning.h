@@ -56,6 +56,12 @@ inline constexpr Place sample_tail = sample_size / 64; // points left out at eit
 inline constexpr double sample_margin = 1. / 16;       // in ranges of the sample
 inline constexpr double max_stretch = 4;               // in ranges of the sample
 
+// In parallel, slabs that are less than half as many as the blocks that threads take are cut into
+// columns, so that there are about four for each block. The columns are to be much wider than the
+// reach, because of their borders.
+inline constexpr double slabs_per_block = 4;
+inline constexpr double min_column_width = 8; // in reaches
+
 // A slab is swept in at most so many blocks: the progress functor is called a thousand times.
 inline constexpr double max_block_count = 1024;
 
@@ -75,6 +81,9 @@ struct Slab_tuning
   // A strip with more points is low: at most as high as max_height says. Few scenes have high ones
   // with so many points, because crowded strips are cut where the points are.
   Place max_high_strip_size = 64;
+
+  // On average, at least, in each slab that is cut into columns for threads.
+  Place points_per_column = 512;
 
   // A larger slab is cut again, to fit in a cache with its columns. 10^7 sparse points: 1.26 in the
   // plane with 4096, 1.45 in space without a limit.

@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_SLAB_COLUMN_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_SLAB_COLUMN_H
+
+// The slabs of one column, with the border of the column: points of the columns beside it that are
+// within reach. A pair of two columns is reported in the lower one, so that needs the border above
+// only. Lists of neighbors need both.
+//
+// Of points that are reported by other numbers than their positions, there are no columns: no bit
+// of the numbers is free.
+
+#include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slab_columns.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slabs.h>
+
+#include <algorithm>
+#include <limits>
+#include <type_traits>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+template <class ConcurrencyTag, class Test>
+using Slabs_of = Slabs<typename Test::Point,
+                       std::conditional_t<is_parallel_v<ConcurrencyTag> && !Test::has_numbers,
+                                          Slab_columns, One_column>>;
+
+template <class Point>
+class Slab_column
+{
+public:
+  using Sets = Column_sets;
+
+  Slab_column(const Slabs<Point, Slab_columns>& slabs, Place column, double reach,
+              bool has_border_below)
+    : slabs_(slabs), first_(column * slabs.count())
+  {
+    if(column + 1 < slabs.columns().count())
+      high_ = slabs.columns().above(column) + reach;
+    if(has_border_below && column > 0)
+      low_ = slabs.columns().below(column) - reach;
+  }
+
+  Column_sets sets() const { return {slabs_.columns().count() > 1, slabs_.sets()}; }
+  Place count() const { return slabs_.count(); }
+
+  // Returns the first of the points of a slab, and of its border, and sets their number.
+  const Point* points(Place slab, Buffer<Point>& buffer, Place& number) const
+  {
+    const Place own = first_ + slab;
+    if(slabs_.columns().count() == 1)
+      return slabs_.points(own, buffer, number);
+    const Place above = own + count(), below = own - count();
+    const Place size_above = high_ < infinity ? slabs_.size(above) : 0;
+    const Place size_below = low_ > -infinity ? slabs_.size(below) : 0;
+    Buffer<Point> none;
+    const Point* const first = slabs_.points(own, none, number);
+    Point* const points = buffer.require(number + size_above + size_below);
+    std::copy_n(first, number, points);
+    if(size_above != 0)
+      number += copy_border(above, points + number, [&](double x) { return x <= high_; });
+    if(size_below != 0)
+      number += copy_border(below, points + number, [&](double x) { return x >= low_; });
+    return points;
+  }
+
+private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr int axis = Point::slab_axis - 1;
+
+  // Copies the points of a slab that are in the border. Returns how many they are.
+  template <class Is_in_border>
+  Place copy_border(Place slab, Point* border, const Is_in_border& is_in_border) const
+  {
+    Buffer<Point> none;
+    Place size = 0;
+    const Point* const first = slabs_.points(slab, none, size);
+    Place count = 0;
+    for(Place i = 0; i < size; ++i) {
+      border[count] = first[i];
+      border[count].position |= Column_sets::border_bit;
+      count += is_in_border(first[i].x[axis]); // no branch: the next point takes the place
+    }
+    return count;
+  }
+
+  const Slabs<Point, Slab_columns>& slabs_;
+  const Place first_; // the first slab of the column
+  double low_ = -infinity;
+  double high_ = infinity;
+};
+
+// Calls task(slabs, first, last).
+template <class Point, class Task>
+void for_each_column(const Slabs<Point>& slabs, Place first, Place last, double, bool,
+                     const Task& task)
+{
+  if(first != last)
+    task(slabs, first, last);
+}
+
+// Calls task(column, first, last) for the parts of the slabs [first, last) in each column.
+template <class Point, class Task>
+void for_each_column(const Slabs<Point, Slab_columns>& slabs, Place first, Place last, double reach,
+                     bool have_borders_below, const Task& task)
+{
+  while(first != last) {
+    const Place column = first / slabs.count();
+    const Place begin = column * slabs.count();
+    const Place end = (std::min)(last, begin + slabs.count());
+    task(Slab_column<Point>(slabs, column, reach, have_borders_below), first - begin, end - begin);
+    first = end;
+  }
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_SLAB_COLUMN_H
