@@ -146,7 +146,7 @@ BOOST_AUTO_TEST_CASE(the_first_square_beyond_is_that_of_rational_numbers)
   Random random(2);
   for(const int e : {0, 1, -20, 300, -500})
     for(int i = 0; i < 100; ++i) {
-      const std::uint64_t n = random.below(std::size_t(1) << (1 + random.below(62)));
+      const std::uint64_t n = random.below(std::uint64_t(1) << (1 + random.below(62)));
       const std::uint64_t d = i % 2 == 0 ? 1 : 1 + random.below(1000);
       check_first_beyond<internal::Exact_number_t<double>>(n, d, e);
       check_first_beyond<CGAL::Exact_rational>(n, d, e);

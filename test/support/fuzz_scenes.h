@@ -77,7 +77,10 @@ public:
 
   Random& random() { return random_; }
   bool is_chance(std::size_t one_in) { return random_.below(one_in) == 0; }
-  std::int64_t below(std::size_t count) { return static_cast<std::int64_t>(random_.below(count)); }
+  std::int64_t below(std::uint64_t count)
+  {
+    return static_cast<std::int64_t>(random_.below(count));
+  }
 
   // Points on a coarse lattice, of which some are moved by a unit: ties, and what is next to them.
   // Few of them, or so many that there are several slabs.
@@ -108,7 +111,7 @@ public:
   }
 
   // A length of some steps of the lattice, or about that.
-  std::int64_t length(std::size_t count)
+  std::int64_t length(std::uint64_t count)
   {
     return (std::max)(std::int64_t(0),
                       (below(count) << shift_) + (is_chance(4) ? below(3) - 1 : 0));
@@ -138,7 +141,7 @@ public:
     const auto [extent, distance] = extent_and_distance();
     Lattice_place low = {}, high = {};
     for(int axis = 0; axis < dimension; ++axis) {
-      low[axis] = is_chance(2) ? 0 : below((std::size_t(1) << range_.digits) - extent);
+      low[axis] = is_chance(2) ? 0 : below((std::uint64_t(1) << range_.digits) - extent);
       high[axis] = low[axis] + (axis > 0 && is_chance(4) ? below(extent + 1) : extent);
     }
     scene.places = {low, high};

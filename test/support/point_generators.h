@@ -31,7 +31,7 @@ public:
   }
 
   // The modulo favours small values by less than size / 2^64, which no test can see.
-  std::size_t below(std::size_t size) { return static_cast<std::size_t>(engine_() % size); }
+  std::uint64_t below(std::uint64_t size) { return engine_() % size; }
 
   // Mean 0, variance 1: twelve uniforms are close enough to a Gaussian to make clusters.
   double bell()
