@@ -144,7 +144,7 @@ private:
       const Offset<Dimension>* offset = offsets_.data() + first_offsets_[moving_sides];
       const Offset<Dimension>* const end = offsets_.data() + first_offsets_[moving_sides + 1];
       found.next_others.put(moved(home, *offset), offset != end);
-      while(offset < end - 1)
+      while(offset + 1 < end)
         found.near_others.push_back(moved(home, *++offset));
     }
     else if(is_moved)
