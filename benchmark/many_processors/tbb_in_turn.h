@@ -12,47 +12,32 @@
 
 #include "Task_record.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <deque>
-#include <functional>
 #include <map>
-#include <memory>
 
 namespace tbb {
+namespace stand_in {
 
-template <class T>
-class blocked_range
+// Four for each processor, which is what oneTBB begins with. It divides a block further when
+// another thread is idle.
+inline std::size_t block_count()
 {
-public:
-  blocked_range(T first, T last) : first_(first), last_(last) {}
-  T begin() const { return first_; }
-  T end() const { return last_; }
-
-private:
-  T first_, last_;
-};
-
-// In four blocks for each processor, which is what oneTBB begins with. It divides a block further
-// when another thread is idle.
-template <class T, class Body>
-void parallel_for(const blocked_range<T>& range, const Body& body)
-{
-  thick_benchmark::Task_record& record = *thick_benchmark::current_record();
-  const T size = range.end() - range.begin();
-  const T blocks = (std::min)(size, static_cast<T>(4 * record.processors()));
-  record.run(blocks, [&](std::size_t b) {
-    body(blocked_range<T>(range.begin() + size * b / blocks,
-                          range.begin() + size * (b + 1) / blocks));
-  });
+  return 4 * thick_benchmark::current_record()->processors();
 }
 
-template <class... Task>
-void parallel_invoke(const Task&... task)
+template <class Task>
+void run(std::size_t count, const Task& task)
 {
-  const std::function<void()> tasks[] = {task...};
-  thick_benchmark::current_record()->run(sizeof...(Task), [&](std::size_t t) { tasks[t](); });
+  thick_benchmark::current_record()->run(count, task);
 }
+
+} // namespace stand_in
+} // namespace tbb
+
+#include "support/tbb_by_blocks.h"
+
+namespace tbb {
 
 namespace this_task_arena {
 inline int max_concurrency()
@@ -60,11 +45,6 @@ inline int max_concurrency()
   return static_cast<int>(thick_benchmark::current_record()->processors());
 }
 } // namespace this_task_arena
-
-template <class T>
-using cache_aligned_allocator = std::allocator<T>;
-
-enum ets_key_usage_type { ets_key_per_instance, ets_no_key };
 
 // The values are those of processors whose tasks have asked for one.
 template <class T, class Allocator = std::allocator<T>, ets_key_usage_type = ets_no_key>

@@ -25,9 +25,12 @@
 
 namespace tbb {
 
-namespace on_threads {
+namespace stand_in {
 
 constexpr int max_threads = 4;
+
+// More than threads.
+inline std::size_t block_count() { return 16; }
 
 inline std::atomic<int> idle_threads = max_threads - 1;
 
@@ -79,41 +82,16 @@ inline void run(std::size_t count, const std::function<void(std::size_t)>& task)
     std::rethrow_exception(error);
 }
 
-} // namespace on_threads
+} // namespace stand_in
 
-template <class T>
-class blocked_range
-{
-public:
-  blocked_range(T first, T last) : first_(first), last_(last) {}
-  T begin() const { return first_; }
-  T end() const { return last_; }
+} // namespace tbb
 
-private:
-  T first_, last_;
-};
+#include "support/tbb_by_blocks.h"
 
-// In up to 16 blocks, which are more than threads.
-template <class T, class Body>
-void parallel_for(const blocked_range<T>& range, const Body& body)
-{
-  const T size = range.end() - range.begin();
-  const T blocks = (std::min)(size, T(16));
-  on_threads::run(blocks, [&](std::size_t b) {
-    body(blocked_range<T>(range.begin() + size * b / blocks,
-                          range.begin() + size * (b + 1) / blocks));
-  });
-}
-
-template <class... Task>
-void parallel_invoke(const Task&... task)
-{
-  const std::function<void()> tasks[] = {task...};
-  on_threads::run(sizeof...(Task), [&](std::size_t b) { tasks[b](); });
-}
+namespace tbb {
 
 namespace this_task_arena {
-inline int max_concurrency() { return on_threads::max_threads; }
+inline int max_concurrency() { return stand_in::max_threads; }
 } // namespace this_task_arena
 
 // Tests set the number of threads by this; here there are always as many.
@@ -123,11 +101,6 @@ struct global_control
   global_control(Parameter, std::size_t) {}
   ~global_control() {} // so that no compiler calls it unused
 };
-
-template <class T>
-using cache_aligned_allocator = std::allocator<T>;
-
-enum ets_key_usage_type { ets_key_per_instance, ets_no_key };
 
 // The values are those of threads that have asked for one. A thread that ends leaves its value.
 template <class T, class Allocator = std::allocator<T>, ets_key_usage_type = ets_no_key>
@@ -141,7 +114,7 @@ public:
   T& local()
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    T*& value = of_threads_[on_threads::thread_number()];
+    T*& value = of_threads_[stand_in::thread_number()];
     if(value == nullptr)
       value = &values_.emplace_back(make_());
     return *value;

@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// What stand-ins for oneTBB have in common. Each has, before it includes this file,
+//
+//   std::size_t tbb::stand_in::block_count();  // into how many blocks a range is divided
+//   void tbb::stand_in::run(count, task);      // calls task(b) for the numbers below `count`
+
+#ifndef THICK_INTERSECTION_TEST_SUPPORT_TBB_BY_BLOCKS_H
+#define THICK_INTERSECTION_TEST_SUPPORT_TBB_BY_BLOCKS_H
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <memory>
+
+namespace tbb {
+
+template <class T>
+class blocked_range
+{
+public:
+  blocked_range(T first, T last) : first_(first), last_(last) {}
+  T begin() const { return first_; }
+  T end() const { return last_; }
+
+private:
+  T first_, last_;
+};
+
+template <class T, class Body>
+void parallel_for(const blocked_range<T>& range, const Body& body)
+{
+  const T size = range.end() - range.begin();
+  const T blocks = (std::min)(size, static_cast<T>(stand_in::block_count()));
+  stand_in::run(blocks, [&](std::size_t b) {
+    body(blocked_range<T>(range.begin() + size * b / blocks,
+                          range.begin() + size * (b + 1) / blocks));
+  });
+}
+
+template <class... Task>
+void parallel_invoke(const Task&... task)
+{
+  const std::function<void()> tasks[] = {task...};
+  stand_in::run(sizeof...(Task), [&](std::size_t t) { tasks[t](); });
+}
+
+template <class T>
+using cache_aligned_allocator = std::allocator<T>;
+
+enum ets_key_usage_type { ets_key_per_instance, ets_no_key };
+
+} // namespace tbb
+
+#endif // THICK_INTERSECTION_TEST_SUPPORT_TBB_BY_BLOCKS_H
