@@ -4,6 +4,7 @@
 // How many times as fast as in sequence the searches are with 16, 64 and 256 processors: the time
 // in sequence over work / P + span, of tasks that run in turn (Task_record.h). A table in Markdown.
 //
+//   many_processors [--quick] [--large] [<word>]
 //
 //   --quick    10^4 elements only: does it work?
 //   --large    10^7 elements as well

@@ -141,7 +141,7 @@ BOOST_AUTO_TEST_CASE(wide_scenes_of_ties_are_searched_once)
 Points made_for_a_seed(int dimension, std::size_t size, std::uint64_t seed, double scale)
 {
   const internal::Some_positions drawn(CGAL::Sequential_tag(),
-                                        internal::Some_positions(size), seed);
+                                       internal::Some_positions(size), seed);
   Points points = moved(uniform_points(dimension, size, 0, 1, 8), scale, 0);
   for(std::size_t i = 0; i < drawn.size(); ++i)
     points[drawn[i]] = Coordinates(static_cast<std::size_t>(dimension),

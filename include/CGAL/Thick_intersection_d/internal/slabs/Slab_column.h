@@ -42,6 +42,7 @@ public:
               bool has_border_below)
     : slabs_(slabs), first_(column * slabs.count())
   {
+    // Rounding is monotone, so it leaves no point within reach out, in any mode.
     if(column + 1 < slabs.columns().count())
       high_ = slabs.columns().above(column) + reach;
     if(has_border_below && column > 0)
