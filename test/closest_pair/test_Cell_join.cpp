@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <set>
 
 BOOST_AUTO_TEST_SUITE(Cell_join)
@@ -72,7 +73,8 @@ struct Set_visitor
 };
 
 // In space, with entries in several lists; distances of small integers are exact.
-BOOST_AUTO_TEST_CASE(joins_of_many_lists_visit_all_close_pairs)
+template <class ConcurrencyTag>
+void check_join_of_many_lists()
 {
   Points points = uniform_points(3, 6000, -40, 80, 1);
   for(Coordinates& c : points)
@@ -80,10 +82,14 @@ BOOST_AUTO_TEST_CASE(joins_of_many_lists_visit_all_close_pairs)
       x = std::floor(x);
   const Plain_points<double> elements = plain_points(points);
   std::set<Pair> visited;
-  const internal::Cell_join<CGAL::Sequential_tag, 3, Plain_points<double>> join(elements, 3, 10, 1);
+  std::mutex mutex;
+  const auto visit = [&](std::size_t i, std::size_t j) {
+    const std::lock_guard<std::mutex> lock(mutex);
+    return Set_visitor{visited}(i, j);
+  };
+  const internal::Cell_join<ConcurrencyTag, 3, Plain_points<double>> join(elements, 3, 10, 1);
   internal::Unwatched_progress progress;
-  join(internal::Some_positions(points.size()), no_limit, [&] { return Set_visitor{visited}; },
-       progress);
+  join(internal::Some_positions(points.size()), no_limit, [&] { return visit; }, progress);
   std::size_t close = 0, missing = 0;
   for(std::size_t i = 0; i < points.size(); ++i)
     for(std::size_t j = i + 1; j < points.size(); ++j) {
@@ -97,6 +103,15 @@ BOOST_AUTO_TEST_CASE(joins_of_many_lists_visit_all_close_pairs)
     }
   BOOST_CHECK_EQUAL(missing, 0u);
   BOOST_CHECK_GT(close, 1000u);
+}
+
+BOOST_AUTO_TEST_CASE(joins_of_many_lists_visit_all_close_pairs)
+{
+  check_join_of_many_lists<CGAL::Sequential_tag>();
+}
+BOOST_AUTO_TEST_CASE(parallel_joins_of_many_lists_visit_all_close_pairs)
+{
+  check_join_of_many_lists<CGAL::Parallel_tag>();
 }
 
 // The border of two cells is in the middle of each pair.
