@@ -122,6 +122,43 @@ BOOST_AUTO_TEST_CASE(positions_tell_boxes_without_ids)
   BOOST_CHECK_EQUAL(pairs_between(equal, copy).size(), 9u);
 }
 
+// A box of another type, with its center and its size.
+struct Ball_of_line
+{
+  float center, radius;
+
+  static constexpr int dimension() { return 1; }
+  double min_coord(int) const { return static_cast<double>(center) - static_cast<double>(radius); }
+  double max_coord(int) const { return static_cast<double>(center) + static_cast<double>(radius); }
+};
+
+// Few boxes, and many.
+BOOST_AUTO_TEST_CASE(two_ranges_may_hold_boxes_of_two_types)
+{
+  for(const int size : {4, 300}) {
+    Intervals intervals;
+    std::vector<Ball_of_line> balls; // ball j meets the intervals j and j + 1 at an end
+    for(int i = 0; i < size; ++i) {
+      intervals.push_back({{2. * i}, {2. * i + 1}});
+      balls.push_back({2.f * static_cast<float>(i) + 1.5f, .5f});
+    }
+    for(const auto topology : {CLOSED, HALF_OPEN}) {
+      Pairs pairs, expected;
+      CGAL::thick_box_intersection_d(
+        intervals.begin(), intervals.end(), balls.begin(), balls.end(),
+        [&](const Interval& a, const Ball_of_line& b) {
+          pairs.emplace_back(&a - intervals.data(), &b - balls.data());
+        }, 10, topology);
+      for(std::size_t i = 0; i < intervals.size() && topology == CLOSED; ++i) {
+        if(i > 0)
+          expected.emplace_back(i, i - 1);
+        expected.emplace_back(i, i);
+      }
+      BOOST_CHECK(sorted(pairs) == expected);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(traits_have_a_state)
 {
   const std::vector<double> points = {0, 1, 3};
