@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <optional>
 
@@ -105,6 +106,54 @@ BOOST_AUTO_TEST_CASE(bounds_in_the_range_of_the_other_filter_are_left_to_it)
 {
   for(const int exponent : {-300, 0, 300})
     BOOST_CHECK_EQUAL(check_near_ties(exponent, 30), 0);
+}
+
+// A bound on the squares of few steps of 2^-1074. A reach of whole steps would be too long, and an
+// open bound of one step would leave all pairs of neighbors to exact numbers.
+void check_denormal_steps(int squared_steps, bool is_open, double largest)
+{
+  using Exact = internal::Exact_number_t<double>;
+  const Exact step(0x1p-1074);
+  const auto bound = CGAL::within_squared_distance(Exact(Exact(squared_steps) * step * step));
+  const Filter filter
+    = internal::scaled_filter(Bound(is_open ? bound.open() : bound), 3, largest, none);
+  BOOST_CHECK(filter.reach < std::sqrt(squared_steps + 1) * (0x1p-1074 * filter.scale));
+  const std::array<double, 3> p = {0x1p-1060, 0, -0x1p-1074};
+  for(int i = -5; i <= 5; ++i)
+    for(int j = -5; j <= 5; ++j)
+      for(int k = -5; k <= 5; ++k) {
+        const std::array<double, 3> q
+          = {p[0] + i * 0x1p-1074, p[1] + j * 0x1p-1074, p[2] + k * 0x1p-1074};
+        const int square = i * i + j * j + k * k;
+        const bool expected = is_open ? square < squared_steps : square <= squared_steps;
+        BOOST_CHECK(decision(filter, p, q) == std::optional<bool>(expected));
+        for(const int gap : {i, j, k})
+          BOOST_CHECK(!expected || std::abs(gap) * (0x1p-1074 * filter.scale) <= filter.reach);
+      }
+}
+
+BOOST_AUTO_TEST_CASE(few_denormal_steps_are_certain)
+{
+  for(int squared_steps = 1; squared_steps <= 30; ++squared_steps)
+    for(const bool is_open : {false, true})
+      for(const double largest : {0x1p-1060, 1., 0x1p300}) // of the coordinates of the scene
+        for(const int mode : rounding_modes) {
+          const Rounding_mode rounding(mode);
+          check_denormal_steps(squared_steps, is_open, largest);
+        }
+}
+
+// The reach of a squared bound may be a step longer than the bound.
+BOOST_AUTO_TEST_CASE(many_denormal_steps_are_certain_unless_they_are_a_near_tie)
+{
+  using Exact = internal::Exact_number_t<double>;
+  const double distance = std::ldexp(1., 30 - 1074);
+  const Filter filter = internal::scaled_filter(
+    Bound(CGAL::within_squared_distance(Exact(Exact(distance) * Exact(distance)))), 2, 1., none);
+  const std::array<double, 2> p = {0, 0}, near = {distance * (1 - 0x1p-20), 0},
+                              far = {distance * (1 + 0x1p-20), 0};
+  BOOST_CHECK(decision(filter, p, near) == std::optional<bool>(true));
+  BOOST_CHECK(decision(filter, p, far) == std::optional<bool>(false));
 }
 
 // The extent of a scene may overflow.

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace CGAL {
@@ -34,24 +35,35 @@ struct Scaled_filter
 //
 // What underflows in a scaled number is less than 2^-1000 of the bound. The reach and the rounding
 // of `low` have more room than that.
+//
+// A reach of few steps between denormal numbers may be a step too long, which is much. But then
+// squared distances are whole numbers of squared steps, of at most 53 bits up to the bound. So half
+// a squared step less than what is beyond the bound decides about all of them.
 template <class Exact>
 CGAL_RARELY_CALLED
 Scaled_filter scaled_filter(const Squared_bound<Exact>& bound, int dimension, double largest,
                             const Scaled_filter& plain)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr double step = std::numeric_limits<double>::denorm_min();
   const double high = bound.reach();
-  const double low = high * (1 - 0x1p-50);
   const bool needs_no_scale
     = bound.squared().first >= min_safe_square && bound.squared().second <= max_safe_square;
-  if(needs_no_scale || !(low > 0) || high == infinity
-     || !bound.holds_for(Exact(low) * Exact(low)))
+  if(needs_no_scale || !(high > 0) || high == infinity)
     return plain;
-  const int largest_exponent = std::ilogb((std::max)(largest, high));
-  const double scale
-    = std::ldexp(1, -(std::max)({std::ilogb(high), largest_exponent - 1000, -1023}));
+  const int exponent = (std::min)(-std::ilogb(high), 1000 - std::ilogb((std::max)(largest, high)));
+  const double scale = std::ldexp(1, (std::min)(exponent, 1023));
+  const double scaled_step = step * scale;
+  if(high <= 0x1p24 * step && scaled_step >= 0x1p-400) {
+    const auto beyond = static_cast<std::int64_t>(bound.first_beyond(-1074));
+    const double limit = (static_cast<double>(beyond) - 0.5) * scaled_step * scaled_step;
+    return {scale, std::sqrt(limit), {limit, limit}};
+  }
+  const double low = high * (1 - 0x1p-50) - 2 * step;
+  if(!bound.holds_for(Exact(low) * Exact(low)))
+    return plain;
   const double scaled_low = low * scale, scaled_high = high * scale;
-  return {scale, std::nextafter(scaled_high, infinity),
+  return {scale, scaled_high * (1 + 0x1p-50),
           make_distance_filter(scaled_low * scaled_low * (1 - 0x1p-50),
                                scaled_high * scaled_high * (1 + 0x1p-50), dimension)};
 }
