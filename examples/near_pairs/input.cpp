@@ -110,11 +110,8 @@ Lines::Lines(const Input& input)
 
 bool Lines::next(std::string& line)
 {
-  if(!std::getline(*stream_, line)) {
-    if(stream_->bad())
-      throw Error(file(), "cannot be read to its end");
+  if(!get_line(line))
     return false;
-  }
   ++number_;
   const std::size_t shown = bytes_ >> 20;
   bytes_ += line.size() + 1;
@@ -125,6 +122,20 @@ bool Lines::next(std::string& line)
   if(!line.empty() && line.back() == '\r')
     line.pop_back();
   return true;
+}
+
+// Memory that runs out, in a line that is as long as the file, is no fault of the file.
+bool Lines::get_line(std::string& line)
+{
+  try {
+    stream_->exceptions(std::ios::badbit);
+    const bool is_read = bool(std::getline(*stream_, line));
+    stream_->exceptions(std::ios::goodbit);
+    return is_read;
+  }
+  catch(const std::ios::failure&) {
+    throw Error(file(), "cannot be read to its end");
+  }
 }
 
 bool Lines::read_bytes(std::string& bytes, std::size_t count)

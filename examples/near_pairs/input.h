@@ -53,6 +53,8 @@ public:
   const std::string& file() const { return input_.name(); }
 
 private:
+  bool get_line(std::string& line);
+
   const Input& input_;
   std::unique_ptr<std::istream> stream_;
   std::size_t number_ = 0;

@@ -1132,6 +1132,11 @@ fi
 (ulimit -v 400000; timeout 60 "$binary" /dev/zero --distance 1 > out 2> err)
 status=$?
 verdict "a file that memory does not hold" is_one_error "there is not enough memory"
+head -c 500000000 /dev/zero | gzip -1 > zeros.csv.gz
+(ulimit -v 400000; timeout 60 "$binary" zeros.csv.gz --distance 1 > out 2> err)
+status=$?
+verdict "a line that memory does not hold, compressed" is_one_error "there is not enough memory"
+rm zeros.csv.gz
 (ulimit -f 100; exec "$binary" "$ships" --distance 1 --pairs limited.csv > out 2> err)
 status=$?
 verdict "a file that is too large" is_one_error "limited.csv: cannot be written to its end"
