@@ -31,6 +31,7 @@ const char* const lines[] = {
   "near2_sets r=1e-12 bands:1:62:0.1@all:1 place:0:0.5:0@first:0.5",
   "near3_sets r=1e-12 bands:1:62:0.1@all:1 place:0:0.5:0@first:0.5",
   // scenes of many scales
+  "near2 r=1e-200 log:2:300:1e100@all:1",
   "closest2 nested:0:600/n:1@all:1 follow:1:0:1@all:1",
   "closest3 nested:0:600/n:1@all:1 follow:1:0:1@all:1 follow:2:0:1@all:1",
   "closest5 nested:5:600/n:1@all:1",
