@@ -63,17 +63,24 @@ std::uint64_t first_key(std::uint64_t seed)
   return x ^ (x >> 31);
 }
 
-// One factor of their products is zero, so all points have the same hash.
-BOOST_AUTO_TEST_CASE(points_that_are_made_for_the_hash_take_few_looks)
+// Points of which the first `count` are different, and all have the same hash: one factor of their
+// products is zero.
+Points points_for_the_hash(std::uint64_t seed, std::uint64_t size, std::uint64_t count)
 {
-  const std::uint64_t seed = 5;
   Points points;
-  for(std::uint64_t i = 0; i < 20000; ++i) {
+  for(std::uint64_t i = 0; i < size; ++i) {
     const std::uint64_t low = (0 - first_key(seed)) & 0xffffffff;
-    const std::uint64_t bits = ((0x40000000 + i % 19997) << 32) + low; // those of a positive double
+    const std::uint64_t bits = ((0x40000000 + i % count) << 32) + low; // those of a positive double
     points.emplace_back(1);
     std::memcpy(&points.back()[0], &bits, sizeof(bits));
   }
+  return points;
+}
+
+BOOST_AUTO_TEST_CASE(points_that_are_made_for_the_hash_take_few_looks)
+{
+  const std::uint64_t seed = 5;
+  const Points points = points_for_the_hash(seed, 20000, 19997);
   const Plain_points<double> plain = plain_points(points);
   std::size_t looks = 0;
   const Counted_points<Plain_point<double>> counted = {plain, looks};
@@ -82,6 +89,20 @@ BOOST_AUTO_TEST_CASE(points_that_are_made_for_the_hash_take_few_looks)
   BOOST_CHECK(search.find(progress) == Pair(0, 19997));
   BOOST_CHECK_GT(looks, 20 * points.size());
   BOOST_CHECK_LT(looks, 200 * points.size());
+}
+
+// The search goes on with a tree in the middle of the points: one point after another is in a pair.
+BOOST_AUTO_TEST_CASE(the_tree_has_all_points_before_it)
+{
+  const std::uint64_t seed = 5, size = 100;
+  for(std::size_t i = 1; i + 1 < size; ++i) {
+    Points points = points_for_the_hash(seed, size, size);
+    points[size - 1] = points[i];
+    const Plain_points<double> plain = plain_points(points);
+    internal::Unwatched_progress progress;
+    internal::First_equal_pair<Plain_points<double>> search(plain, 1, seed);
+    BOOST_CHECK(search.find(progress) == Pair(i, size - 1));
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

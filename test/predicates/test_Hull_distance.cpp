@@ -52,11 +52,12 @@ double true_square(const Integers& a)
 }
 
 template <int Dimension>
-Hull_vector<std::int64_t> lattice_point(Random& random, std::size_t side)
+Hull_vector<std::int64_t> lattice_point(Random& random, std::int64_t side)
 {
   Hull_vector<std::int64_t> p = {};
+  const auto count = static_cast<std::uint64_t>(2 * side + 1);
   for(std::size_t axis = 0; axis < Dimension; ++axis)
-    p[axis] = static_cast<std::int64_t>(random.below(2 * side + 1)) - static_cast<int>(side);
+    p[axis] = static_cast<std::int64_t>(random.below(count)) - side;
   return p;
 }
 
@@ -86,7 +87,7 @@ void check_simplices(std::size_t count)
 {
   Random random(count);
   std::size_t proper = 0, wrong = 0;
-  for(const std::size_t side : {2, 5, 12})
+  for(const std::int64_t side : {2, 5, 12})
     for(int i = 0; i < 2000; ++i) {
       Integers vertices;
       internal::Hull_simplex<Dimension> simplex;
@@ -275,7 +276,7 @@ struct Question
 };
 
 template <int Dimension, std::size_t Size>
-Integers lattice_hull(Random& random, std::size_t side)
+Integers lattice_hull(Random& random, std::int64_t side)
 {
   Integers vertices;
   for(std::size_t k = 0; k < Size; ++k)
@@ -290,7 +291,7 @@ void check_small_hulls()
   Random random(10 * Size_a + Size_b);
   Answers around, ties, guesses;
   std::size_t too_few = 0, apart = 0;
-  for(const std::size_t side : {1, 2, 4, 9})
+  for(const std::int64_t side : {1, 2, 4, 9})
     for(int i = 0; i < 300; ++i) {
       Question<Dimension, Size_a, Size_b> question(lattice_hull<Dimension, Size_a>(random, side),
                                                    lattice_hull<Dimension, Size_b>(random, side),
@@ -351,7 +352,7 @@ void check_long_hulls()
   Answers answers;
   std::size_t too_few = 0;
   for(int i = 0; i < 400; ++i) {
-    const std::size_t side = std::size_t(1) << (10 + random.below(38));
+    const std::int64_t side = std::int64_t(1) << (10 + random.below(38));
     Integers a = lattice_hull<Dimension, Size_a>(random, side);
     Integers b = lattice_hull<Dimension, Size_b>(random, side);
     const Hull_vector<std::int64_t> gap = lattice_point<Dimension>(random, 1 << random.below(20));
@@ -410,7 +411,7 @@ void check_thin_hulls()
   std::size_t too_few = 0;
   for(int i = 0; i < 1000; ++i) {
     const Hull_vector<std::int64_t> direction
-      = lattice_point<3>(random, std::size_t(1) << random.below(21));
+      = lattice_point<3>(random, std::int64_t(1) << random.below(21));
     const Question<3, Size_a, Size_b> question(
       thin_hull<3, Size_a>(random, direction, std::size_t(1) << random.below(24)),
       thin_hull<3, Size_b>(random, direction, std::size_t(1) << random.below(24)), false);

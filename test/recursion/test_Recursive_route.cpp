@@ -185,6 +185,19 @@ BOOST_AUTO_TEST_CASE(cuts_at_the_last_site_that_is_close_to_an_end_leave_most_si
   }
 }
 
+// Sites within two reaches of each other are not cut. A cut would partition them twice, with five
+// calls of Less_along_axis_d for three sites.
+BOOST_AUTO_TEST_CASE(sites_that_are_close_to_the_pivot_are_not_cut)
+{
+  std::vector<Site> sites;
+  for(const long i : {0, 1, 2})
+    sites.emplace_back(std::vector<long>{100 * i, 9 * (i - 1)});
+  Calls calls;
+  const Lattice_traits traits(2, 10, 10, calls);
+  BOOST_CHECK(pairs_by_variant(sites, traits, {Pivot::MEDIAN, Base_case::SWEEP, 1}).empty());
+  BOOST_CHECK_LE(calls.less, 12u);
+}
+
 // A random pivot is a function of the seed and of nothing else.
 BOOST_AUTO_TEST_CASE(order_of_reports_is_a_function_of_the_input)
 {
