@@ -7,10 +7,12 @@
 
 #include <boost/iterator/counting_iterator.hpp>
 #include <boost/iterator/indirect_iterator.hpp>
+#include <boost/iterator/iterator_facade.hpp>
 #include <boost/range/iterator_range.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include <cstddef>
+#include <cstdlib>
 #include <forward_list>
 #include <iterator>
 #include <list>
@@ -74,6 +76,43 @@ BOOST_AUTO_TEST_CASE(elements_may_live_in_their_iterators)
   BOOST_CHECK(&elements[1] == &elements[1]); // is still there
   static_assert(internal::may_hold_element<Iterator>());
   BOOST_CHECK(internal::holds_element(Iterator(5)));
+}
+
+// Iterates over numbers that it makes, and advances step by step, as the iterators over a mesh of
+// CGAL 6 do after removals.
+struct Stepping_iterator
+  : boost::iterator_facade<Stepping_iterator, int, std::random_access_iterator_tag, int>
+{
+  Stepping_iterator(int number, int* steps) : number(number), steps(steps) {}
+
+  int dereference() const { return number; }
+  bool equal(const Stepping_iterator& other) const { return number == other.number; }
+  void increment() { advance(1); }
+  void decrement() { advance(-1); }
+  void advance(std::ptrdiff_t n)
+  {
+    number += static_cast<int>(n);
+    *steps += std::abs(static_cast<int>(n));
+  }
+  std::ptrdiff_t distance_to(const Stepping_iterator& other) const
+  {
+    *steps += std::abs(other.number - number);
+    return other.number - number;
+  }
+
+  int number;
+  int* steps;
+};
+
+BOOST_AUTO_TEST_CASE(iterators_that_make_elements_go_once_through_the_range)
+{
+  int steps = 0;
+  const auto range = boost::make_iterator_range(Stepping_iterator(0, &steps),
+                                                Stepping_iterator(1000, &steps));
+  const internal::Numbered_elements<std::remove_const_t<decltype(range)>> elements(range);
+  BOOST_CHECK_EQUAL(elements[999], 999);
+  BOOST_CHECK_EQUAL(elements[500], 500);
+  BOOST_CHECK_EQUAL(steps, 1000);
 }
 
 BOOST_AUTO_TEST_CASE(elements_of_other_iterators_are_found_without_a_table)

@@ -46,11 +46,15 @@ struct Is_range<Range, std::void_t<Reference_of<Iterator_of<Range>>,
 template <class Range>
 using Read_range = std::conditional_t<Is_range<const Range>::value, const Range, Range>;
 
-// Iterators of C++20 that make their elements have a concept above their category.
+// Iterators of C++20 that make their elements have a concept. Other iterators that make them have no
+// random access, whatever their category says: those over a `Surface_mesh` of CGAL 6 advance step by
+// step after removals.
 template <class Iterator, class = void>
 struct Traversal
 {
-  using type = typename std::iterator_traits<Iterator>::iterator_category;
+  using type = std::conditional_t<std::is_reference_v<Reference_of<Iterator>>,
+                                  typename std::iterator_traits<Iterator>::iterator_category,
+                                  std::input_iterator_tag>;
 };
 template <class Iterator>
 struct Traversal<Iterator, std::void_t<typename Iterator::iterator_concept>>
@@ -98,8 +102,8 @@ constexpr bool may_hold_element()
 }
 
 // Whether an iterator refers to an element that it holds itself. The element is gone with the
-// iterator. The iterators over a `Surface_mesh` are such, and after removals they advance step by
-// step, though they have the category of random access.
+// iterator. The iterators over a `Surface_mesh` of CGAL 5 are such, and they advance step by step
+// after removals as well.
 template <class Iterator>
 bool holds_element(const Iterator& iterator)
 {
