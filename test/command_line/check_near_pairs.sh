@@ -28,6 +28,12 @@ directory=$(mktemp -d)
 trap 'rm -rf "$directory"' EXIT
 cd "$directory" || exit 2
 
+# A check that is called by a wrong name is no check.
+command_not_found_handle() {
+  echo "FAILED  there is no command $1" >&2
+  kill $$
+}
+
 passed=0
 failed=0
 
@@ -64,6 +70,15 @@ expect_pairs() { # NAME PAIRS ARGUMENT...
   shift 2
   run "$@"
   verdict "$name: $pairs pairs" test "$status $(summary pairs)" = "0 $pairs"
+}
+
+# The program must end well, with this pair at this squared distance.
+expect_closest() { # NAME PAIR SQUARED ARGUMENT...
+  local name=$1 pair=$2 squared=$3
+  shift 3
+  run "$@" --closest
+  verdict "$name: closest pair $pair" test "$status $(summary 'closest pair')" = "0 $pair"
+  verdict "  at squared distance $squared" test "$(summary squared)" = "$squared, exactly"
 }
 
 expect_boundary() { # PAIRS
@@ -417,15 +432,6 @@ run halves.csv --distance 0.5
 verdict "  or doubles see all of them" has_hints 0
 
 # ---------------------------------------------------------------- the closest pair
-
-# The program must end well, with this pair at this squared distance.
-expect_closest() { # NAME PAIR SQUARED ARGUMENT...
-  local name=$1 pair=$2 squared=$3
-  shift 3
-  run "$@" --closest
-  verdict "$name: closest pair $pair" test "$status $(summary 'closest pair')" = "0 $pair"
-  verdict "  at squared distance $squared" test "$(summary squared)" = "$squared, exactly"
-}
 
 expect_closest "a pair of four" "1 2" 2 thirteen.csv
 expect_closest "the first of 99 ties" "0 1" 0.01 ties.csv --decimal
