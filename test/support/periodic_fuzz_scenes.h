@@ -120,8 +120,8 @@ private:
                               : static_cast<std::int64_t>(x);
   }
 
-  // Whether the kernel holds a number. A cast to double and back would not tell on each platform: on
-  // x86 of 32 bits, g++ leaves both out.
+  // Whether the kernel holds a number. A cast to double and back would not tell on each platform:
+  // on x86 of 32 bits, g++ leaves both out.
   bool is_held(std::int64_t number) const
   {
     while(number != 0 && number % 2 == 0)

@@ -110,10 +110,10 @@ inline constexpr std::size_t max_few_boxes = 64;
 template <class Box>
 bool do_few_boxes_meet(const Box& a, const Box& b)
 {
-  bool are_apart = false;
+  unsigned are_apart = 0;
   for(std::size_t axis = 0; axis < a.size(); ++axis)
-    are_apart |= (a[axis].high < b[axis].low) | (b[axis].high < a[axis].low);
-  return !are_apart;
+    are_apart |= unsigned(a[axis].high < b[axis].low) | unsigned(b[axis].high < a[axis].low);
+  return are_apart == 0;
 }
 
 // Reports the pairs of few boxes that doubles decide about: each with each, on the stack, in the

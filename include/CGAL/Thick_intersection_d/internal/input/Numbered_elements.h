@@ -46,9 +46,9 @@ struct Is_range<Range, std::void_t<Reference_of<Iterator_of<Range>>,
 template <class Range>
 using Read_range = std::conditional_t<Is_range<const Range>::value, const Range, Range>;
 
-// Iterators of C++20 that make their elements have a concept. Other iterators that make them have no
-// random access, whatever their category says: those over a `Surface_mesh` of CGAL 6 advance step by
-// step after removals.
+// Iterators of C++20 that make their elements have a concept. Others that make them have no random
+// access, whatever their category says: those over a `Surface_mesh` of CGAL 6 advance step by step
+// after removals.
 template <class Iterator, class = void>
 struct Traversal
 {

@@ -170,7 +170,8 @@ private:
   template <std::size_t... I>
   bool is_in_inner_box(const Fractions& x, std::index_sequence<I...>) const
   {
-    return (((x[I] >= inner_box_[I].low) & (x[I] <= inner_box_[I].high)) & ...);
+    return ((unsigned(x[I] >= inner_box_[I].low) & unsigned(x[I] <= inner_box_[I].high)) & ...)
+           != 0;
   }
 
   template <std::size_t... K>
