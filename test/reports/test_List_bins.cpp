@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
+#include "support/counting_allocator.h"
 #include "support/point_generators.h"
 
 #include <CGAL/Thick_intersection_d/internal/reports/List_bins.h>
@@ -68,6 +69,16 @@ BOOST_AUTO_TEST_CASE(short_lists_have_room_for_more)
     found.insert(found.end(), first, last);
   });
   BOOST_CHECK(found == expected);
+}
+
+// One of many threads has few lists in each bin.
+BOOST_AUTO_TEST_CASE(bins_of_few_lists_take_little_memory)
+{
+  const std::size_t bin_count = 128, before = current_bytes();
+  Bins bins(bin_count * Bins::bin_size);
+  for(std::size_t i = 0; i < 2 * bin_count; ++i)
+    bins.append_short(static_cast<Bins::Position>(i * Bins::bin_size / 2), 10);
+  BOOST_CHECK_LT(current_bytes() - before, 512 * bin_count);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -95,13 +95,18 @@ public:
   }
 
 private:
-  static constexpr std::size_t chunk_size = 2048;     // positions
-  static constexpr std::size_t max_block_size = 1024; // chunks
+  // In positions. The chunks of a bin double up to the largest size, and so do blocks.
+  static constexpr std::size_t min_chunk_size = 64;
+  static constexpr std::size_t doublings = 5;
+  static constexpr std::size_t max_chunk_size = min_chunk_size << doublings;
+  static constexpr std::size_t max_block_size = 1024 * max_chunk_size;
+  static_assert(min_chunk_size > max_short_size);
+
   static constexpr std::size_t lines_ahead = 16;
 
   // A part begins with the number of its point in the bin times this number, plus its size.
   static constexpr Position max_part_size = 1 << 16;
-  static_assert(chunk_size < max_part_size && bin_size <= max_part_size);
+  static_assert(max_chunk_size < max_part_size && bin_size <= max_part_size);
 
   struct Chunk
   {
@@ -126,28 +131,29 @@ private:
     return part + 1;
   }
 
-  // Large blocks of memory hold many chunks, because each block costs an allocation.
+  // Large blocks of memory hold many chunks, because each block costs an allocation. Chunks double:
+  // one of many threads has few lists in each bin, and the memory of all is to be linear in these.
   CGAL_RARELY_CALLED void extend(Bin& bin)
   {
-    if(chunks_left_ == 0) {
-      const std::size_t size = (std::min)(2 * block_size_, max_block_size);
-      blocks_.emplace_back(make_uninitialized<Position>(size * chunk_size));
-      block_size_ = size;
-      chunks_left_ = size;
+    const std::size_t size = min_chunk_size << (std::min)(bin.chunks.size(), doublings);
+    if(left_ < size) {
+      block_size_ = (std::min)(2 * block_size_, max_block_size);
+      blocks_.emplace_back(make_uninitialized<Position>(block_size_));
+      left_ = block_size_;
     }
-    Position* const begin = blocks_.back().get() + (chunks_left_ - 1) * chunk_size;
+    left_ -= size;
+    Position* const begin = blocks_.back().get() + left_;
     bin.chunks.push_back({begin, nullptr});
     if(bin.chunks.size() > 1)
       bin.chunks[bin.chunks.size() - 2].end = bin.next;
-    --chunks_left_;
     bin.next = begin;
-    bin.end = begin + chunk_size;
+    bin.end = begin + size;
   }
 
   std::vector<Bin> bins_;
   std::vector<std::unique_ptr<Position[]>> blocks_;
-  std::size_t block_size_ = 1;  // of the last block, in chunks
-  std::size_t chunks_left_ = 0; // in the last block
+  std::size_t block_size_ = max_chunk_size; // of the last block
+  std::size_t left_ = 0;                    // of the last block
 };
 
 } // namespace internal
