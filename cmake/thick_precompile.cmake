@@ -1,5 +1,6 @@
 # With THICK_INTERSECTION_PRECOMPILE, the headers of the kernel that most programs include are
-# compiled once, not once for each file.
+# compiled once, not once for each file. It is for checks, which run programs for a moment: some
+# have less optimization.
 #
 #   thick_take_precompiled(<target>)
 #
@@ -13,7 +14,7 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 
 option(THICK_INTERSECTION_PRECOMPILE
-  "Compile the headers of the kernel once for all programs; this takes 0.9 GB of disk" OFF)
+  "Compile for checks: some programs with -Og, headers of the kernel once, in 0.9 GB of disk" OFF)
 
 set(thick_boost_test $<TARGET_NAME_IF_EXISTS:thick_support_Unit_test>)
 
