@@ -96,17 +96,17 @@ public:
 
 private:
   // In positions. The chunks of a bin double up to the largest size, and so do blocks.
-  static constexpr std::size_t min_chunk_size = 64;
+  static constexpr std::size_t first_chunk_size = 64;
   static constexpr std::size_t doublings = 5;
-  static constexpr std::size_t max_chunk_size = min_chunk_size << doublings;
-  static constexpr std::size_t max_block_size = 1024 * max_chunk_size;
-  static_assert(min_chunk_size > max_short_size);
+  static constexpr std::size_t largest_chunk_size = first_chunk_size << doublings;
+  static constexpr std::size_t max_block_size = 1024 * largest_chunk_size;
+  static_assert(first_chunk_size > max_short_size);
 
   static constexpr std::size_t lines_ahead = 16;
 
   // A part begins with the number of its point in the bin times this number, plus its size.
   static constexpr Position max_part_size = 1 << 16;
-  static_assert(max_chunk_size < max_part_size && bin_size <= max_part_size);
+  static_assert(largest_chunk_size < max_part_size && bin_size <= max_part_size);
 
   struct Chunk
   {
@@ -135,7 +135,7 @@ private:
   // one of many threads has few lists in each bin, and the memory of all is to be linear in these.
   CGAL_RARELY_CALLED void extend(Bin& bin)
   {
-    const std::size_t size = min_chunk_size << (std::min)(bin.chunks.size(), doublings);
+    const std::size_t size = first_chunk_size << (std::min)(bin.chunks.size(), doublings);
     if(left_ < size) {
       block_size_ = (std::min)(2 * block_size_, max_block_size);
       blocks_.emplace_back(make_uninitialized<Position>(block_size_));
@@ -152,7 +152,7 @@ private:
 
   std::vector<Bin> bins_;
   std::vector<std::unique_ptr<Position[]>> blocks_;
-  std::size_t block_size_ = max_chunk_size; // of the last block
+  std::size_t block_size_ = largest_chunk_size; // of the last block
   std::size_t left_ = 0;                    // of the last block
 };
 
