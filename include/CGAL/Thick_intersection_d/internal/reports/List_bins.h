@@ -153,7 +153,7 @@ private:
   std::vector<Bin> bins_;
   std::vector<std::unique_ptr<Position[]>> blocks_;
   std::size_t block_size_ = largest_chunk_size; // of the last block
-  std::size_t left_ = 0;                    // of the last block
+  std::size_t left_ = 0;                        // of the last block
 };
 
 } // namespace internal
