@@ -31,6 +31,21 @@ BOOST_AUTO_TEST_CASE(each_pair_is_added_once_in_either_order)
   BOOST_CHECK(known.add(1, 2));
 }
 
+// As many pairs as a small set takes before it grows. Each search for another pair ends: it looks
+// through all slots, not through every other one, which may all be taken.
+BOOST_AUTO_TEST_CASE(searches_in_full_sets_end)
+{
+  test_support::Random random(1);
+  const auto below = [&](Place end) { return static_cast<Place>(random.below(end)); };
+  for(int k = 0; k < 3000; ++k) {
+    internal::Known_pairs<CGAL::Sequential_tag> known;
+    for(int count = 0; count < 8; ++count)
+      known.add(below(1000), 1000 + below(1000));
+    for(int count = 0; count < 10; ++count)
+      BOOST_REQUIRE(!known.has(below(1000), 2000 + below(1000)));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(many_pairs)
 {
   internal::Known_pairs<CGAL::Sequential_tag> known;
