@@ -90,7 +90,7 @@ struct As_spheres
 template <class Test, class Object>
 auto test_of(const std::vector<Object>& objects)
 {
-  return [&objects](std::size_t i, std::size_t j) -> bool {
+  return [&](std::size_t i, std::size_t j) -> bool {
     if constexpr(std::is_same_v<Object, Ball_3>)
       return Test()(objects[i], objects[j]);
     else
