@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// near_objects_table: segments and triangles within a distance, and two meshes that meet, by our
-// searches and by what else there is: times, and how many pairs are wrong.
+// near_objects_table: segments and triangles within a distance, two meshes that meet, and rays, by
+// our searches and by what else there is: times, and how many pairs are wrong.
 
 #include "near_tables.h"
 
@@ -64,6 +64,7 @@ try {
   print_near_times(is_quick ? 3000 : 300000, rounds);
   print_wrong_pairs(is_quick ? 300 : 3000);
   print_contacts(is_quick ? 3000 : 200000, rounds);
+  print_rays(is_quick ? 2000 : 200000, rounds);
   return 0;
 }
 catch(const std::exception& error) {

@@ -19,6 +19,7 @@ namespace thick_benchmark {
 void print_near_times(std::size_t n, int rounds); // of n objects with about one near pair each
 void print_wrong_pairs(std::size_t n);            // of scenes full of ties
 void print_contacts(std::size_t n, int rounds);   // of two meshes of n faces each
+void print_rays(std::size_t n, int rounds);       // of rays through up to n triangles
 
 // ---- for all of them ----------------------------------------------------------------------------
 

@@ -159,8 +159,11 @@ once.
 
 Pairs within a range are neither reported nor tested. Otherwise the function is as
 `thick_self_intersection_d()`, where \f$ n \f$ is the number of objects of both ranges. With
-intervals, \f$ K \f$ is the number of pairs between the two ranges whose boxes meet. With three
-predicates, \f$ k \f$ is the number of intersecting pairs of the union of the ranges.
+intervals, \f$ K \f$ is the number of pairs between the two ranges whose boxes meet. Without traits,
+long segments of one range are searched in up to 64 stretches with boxes of their own, where fewer
+pairs of boxes are expected to meet: rays among many small triangles take about as long as there are
+stretches and triangles. With three predicates, \f$ k \f$ is the number of intersecting pairs of the
+union of the ranges.
 
 The two ranges may hold objects of different types, such as `Segment_3` and `Triangle_3`. Without
 traits, both are types that `thick_self_intersection_d()` takes without traits. For two types of

@@ -67,7 +67,7 @@ void check_candidates(const internal::Piece<internal::Piece_box<3>>& piece,
   const std::size_t first_set_size = piece[0].size();
   for(std::size_t i = 0; i < first_set_size; ++i)
     for(std::size_t j = piece.set_count() == 1 ? i + 1 : first_set_size; j < boxes.size(); ++j) {
-      const bool meet = do_meet(boxes[i][sweep_axis], boxes[j][sweep_axis]);
+      const bool meet = intervals_meet(boxes[i][sweep_axis], boxes[j][sweep_axis]);
       meeting += meet;
       const int count = counts[Pair(i, j)];
       BOOST_CHECK_MESSAGE(count <= 1 && (!meet || count == 1), i << " and " << j);

@@ -98,8 +98,9 @@ BOOST_AUTO_TEST_CASE(boxes_that_meet_have_one_common_piece_in_cuts_within_cuts)
       for(std::size_t j = i + 1; j < boxes.size(); ++j) {
         bool meet = true;
         for(int axis = 0; axis < 2; ++axis)
-          meet = meet && do_meet({boxes[i].low[axis], boxes[i].high[axis]},
-                                 internal::Interval{boxes[j].low[axis], boxes[j].high[axis]});
+          meet = meet
+                 && intervals_meet({boxes[i].low[axis], boxes[i].high[axis]},
+                                   {boxes[j].low[axis], boxes[j].high[axis]});
         const int count = counts[Pair(i, j)];
         BOOST_REQUIRE_MESSAGE(count <= 1 && (!meet || count == 1),
                               "seed " << seed << ": " << i << " and " << j << ", " << count);

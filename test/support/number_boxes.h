@@ -41,7 +41,7 @@ inline double below(Generator& random, std::uint64_t n)
   return static_cast<double>(random() % n);
 }
 
-inline bool do_meet(const internal::Interval& a, const internal::Interval& b)
+inline bool intervals_meet(const internal::Interval& a, const internal::Interval& b)
 {
   return a.low <= b.high && b.low <= a.high;
 }
@@ -49,7 +49,7 @@ inline bool do_meet(const internal::Interval& a, const internal::Interval& b)
 inline bool do_meet(const Number_box& a, const Number_box& b, int dimension)
 {
   for(int axis = 0; axis < dimension; ++axis)
-    if(!do_meet(a[axis], b[axis]))
+    if(!intervals_meet(a[axis], b[axis]))
       return false;
   return true;
 }

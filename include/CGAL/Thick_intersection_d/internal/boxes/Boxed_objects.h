@@ -143,11 +143,6 @@ private:
     return box;
   }
 
-  static bool do_meet(const Interval& a, const Interval& b)
-  {
-    return a.low <= b.high && b.low <= a.high;
-  }
-
   const Objects& objects_;
   const std::vector<int> axes_;
   const bool are_exact_;

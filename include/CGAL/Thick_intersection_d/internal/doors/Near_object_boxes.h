@@ -40,11 +40,15 @@ public:
   {
     return [this, position](int axis) {
       if constexpr(Is_point<Object>::value)
-        return longer_by_reach(coordinate_bounds(objects_[position], axis));
+        return around(coordinate_bounds(objects_[position], axis));
       else
-        return longer_by_reach(test_.interval(objects_[position], axis));
+        return around(test_.interval(objects_[position], axis));
     };
   }
+
+  // How much longer boxes are than objects, and the interval of an object, or of a part of it.
+  double reach() const { return test_.reach(); }
+  Interval with_reach(const Interval& interval) const { return longer(interval, test_.reach()); }
 
   bool are_exact() const { return false; }
   void ask_for(std::size_t position) const { ask_for_object(objects_, position); }
@@ -54,9 +58,9 @@ public:
   }
 
 private:
-  Interval longer_by_reach(const std::pair<double, double>& interval) const
+  Interval around(const std::pair<double, double>& interval) const
   {
-    return longer({interval.first, interval.second}, test_.reach());
+    return with_reach({interval.first, interval.second});
   }
 
   const Elements& objects_;

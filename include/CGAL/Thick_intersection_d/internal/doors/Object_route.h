@@ -10,6 +10,7 @@
 #include <CGAL/Dimension.h>
 
 #include <CGAL/Thick_intersection_d/internal/doors/box_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/doors/segment_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/kinds.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
@@ -94,6 +95,10 @@ public:
         return Interval{interval.first, interval.second};
       };
   }
+
+  // Boxes are no longer than objects, as Near_object_boxes has them.
+  double reach() const { return 0; }
+  Interval with_reach(const Interval& interval) const { return interval; }
 
   bool are_exact() const
   {
@@ -193,8 +198,13 @@ bool report_objects(const Elements& objects, const Sets& sets, const Traits& tra
     const Traits_boxes<Elements, Traits> boxes(objects, traits);
     const bool are_finite
       = boxes.template are_finite<ConcurrencyTag>() && fits_box_route(objects.size());
-    if(are_finite || !Has_close_predicate<Traits>::value)
-      return report_meeting_boxes<ConcurrencyTag>(boxes, sets, callback, progress);
+    if(are_finite || !Has_close_predicate<Traits>::value) {
+      if constexpr(Sets::are_two && Has_boxes<Traits>::value
+                   && Has_segments<typename Elements::value_type>::value)
+        return report_segment_pairs<ConcurrencyTag>(boxes, objects, sets, callback, progress);
+      else
+        return report_meeting_boxes<ConcurrencyTag>(boxes, sets, callback, progress);
+    }
   }
   if constexpr(Has_close_predicate<Traits>::value)
     return search_recursively<ConcurrencyTag>(objects, sets, traits, callback, progress);

@@ -18,6 +18,7 @@
 #include <CGAL/Thick_intersection_d/internal/doors/Near_object_boxes.h>
 #include <CGAL/Thick_intersection_d/internal/doors/Object_route.h>
 #include <CGAL/Thick_intersection_d/internal/doors/box_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/doors/segment_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/input/kinds.h>
@@ -48,6 +49,7 @@ class Are_objects_near
 
 public:
   static constexpr int static_dimension = hull_dimension_v<typename Kinds<Object>::First>;
+  static constexpr bool are_kinds_known = true;
 
   // `least_tier` is the first arithmetic after the filter. Counts in `counts` which arithmetic
   // decides, unless `counts` is null.
@@ -95,6 +97,7 @@ class Are_near_by_traits
 {
 public:
   static constexpr int static_dimension = Object_dimension<Traits>::value;
+  static constexpr bool are_kinds_known = false; // another distance needs other boxes
 
   Are_near_by_traits(const Traits& traits, const Distance_bound<NT>& bound)
     : traits_(traits), bound_(bound), reach_(Squared_bound<Exact_number_t<NT>>(bound).reach())
@@ -181,7 +184,11 @@ bool report_near_boxes(const Elements& objects, const Sets& sets, const Test& te
 {
   auto progress = make_progress(np, objects.size());
   const Near_object_boxes<Test::static_dimension, Elements, Test> boxes(objects, test);
-  return report_meeting_boxes<ConcurrencyTag>(boxes, sets, callback, progress);
+  if constexpr(Sets::are_two && Test::are_kinds_known
+               && Has_segments<typename Elements::value_type>::value)
+    return report_segment_pairs<ConcurrencyTag>(boxes, objects, sets, callback, progress);
+  else
+    return report_meeting_boxes<ConcurrencyTag>(boxes, sets, callback, progress);
 }
 
 template <class NamedParameters>

@@ -40,6 +40,11 @@ struct Interval
   }
 };
 
+inline bool do_meet(const Interval& a, const Interval& b)
+{
+  return a.low <= b.high && b.low <= a.high;
+}
+
 // Returns an interval that is longer by `reach`, or by a little more. In every rounding mode, the
 // sum is off by less than a step of doubles, which is at most 2^-52 of it. Two steps are added, of
 // which that rounding takes less than one. Sums that underflow are exact. A search asks for it in
