@@ -2,7 +2,7 @@
 # Draws the chart of near objects from what `near_objects_table` printed: how long each method takes
 # on uniform objects, and how many pairs it has wrong where there are ties.
 #
-#   near_objects.py <near_objects.md> <folder>
+#   near_objects.py <near.md> <folder>
 #
 # A scene of the tables is called <dimension>D <kinds>, <name>. Wrong pairs are counted over all
 # scenes with ties of the dimension and kind.
@@ -115,5 +115,5 @@ def draw(path, folder):
 
 if __name__ == "__main__":
     if len(sys.argv) != 3:
-        sys.exit("usage: near_objects.py <near_objects.md> <folder>")
+        sys.exit("usage: near_objects.py <near.md> <folder>")
     draw(*sys.argv[1:])

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Draws the charts of the manual from what `compare` and `closest_pair_table --chart` wrote.
 #
-#   speed.py <compare.json> <folder>
+#   speed.py <methods.json> <folder>
 #   speed.py <closest_pair.csv> <folder>
 #
 # A measurement of `compare` is called <dimension>/<scene>/<k/n aimed at>/<n>/<method>; repetitions
@@ -213,7 +213,7 @@ def draw_closest_pair(path, folder):
 
 def main():
     if len(sys.argv) != 3:
-        sys.exit("usage: speed.py <compare.json or closest_pair.csv> <folder>")
+        sys.exit("usage: speed.py <methods.json or closest_pair.csv> <folder>")
     if sys.argv[1].endswith(".csv"):
         draw_closest_pair(*sys.argv[1:])
         return
