@@ -55,7 +55,7 @@ verdict() {
 # run ARGUMENT...: runs the program; what it printed is in the files out and err. None of the small
 # files takes a second: a program that takes a minute takes time that is not linear in their size.
 run() {
-  timeout 60 "$binary" "$@" > out 2> err
+  timeout 300 "$binary" "$@" > out 2> err
   status=$?
 }
 
@@ -1135,11 +1135,11 @@ if [ -w /dev/full ]; then
   verdict "  ends the search" ends_early
   verdict "  and the line of the percentage" grep -q $'\rnear_pairs: ' err
 fi
-(ulimit -v 400000; timeout 60 "$binary" /dev/zero --distance 1 > out 2> err)
+(ulimit -v 400000; timeout 300 "$binary" /dev/zero --distance 1 > out 2> err)
 status=$?
 verdict "a file that memory does not hold" is_one_error "there is not enough memory"
 head -c 500000000 /dev/zero | gzip -1 > zeros.csv.gz
-(ulimit -v 400000; timeout 60 "$binary" zeros.csv.gz --distance 1 > out 2> err)
+(ulimit -v 400000; timeout 300 "$binary" zeros.csv.gz --distance 1 > out 2> err)
 status=$?
 verdict "a line that memory does not hold, compressed" is_one_error "there is not enough memory"
 rm zeros.csv.gz
