@@ -38,8 +38,10 @@ int main()
 {
   CGAL::Random random(1);
   std::vector<Point> points;
-  for(int i = 0; i < 2000; ++i)
-    points.emplace_back(random.get_double(), random.get_double());
+  for(int i = 0; i < 2000; ++i) {
+    const double x = random.get_double(); // first, as compilers choose the order of arguments
+    points.emplace_back(x, random.get_double());
+  }
   const CGAL::Neighbor_lists neighbors
     = CGAL::fixed_radius_neighbor_lists(points, CGAL::within_distance(0.06));
 
