@@ -73,12 +73,19 @@ public:
 
 private:
   // Subtracts multiples of vectors from others that become shorter by it. Returns whether one did.
+  // Three vectors of which none is shortened by another one may still nearly cancel, as in a plane
+  // at 120 degrees. So the sums of all three are tried as well.
   bool shorten()
   {
     bool is_shorter = false;
     for(int k = 0; k < rank(); ++k)
       for(int l = 0; l < rank(); ++l)
         is_shorter = (k != l && shorten_by(k, l)) || is_shorter;
+    if(rank() == 3)
+      for(int k = 0; k < 3; ++k)
+        for(const int sign : {-1, 1})
+          for(const int other_sign : {-1, 1})
+            is_shorter = shorten_by_both(k, sign, other_sign) || is_shorter;
     return is_shorter;
   }
 
@@ -94,13 +101,33 @@ private:
       subtract(shorter, vectors_[l], Exact_rational(multiple));
     if(!(product(shorter, shorter) < product(vectors_[k], vectors_[k])))
       return false;
+    subtract_steps(k, l, static_cast<std::int64_t>(multiple));
+    vectors_[k] = shorter;
+    return true;
+  }
+
+  // Subtracts the two other vectors, times signs, if this makes vector k shorter.
+  bool shorten_by_both(int k, int sign, int other_sign)
+  {
+    const int l = (k + 1) % 3, m = (k + 2) % 3;
+    Vector shorter = vectors_[k];
+    subtract(shorter, vectors_[l], Exact_rational(sign));
+    subtract(shorter, vectors_[m], Exact_rational(other_sign));
+    if(!(product(shorter, shorter) < product(vectors_[k], vectors_[k])))
+      return false;
+    subtract_steps(k, l, sign);
+    subtract_steps(k, m, other_sign);
+    vectors_[k] = shorter;
+    return true;
+  }
+
+  void subtract_steps(int k, int l, std::int64_t multiple)
+  {
     for(int i = 0; i < Dimension; ++i) {
-      steps_[k][i] -= static_cast<std::int64_t>(multiple) * steps_[l][i];
+      steps_[k][i] -= multiple * steps_[l][i];
       if(std::fabs(static_cast<double>(steps_[k][i])) >= max_offset)
         throw std::length_error("The periods of the lattice are too nearly parallel.");
     }
-    vectors_[k] = shorter;
-    return true;
   }
 
   static void subtract(Vector& v, const Vector& w, const Exact_rational& multiple)
