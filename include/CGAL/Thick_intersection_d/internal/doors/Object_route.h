@@ -96,7 +96,7 @@ public:
       };
   }
 
-  // Boxes are no longer than objects, as Near_object_boxes has them.
+  // Boxes are as long as objects, and not longer, as those of Near_object_boxes are.
   double reach() const { return 0; }
   Interval with_reach(const Interval& interval) const { return interval; }
 
