@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <ios>
 #include <utility>
 
 namespace near_pairs {
@@ -158,6 +159,9 @@ std::vector<Feature> read_geojson(const Input& input, const Read_options& option
   }
   catch(const json::exception& error) {
     throw Error(input.name(), message_of(error));
+  }
+  catch(const std::ios::failure&) { // the parser reads past the stream, which would catch it
+    throw Error(input.name(), "cannot be read to its end");
   }
   catch(const std::string& wrong) {
     throw Error(input.name(), "feature " + std::to_string(features.size()) + " (from 0): " + wrong);

@@ -255,6 +255,8 @@ expect_scene "  in name only" 100 99 plain.csv.gz --decimal --distance 0.1
 for file in cut damaged head; do
   expect_error "compressed, $file" "$file.csv.gz: cannot be read to its end" $file.csv.gz --distance 1
 done
+head -c 5 ties.csv.gz > head.geojson
+expect_error "  as GeoJSON" "head.geojson: cannot be read to its end" head.geojson --distance 1
 expect_error "an empty standard input" "-: is empty" - --distance 1 < /dev/null
 expect_error "a point that is no header" "with --no-header if this is a point" bare_names.csv --distance 1
 expect_error "four fields and no header" "four.csv:1: no header, and 4 fields" four.csv --distance 1
