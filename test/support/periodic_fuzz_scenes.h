@@ -176,12 +176,14 @@ private:
     }
   }
 
+  // Sides are at least three units of the domain, so that a point of whole units has a place, even
+  // if one of its units is three of these: a number is up to a unit away from its steps.
   void draw_box(Scene& scene)
   {
     for(std::size_t k = 0; k < Dimension; ++k) {
       const std::int64_t steps = around_zero(3);
       scene.low[k] = number(steps);
-      scene.high[k] = number(steps + 4 + below(4));
+      scene.high[k] = number(steps + 5 + below(3));
       scene.vectors[k][k] = scene.high[k] - scene.low[k];
       scene.repeats[k] = true;
       scene.order[k] = k;
