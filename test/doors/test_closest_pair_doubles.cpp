@@ -93,6 +93,8 @@ void check_large_scenes()
   check_large<Dimension>("huge lattice", moved(lattice, 1e200, 0));
   check_large<Dimension>("tiny", moved(uniform, 1e-200, 0));
   check_large<Dimension>("denormal", moved(lattice, 5e-324, 0));
+  check_large<Dimension>("small lattice", moved(lattice, 0x1p-1030, 0));
+  check_large<Dimension>("large lattice", moved(lattice, 0x1p600, 0));
   check_large<Dimension>("as large as doubles are", moved(uniform, 1e308, 0));
 
   Points outlier = uniform;

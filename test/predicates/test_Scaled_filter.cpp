@@ -33,6 +33,16 @@ using Filter = internal::Scaled_filter;
 
 constexpr Filter none = {1, 0, {-1, std::numeric_limits<double>::infinity()}}; // decides nothing
 
+// A scene of coordinates up to `largest`, on the grid of 2^grid_exponent if that is known.
+internal::Scene scene_up_to(std::size_t dimension, double largest,
+                            std::optional<int> grid_exponent = std::nullopt)
+{
+  internal::Scene scene;
+  scene.box.assign(dimension, {-largest, largest});
+  scene.grid_exponent = grid_exponent;
+  return scene;
+}
+
 // Whether p and q are within the bound, if this is certain.
 template <std::size_t Dimension>
 std::optional<bool> decision(const Filter& filter, const std::array<double, Dimension>& p,
@@ -76,7 +86,7 @@ double check_near_ties(int exponent, int closeness)
                                     * (1 + sign * std::ldexp(1., -closeness)));
     const bool expected = squared_distance <= Integer(steps) * Integer(steps);
     const Filter filter = internal::scaled_filter(
-      Bound(CGAL::within_distance(std::ldexp(steps, exponent))), 3, largest, none);
+      Bound(CGAL::within_distance(std::ldexp(steps, exponent))), scene_up_to(3, largest), none);
     for(const int mode : rounding_modes) {
       const Rounding_mode rounding(mode);
       const std::optional<bool> found = decision(filter, p, q);
@@ -108,39 +118,62 @@ BOOST_AUTO_TEST_CASE(bounds_in_the_range_of_the_other_filter_are_left_to_it)
     BOOST_CHECK_EQUAL(check_near_ties(exponent, 30), 0);
 }
 
-// A bound on the squares of few steps of 2^-1074. A reach of whole steps would be too long, and an
-// open bound of one step would leave all pairs of neighbors to exact numbers.
-void check_denormal_steps(int squared_steps, bool is_open, double largest)
+// A bound on the squares of few steps of a grid. A reach of whole steps of 2^-1074 would be too
+// long, and an open bound of one step would leave all pairs of neighbors to exact numbers.
+void check_few_steps(int exponent, int squared_steps, bool is_open, double largest)
 {
   using Exact = internal::Exact_number_t<double>;
-  const Exact step(0x1p-1074);
-  const auto bound = CGAL::within_squared_distance(Exact(Exact(squared_steps) * step * step));
-  const Filter filter
-    = internal::scaled_filter(Bound(is_open ? bound.open() : bound), 3, largest, none);
-  BOOST_CHECK(filter.reach < std::sqrt(squared_steps + 1) * (0x1p-1074 * filter.scale));
-  const std::array<double, 3> p = {0x1p-1060, 0, -0x1p-1074};
+  const double step = std::ldexp(1., exponent);
+  const auto bound
+    = CGAL::within_squared_distance(Exact(Exact(squared_steps) * Exact(step) * Exact(step)));
+  const Filter filter = internal::scaled_filter(
+    Bound(is_open ? bound.open() : bound), scene_up_to(3, largest, exponent), none);
+  BOOST_CHECK(filter.reach < std::sqrt(squared_steps + 1) * (step * filter.scale));
+  const std::array<double, 3> p = {16384 * step, 0, -step};
   for(int i = -5; i <= 5; ++i)
     for(int j = -5; j <= 5; ++j)
       for(int k = -5; k <= 5; ++k) {
-        const std::array<double, 3> q
-          = {p[0] + i * 0x1p-1074, p[1] + j * 0x1p-1074, p[2] + k * 0x1p-1074};
+        const std::array<double, 3> q = {p[0] + i * step, p[1] + j * step, p[2] + k * step};
         const int square = i * i + j * j + k * k;
         const bool expected = is_open ? square < squared_steps : square <= squared_steps;
         BOOST_CHECK(decision(filter, p, q) == std::optional<bool>(expected));
         for(const int gap : {i, j, k})
-          BOOST_CHECK(!expected || std::abs(gap) * (0x1p-1074 * filter.scale) <= filter.reach);
+          BOOST_CHECK(!expected || std::abs(gap) * (step * filter.scale) <= filter.reach);
       }
 }
 
-BOOST_AUTO_TEST_CASE(few_denormal_steps_are_certain)
+BOOST_AUTO_TEST_CASE(few_steps_of_a_grid_are_certain)
 {
-  for(int squared_steps = 1; squared_steps <= 30; ++squared_steps)
-    for(const bool is_open : {false, true})
-      for(const double largest : {0x1p-1060, 1., 0x1p300}) // of the coordinates of the scene
-        for(const int mode : rounding_modes) {
-          const Rounding_mode rounding(mode);
-          check_denormal_steps(squared_steps, is_open, largest);
-        }
+  for(const int exponent : {-1074, -1073, -1045, -1000, -700, -500, 600, 1000})
+    for(int squared_steps = 1; squared_steps <= 30; ++squared_steps)
+      for(const bool is_open : {false, true})
+        for(const double factor : {0x1p14, 0x1p20, 0x1p560}) // of the coordinates of the scene
+          for(const int mode : rounding_modes) {
+            const double largest
+              = (std::min)(std::ldexp(factor, exponent), (std::numeric_limits<double>::max)());
+            const Rounding_mode rounding(mode);
+            check_few_steps(exponent, squared_steps, is_open, largest);
+          }
+}
+
+BOOST_AUTO_TEST_CASE(a_grid_of_many_steps_is_as_none)
+{
+  const Bound bound(CGAL::within_distance(std::ldexp(1., 25 - 1040)));
+  const Filter filter = internal::scaled_filter(bound, scene_up_to(2, 0x1p-1000, -1040), none);
+  BOOST_CHECK(filter.filter.inside < filter.filter.outside);
+}
+
+// The grid may be that of points which are all farther apart than the bound.
+BOOST_AUTO_TEST_CASE(a_bound_below_a_step_of_the_grid_leaves_equal_points)
+{
+  for(const int grid_exponent : {-1000, 0, 900}) {
+    const double step = std::ldexp(1., grid_exponent);
+    const Filter filter = internal::scaled_filter(
+      Bound(CGAL::within_distance(0x1p-1030)), scene_up_to(2, 8 * step, grid_exponent), none);
+    const std::array<double, 2> p = {step, step}, q = {step, 2 * step};
+    BOOST_CHECK(decision(filter, p, p) != std::optional<bool>(false));
+    BOOST_CHECK(decision(filter, p, q) == std::optional<bool>(false));
+  }
 }
 
 // The reach of a squared bound may be a step longer than the bound.
@@ -149,7 +182,8 @@ BOOST_AUTO_TEST_CASE(many_denormal_steps_are_certain_unless_they_are_a_near_tie)
   using Exact = internal::Exact_number_t<double>;
   const double distance = std::ldexp(1., 30 - 1074);
   const Filter filter = internal::scaled_filter(
-    Bound(CGAL::within_squared_distance(Exact(Exact(distance) * Exact(distance)))), 2, 1., none);
+    Bound(CGAL::within_squared_distance(Exact(Exact(distance) * Exact(distance)))),
+    scene_up_to(2, 1), none);
   const std::array<double, 2> p = {0, 0}, near = {distance * (1 - 0x1p-20), 0},
                               far = {distance * (1 + 0x1p-20), 0};
   BOOST_CHECK(decision(filter, p, near) == std::optional<bool>(true));
@@ -159,8 +193,8 @@ BOOST_AUTO_TEST_CASE(many_denormal_steps_are_certain_unless_they_are_a_near_tie)
 // The extent of a scene may overflow.
 BOOST_AUTO_TEST_CASE(differences_may_be_beyond_the_range_of_doubles)
 {
-  const Filter filter
-    = internal::scaled_filter(Bound(CGAL::within_distance(0x1p1022)), 2, 0x1.8p1023, none);
+  const Filter filter = internal::scaled_filter(Bound(CGAL::within_distance(0x1p1022)),
+                                                scene_up_to(2, 0x1.8p1023), none);
   const std::array<double, 2> far = {0x1.8p1023, 0x1.8p1023}, back = {-0x1.8p1023, -0x1.8p1023};
   BOOST_CHECK(decision(filter, far, back) == std::optional<bool>(false));
   BOOST_CHECK(decision(filter, far, far) == std::optional<bool>(true));

@@ -192,13 +192,13 @@ private:
                             scale_);
   }
 
-  CGAL_RARELY_CALLED void offer_at_scale(std::size_t i, std::size_t j)
+  void offer_at_scale(std::size_t i, std::size_t j)
   {
     offer_between(i, j, scaled_square_bounds(i, j));
   }
 
   // As squared_distance_bounds(), of differences times the scale.
-  CGAL_RARELY_CALLED Gap scaled_square_bounds(std::size_t i, std::size_t j) const
+  Gap scaled_square_bounds(std::size_t i, std::size_t j) const
   {
     Gap sum = {0, 0};
     for(int axis = 0; axis < dimension_; ++axis) {

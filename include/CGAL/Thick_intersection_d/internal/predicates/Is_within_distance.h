@@ -66,8 +66,7 @@ public:
     if(scene.error != 0 || tier == Arithmetic_tier::DOUBLE)
       return;
     take_integers(tier, scene.grid_exponent, scene.extended_axis_count());
-    filter_of_doubles_ = scaled_filter(bound, scene.dimension(), scene.largest_coordinate(),
-                                       filter_of_doubles_);
+    filter_of_doubles_ = scaled_filter(bound, scene, filter_of_doubles_);
   }
 
   int dimension() const { return dimension_; }
