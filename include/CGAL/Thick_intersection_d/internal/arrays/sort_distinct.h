@@ -24,9 +24,19 @@ namespace internal {
 // The numbers of a run, at most.
 inline constexpr std::ptrdiff_t max_run_size = 32;
 
-// Sorts the first `size` of `numbers`, which are a run or fewer, to `sorted`. Both have room for
-// `max_run_size` numbers.
-using Sort_run = void (*)(const std::uint32_t* numbers, std::uint32_t size, std::uint32_t* sorted);
+// How runs are sorted and merged.
+struct Run_sorter
+{
+  std::ptrdiff_t size_step; // merge() takes runs whose size is a multiple of it
+
+  // Sorts the first `size` of `numbers`, which are a run or fewer, to `sorted`. Both have room for
+  // `max_run_size` numbers.
+  void (*sort)(const std::uint32_t* numbers, std::uint32_t size, std::uint32_t* sorted);
+
+  // Merges two sorted runs of `size` numbers, one behind the other, to `merged`. A number behind
+  // them can be read.
+  void (*merge)(const std::uint32_t* run, std::ptrdiff_t size, std::uint32_t* merged);
+};
 
 // Sorts a run of distinct numbers by rank: the rank of a number is the count of smaller numbers.
 // `lane_count` ranks are counted at a time, in loops without branches, which compilers turn into
@@ -55,7 +65,8 @@ void sort_run_by_ranks(const std::uint32_t* first, std::uint32_t run_size, std::
 // Merges two sorted runs of `size` numbers, one behind the other, to `merged`. The smaller half of
 // the numbers is merged from the front and the larger half from the back. So neither run ends
 // before the loop does, and no branch depends on the numbers.
-inline void merge_two_runs(const std::uint32_t* run, std::ptrdiff_t size, std::uint32_t* merged)
+BOOST_NOINLINE inline
+void merge_two_runs(const std::uint32_t* run, std::ptrdiff_t size, std::uint32_t* merged)
 {
   const std::uint32_t *a = run, *b = run + size;
   const std::uint32_t *last_a = b - 1, *last_b = b + size - 1;
@@ -71,30 +82,34 @@ inline void merge_two_runs(const std::uint32_t* run, std::ptrdiff_t size, std::u
   }
 }
 
+// By plain loops.
+inline constexpr Run_sorter plain_run_sorter = {1, sort_run_by_ranks, merge_two_runs};
+
 // Sorts distinct numbers, in `memory`. They are cut into runs of equal size, which are sorted and
 // then merged by twos. What is missing in the last runs is filled with the largest number.
 BOOST_NOINLINE inline
 void sort_distinct(std::uint32_t* first, std::uint32_t* last, Buffer<std::uint32_t>& memory,
-                   Sort_run sort_run = sort_run_by_ranks)
+                   const Run_sorter& sorter = plain_run_sorter)
 {
   const std::ptrdiff_t size = last - first;
   std::ptrdiff_t run_count = 1;
   while(run_count * max_run_size < size)
     run_count *= 2;
-  const std::ptrdiff_t run_size = (size + run_count - 1) / run_count;
+  const std::ptrdiff_t run_step = run_count * sorter.size_step;
+  const std::ptrdiff_t run_size = (size + run_step - 1) / run_step * sorter.size_step;
   const std::ptrdiff_t end = run_count * run_size;
   const std::ptrdiff_t room = end + max_run_size;
   std::uint32_t* from = memory.require(static_cast<std::size_t>(2 * room));
   std::uint32_t* to = from + room;
   std::fill(std::copy(first, last, to), to + end, (std::numeric_limits<std::uint32_t>::max)());
   for(std::ptrdiff_t run = 0; run < size; run += run_size)
-    sort_run(to + run, static_cast<std::uint32_t>((std::min)(size - run, run_size)), from + run);
+    sorter.sort(to + run, static_cast<std::uint32_t>((std::min)(size - run, run_size)), from + run);
   std::copy(to + size, to + end, from + size);
 
   // Each run of `sorted` numbers in `from` is sorted.
   for(std::ptrdiff_t sorted = run_size; sorted < end; sorted *= 2) {
     for(std::ptrdiff_t run = 0; run < end; run += 2 * sorted)
-      merge_two_runs(from + run, sorted, to + run);
+      sorter.merge(from + run, sorted, to + run);
     std::swap(from, to);
   }
   std::copy_n(from, size, first);

@@ -16,11 +16,12 @@
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Strips.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/short_lists.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/run_sorter.h>
 
 #include <boost/config.hpp> // BOOST_LIKELY, BOOST_NOINLINE
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <deque>
 #include <vector>
@@ -28,6 +29,16 @@
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
+
+// The room for positions fills two cache lines. Most points of scenes with 20 neighbors per point
+// have no more.
+struct alignas(64) Short_list
+{
+  static constexpr Place capacity = 32;
+
+  std::array<Place, capacity> positions;
+};
+static_assert(Short_list::capacity == max_run_size);
 
 // A report for Near_sweep. Points have numbers here: those of a slab in the window are consecutive,
 // and free for other slabs afterwards. `Stop` has is_stopped().
@@ -169,8 +180,8 @@ private:
       else if(size > Short_list::capacity)
         finish_long_list(number, ends_[number - slab.first], bins);
       else if(size > 0)
-        sort_short_list(lists_[number].positions.data(), size,
-                        bins.append_short(positions_[number], size));
+        sorter_.sort(lists_[number].positions.data(), size,
+                     bins.append_short(positions_[number], size));
     }
     window_.pop_front();
   }
@@ -206,11 +217,12 @@ private:
     Place* const list = long_list_.require(size);
     std::copy_n(lists_[number].positions.data(), Short_list::capacity, list);
     std::copy(last - (size - Short_list::capacity), last, list + Short_list::capacity);
-    sort_distinct(list, list + size, memory_of_sort_, sort_short_list);
+    sort_distinct(list, list + size, memory_of_sort_, sorter_);
     bins.append(positions_[number], list, list + size);
   }
 
   const Stop& stop_;
+  const Run_sorter& sorter_ = run_sorter();
   std::deque<Numbers> window_;
 
   // By numbers.

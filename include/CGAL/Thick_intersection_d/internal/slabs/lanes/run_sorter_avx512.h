@@ -2,18 +2,19 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_SHORT_LISTS_AVX512_H
-#define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_SHORT_LISTS_AVX512_H
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_RUN_SORTER_AVX512_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_RUN_SORTER_AVX512_H
 
-// Short lists in ascending order, by sorting networks with AVX-512. Two registers hold a list.
+// Sorts and merges runs by sorting networks with AVX-512. Two registers hold a run.
 
+#include <CGAL/Thick_intersection_d/internal/arrays/sort_distinct.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/short_lists_plain.h>
 
 #if defined(__GNUC__) && defined(__x86_64__)
 
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/shuffle.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 
@@ -25,13 +26,13 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-static_assert(Short_list::capacity == 32 && sizeof(Place) == 4, "Two registers hold a list.");
+static_assert(max_run_size == 32 && sizeof(Place) == 4, "Two registers hold a run.");
 
 // The compilers have these instructions without <immintrin.h>, whose 90 headers take longer to read
 // than all headers of this package.
-struct Short_lists_avx512
+struct Run_sorter_avx512
 {
-  // Sorts like Short_lists_plain. Lanes without a position hold the largest number, so they are
+  // Sorts like sort_run_by_ranks(). Lanes without a position hold the largest number, so they are
   // sorted to the end.
   CGAL_THICK_INTERSECTION_D_AVX512 static void sort(const Place* positions, Place size,
                                                     Place* sorted)
@@ -41,10 +42,28 @@ struct Short_lists_avx512
     else {
       const Register a = sorted_16(load(positions, lane_count));
       const Register b = sorted_16(load(positions + lane_count, size - lane_count));
-      const Register b_reversed = from_lanes<15>(b);
-      store(merged(least(a, b_reversed)), sorted);
-      store(merged(greatest<all>(a, b_reversed, a)), sorted + lane_count);
+      store(store_lesser_half(a, b, sorted), sorted + lane_count);
     }
+  }
+
+  // Merges like merge_two_runs(). Invariant: x holds the largest positions so far, and all others
+  // are in `merged`.
+  CGAL_THICK_INTERSECTION_D_AVX512 static void merge(const Place* run, std::ptrdiff_t size,
+                                                     Place* merged)
+  {
+    const Place *a = run, *b = run + size;
+    const Place *const end_of_a = b, *const end_of_b = b + size;
+    Register x = load(a, lane_count);
+    a += lane_count;
+    while(a != end_of_a || b != end_of_b) {
+      const bool is_b_first = (a == end_of_a) | ((b != end_of_b) & (*b < *a));
+      const Register y = load(is_b_first ? b : a, lane_count);
+      b += is_b_first ? lane_count : 0;
+      a += is_b_first ? 0 : lane_count;
+      x = store_lesser_half(x, y, merged);
+      merged += lane_count;
+    }
+    store(x, merged);
   }
 
 private:
@@ -94,6 +113,15 @@ private:
 #endif
   }
 
+  // Stores the lesser half of two sorted registers in ascending order. Returns the other half.
+  CGAL_THICK_INTERSECTION_D_INLINE static Register store_lesser_half(Register x, Register y,
+                                                                     Place* sorted)
+  {
+    const Register reversed = from_lanes<15>(y);
+    store(merged(least(x, reversed)), sorted);
+    return merged(greatest<all>(x, reversed, x));
+  }
+
   // Sorts by merging sorted halves of 2, 4, 8 and 16 lanes. To merge, compare the first half with
   // the reverse of the second one, and then lanes that are nearer and nearer.
   CGAL_THICK_INTERSECTION_D_INLINE static Register sorted_16(Register x)
@@ -140,6 +168,9 @@ private:
   }
 };
 
+inline constexpr Run_sorter run_sorter_avx512
+  = {16, Run_sorter_avx512::sort, Run_sorter_avx512::merge};
+
 } // namespace internal
 } // namespace Thick_intersection_d
 } // namespace CGAL
@@ -153,7 +184,7 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-using Short_lists_avx512 = Short_lists_plain;
+inline constexpr Run_sorter run_sorter_avx512 = plain_run_sorter;
 
 } // namespace internal
 } // namespace Thick_intersection_d
@@ -161,4 +192,4 @@ using Short_lists_avx512 = Short_lists_plain;
 
 #endif
 
-#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_SHORT_LISTS_AVX512_H
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_RUN_SORTER_AVX512_H
