@@ -3,12 +3,14 @@
 
 // The lists of slabs in a window, against sets of neighbors.
 
+#include "support/counting_allocator.h"
 #include "support/point_generators.h"
 
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_lists.h>
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <deque>
 #include <map>
@@ -69,7 +71,7 @@ void check_window(std::size_t slab_count, std::size_t window_size, std::size_t p
 {
   Random random(pairs_per_slab);
   const Never_stopped stop;
-  Lists lists(stop);
+  Lists lists(stop, slab_count);
   std::map<Place, std::set<Place>> expected;
   Some_bins bins;
   std::deque<Numbers> window;
@@ -119,6 +121,27 @@ BOOST_AUTO_TEST_CASE(lists_of_a_slab_are_complete_when_it_leaves_the_window)
   for(const std::size_t window_size : {1, 2, 5})
     for(const std::size_t pairs : {0, 10, 100, 2000})
       check_window(40, window_size, pairs);
+}
+
+// Room that grows would hold lists twice.
+BOOST_AUTO_TEST_CASE(lists_take_memory_once)
+{
+  const Place size = 1000;
+  for(const std::size_t slab_count : {1, 2, 3, 100}) {
+    const std::size_t slabs_at_once = (std::min)(slab_count, std::size_t(3));
+    const std::size_t before = current_bytes();
+    reset_peak();
+    const Never_stopped stop;
+    Lists lists(stop, slab_count);
+    Some_bins bins;
+    for(std::size_t s = 0; s < slab_count; ++s) {
+      if(s >= slabs_at_once)
+        lists.finish(bins);
+      number(static_cast<Place>(s) * size, size, lists);
+    }
+    BOOST_CHECK_LT(peak_bytes() - before,
+                   (slabs_at_once + 2) * size * sizeof(internal::Short_list));
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -112,7 +112,7 @@ private:
   void sweep_slabs(const Source& slabs, Place first, Place last, Bins& bins, Report& report,
                    Progress& progress) const
   {
-    Slab_lists<Report> lists(report);
+    Slab_lists<Report> lists(report, slabs.count());
     Near_sweep<Test, Slab_lists<Report>> near_sweep(test_, lists);
     Slab_sweep<Point> sweep(reach_, near_sweep);
     const auto number = [&](Strips<Point>& slab) { lists.number(slab); };

@@ -49,7 +49,10 @@ template <class Stop>
 class Slab_lists
 {
 public:
-  explicit Slab_lists(const Stop& stop) : stop_(stop) {}
+  // There are `slab_count` slabs in all. The window has up to three of them in most scenes.
+  Slab_lists(const Stop& stop, std::size_t slab_count)
+    : stop_(stop), slabs_at_once_((std::min)(slab_count, std::size_t(3)))
+  {}
 
   bool is_stopped() const { return stop_.is_stopped(); }
 
@@ -159,6 +162,8 @@ private:
     const std::size_t end = first + size;
     check_size(end);
     if(end > lists_.size()) {
+      if(window_.empty()) // room for all slabs takes less memory than room that grows
+        lists_.reserve(slabs_at_once_ * (size + std::size_t(size) / 8));
       positions_.resize(end);
       sizes_.resize(end);
       lists_.resize(end);
@@ -222,6 +227,7 @@ private:
   }
 
   const Stop& stop_;
+  const std::size_t slabs_at_once_;
   const Run_sorter& sorter_ = run_sorter();
   std::deque<Numbers> window_;
 
