@@ -5,6 +5,7 @@
 #include "support/point_generators.h"
 
 #include <CGAL/Thick_intersection_d/internal/reports/List_bins.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Neighbor_bins.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -79,6 +80,21 @@ BOOST_AUTO_TEST_CASE(bins_of_few_lists_take_little_memory)
   for(std::size_t i = 0; i < 2 * bin_count; ++i)
     bins.append_short(static_cast<Bins::Position>(i * Bins::bin_size / 2), 10);
   BOOST_CHECK_LT(current_bytes() - before, 512 * bin_count);
+}
+
+BOOST_AUTO_TEST_CASE(bins_that_are_cleared_take_no_memory_of_lists)
+{
+  const std::size_t before = current_bytes();
+  Bins bins(Bins::bin_size);
+  CGAL::Thick_intersection_d::internal::Neighbor_bins neighbors(Bins::bin_size);
+  for(Bins::Position i = 0; i < 10000; ++i) {
+    bins.append_short(i % Bins::bin_size, 10);
+    neighbors.add(i % Bins::bin_size, i);
+  }
+  BOOST_CHECK_GT(current_bytes() - before, 400000u);
+  bins.clear();
+  neighbors.clear();
+  BOOST_CHECK_LT(current_bytes() - before, 1000u);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

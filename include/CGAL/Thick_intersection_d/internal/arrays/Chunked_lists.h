@@ -62,6 +62,13 @@ public:
     return true;
   }
 
+  // Frees the memory of all lists, after which there is none.
+  void clear()
+  {
+    lists_.clear();
+    blocks_.clear();
+  }
+
 private:
   static constexpr std::size_t max_block_size = 2048; // chunks
 

@@ -148,6 +148,18 @@ public:
       task(values_);
   }
 
+  // Calls task(value) for the values of all threads, by all threads in parallel.
+  template <class Task>
+  void for_each_at_once(const Task& task)
+  {
+    std::vector<T*> values;
+    for_each([&](T& value) { values.push_back(&value); });
+    for_each_block<ConcurrencyTag>(values.size(), [&](std::size_t i, std::size_t last) {
+      for(; i != last; ++i)
+        task(*values[i]);
+    });
+  }
+
 private:
 #ifdef CGAL_LINKED_WITH_TBB
   using Values = tbb::enumerable_thread_specific<T, tbb::cache_aligned_allocator<T>,

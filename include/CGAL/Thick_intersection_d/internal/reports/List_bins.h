@@ -94,6 +94,13 @@ public:
     }
   }
 
+  // Frees the memory of all lists. No list can be appended or read then.
+  void clear()
+  {
+    bins_.clear();
+    blocks_.clear();
+  }
+
 private:
   // In positions. The chunks of a bin double up to the largest size, and so do blocks.
   static constexpr std::size_t first_chunk_size = 64;

@@ -56,6 +56,9 @@ public:
     });
   }
 
+  // Frees the memory of all neighbors. None can be added or read then.
+  void clear() { bins_.clear(); }
+
 private:
   // It has six bytes, because moving neighbors takes much of the time.
   struct Neighbor

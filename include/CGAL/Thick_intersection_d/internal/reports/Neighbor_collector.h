@@ -82,14 +82,9 @@ private:
   Neighbor_lists lists_of(All_bins<Bins>& bins, bool are_of_one_set, Neighbor_lists&& old_lists)
   {
     std::vector<std::size_t> begins = std::move(old_lists).begins();
-    begins.assign(size_ + 1, 0);
     Positions positions = std::move(old_lists).positions();
-    positions.clear();
     const std::vector<std::size_t> begins_of_bins = begins_of_all_bins(bins);
-    positions.reserve(begins_of_bins.back());
-    ask_for_huge_pages(positions.data(), begins_of_bins.back() * sizeof(Position));
-    if constexpr(is_parallel_v<ConcurrencyTag>)
-      positions.resize(begins_of_bins.back()); // in sequence, lists are appended: one write less
+    make_room(begins, positions, begins_of_bins.back());
 
     for_each_block<ConcurrencyTag>(bin_count<Bins>(), [&](std::size_t bin, std::size_t last) {
       Buffer<Position> lists;
@@ -104,7 +99,29 @@ private:
           positions.insert(positions.end(), first, first + (end - begin));
       }
     });
+    if constexpr(is_parallel_v<ConcurrencyTag>) // to free much memory takes a while
+      bins.for_each_at_once([](Bins& bins_of_thread) { bins_of_thread.clear(); });
     return Neighbor_lists(std::move(begins), std::move(positions), are_of_one_set);
+  }
+
+  // Makes room for lists of `neighbor_count` neighbors. To clear it takes a while, and two threads
+  // do it in parallel. In sequence, lists are appended: one write less.
+  CGAL_RARELY_CALLED void make_room(std::vector<std::size_t>& begins, Positions& positions,
+                                    std::size_t neighbor_count) const
+  {
+    const auto clear_begins = [&] {
+      begins.assign(size_ + 1, 0);
+      return true;
+    };
+    const auto clear_positions = [&] {
+      positions.clear();
+      positions.reserve(neighbor_count);
+      ask_for_huge_pages(positions.data(), neighbor_count * sizeof(Position));
+      if constexpr(is_parallel_v<ConcurrencyTag>)
+        positions.resize(neighbor_count);
+      return true;
+    };
+    invoke_all<ConcurrencyTag>(clear_begins, clear_positions, [] { return true; });
   }
 
   template <class Bins>
@@ -118,9 +135,9 @@ private:
   CGAL_RARELY_CALLED std::vector<std::size_t> begins_of_all_bins(All_bins<Bins>& all_bins)
   {
     std::vector<std::size_t> begins(bin_count<Bins>() + 1, 0);
-    all_bins.for_each([&](const Bins& bins) {
-      for(std::size_t bin = 0; bin < bin_count<Bins>(); ++bin)
-        begins[bin + 1] += bins.size(bin);
+    for_each_block<ConcurrencyTag>(bin_count<Bins>(), [&](std::size_t bin, std::size_t last) {
+      for(; bin != last; ++bin)
+        all_bins.for_each([&](const Bins& bins) { begins[bin + 1] += bins.size(bin); });
     });
     for(std::size_t bin = 0; bin < bin_count<Bins>(); ++bin)
       begins[bin + 1] += begins[bin];
