@@ -88,7 +88,7 @@ public:
   {
     if(!has_pair_)
       return false;
-    const Gap g = scaled_gap(i, j, axis);
+    const Gap g = scaled_gap(points_[i], points_[j], axis);
     if(g.inf * g.inf > filter_.outside)
       return true;
     if(is_exact_ || g.sup * g.sup <= filter_.inside)
@@ -200,9 +200,11 @@ private:
   // As squared_distance_bounds(), of differences times the scale.
   Gap scaled_square_bounds(std::size_t i, std::size_t j) const
   {
+    const auto& p = points_[i];
+    const auto& q = points_[j];
     Gap sum = {0, 0};
     for(int axis = 0; axis < dimension_; ++axis) {
-      const Gap g = scaled_gap(i, j, axis);
+      const Gap g = scaled_gap(p, q, axis);
       sum.inf += g.inf * g.inf;
       sum.sup += g.sup * g.sup;
     }
@@ -211,13 +213,13 @@ private:
 
   // Returns doubles that enclose the scaled distance of two points along an axis. If a difference
   // overflows, that of the halves does not. What halving loses is less than 2^-1074.
-  Gap scaled_gap(std::size_t i, std::size_t j, int axis) const
+  Gap scaled_gap(const Point& p, const Point& q, int axis) const
   {
-    const Gap g = gap_along(points_[i], points_[j], axis);
+    const Gap g = gap_along(p, q, axis);
     if(g.sup <= (std::numeric_limits<double>::max)())
       return {g.inf * scale_, g.sup * scale_};
-    const std::pair<double, double> x = coordinate_bounds(points_[i], axis);
-    const std::pair<double, double> y = coordinate_bounds(points_[j], axis);
+    const std::pair<double, double> x = coordinate_bounds(p, axis);
+    const std::pair<double, double> y = coordinate_bounds(q, axis);
     const auto half = [](const std::pair<double, double>& b) {
       return std::pair<double, double>(b.first / 2, b.second / 2);
     };
