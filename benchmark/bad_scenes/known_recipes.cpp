@@ -48,6 +48,7 @@ const char* const lines[] = {
   "closest3 steps:3:0.14:0.0088@all:1",
   "closest2 steps:2:0:5e-324/n^-1@all:1",
   "closest3 steps:3:0:5e-324/n^-1@all:1",
+  "closest3 steps:3:0:1e-300@all:1",
   "close2 r=1/n steps:2:0:1@all:1",
   "close2 r=2e-05 steps:1:0:0.21@first:1 span:0:1:0/n@others:0.38 nested:1:600/n:1.1@last:0.1",
   "close3 seed=51 r=1/n steps:3:0.5:6.2e-07@last:0.99 steps:1:0.00039:1@unseen:0.18",

@@ -44,13 +44,13 @@ private:
     return all[below(all.size())];
   }
 
-  // Two digits, which a text keeps.
+  // Two digits, which a text keeps; all of the few digits that the least denormal numbers have.
   static double rounded(double x)
   {
     if(x == 0 || !std::isfinite(x))
       return 0;
     const double unit = std::pow(10, std::floor(std::log10(std::fabs(x))) - 1);
-    return std::stod(to_text(Amount{std::round(x / unit) * unit}));
+    return unit == 0 ? x : read_amount(to_text(Amount{std::round(x / unit) * unit})).factor;
   }
 
   double share()
