@@ -160,7 +160,7 @@ std::vector<Feature> read_geojson(const Input& input, const Read_options& option
   catch(const json::exception& error) {
     throw Error(input.name(), message_of(error));
   }
-  catch(const std::ios::failure&) { // the parser reads the buffer, not the stream, which would catch it
+  catch(const std::ios::failure&) { // the parser reads past the stream, which catches it
     throw Error(input.name(), "cannot be read to its end");
   }
   catch(const std::string& wrong) {
