@@ -115,8 +115,7 @@ void print_rows_of_dimension(bool is_quick)
 
 void print_tables(bool is_quick)
 {
-  for(const Run_fact& fact : run_facts())
-    std::cout << "- " << fact.name << ": " << fact.value << '\n';
+  print_run_facts(std::cout);
   std::cout << "\n| scene | n | method | ms | time / std::sort | target | verdict |\n"
                "|---|--:|---|--:|--:|--:|---|\n";
   print_rows_of_dimension<2>(is_quick);

@@ -56,8 +56,7 @@ try {
     std::cout << known;
     return 0;
   }
-  for(const Run_fact& fact : run_facts())
-    std::cout << "- " << fact.name << ": " << fact.value << '\n';
+  print_run_facts(std::cout);
   std::cout << std::setprecision(3);
   const bool is_quick = options.count("quick") != 0;
   const int rounds = is_quick ? 1 : 7;

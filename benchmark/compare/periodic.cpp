@@ -126,10 +126,9 @@ try {
       write_scene(n, options["write"].as<std::string>());
     return 0;
   }
-  for(const Run_fact& fact : run_facts())
-    std::cout << fact.name << ": " << fact.value << '\n';
-  std::cout << std::setprecision(4) << "\nThe least time, and medians of ratios.\n";
-  print_line("scene", "method", "found", "ms", "/ stored", "/ counted");
+  print_run_facts(std::cout);
+  std::cout << std::setprecision(4) << '\n';
+  print_head("scene", "found", "ms", "/ stored", "/ counted");
   for(const std::size_t n : sizes)
     print_times(n, is_quick ? 1 : 7);
   return 0;

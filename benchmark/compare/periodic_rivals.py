@@ -2,7 +2,7 @@
 """Sets searches of Python's libraries beside ours: points in boxes that repeat.
 
     periodic_table --write <folder>        # or periodic_pairs of the laboratory
-    periodic_rivals.py <folder>            # prints times, and how many pairs are wrong
+    periodic_rivals.py <folder>            # prints times as rows in Markdown, and wrong pairs
     periodic_rivals.py <folder> <csv>      # appends rows to the table of the laboratory
 
 Reads the scenes of a folder, and their pairs. Libraries that are missing are left out (Debian:
@@ -146,8 +146,9 @@ def main():
             true, missing, extra = wrong_pairs(scene, found, is_closed)
             rows.append([scene.name, len(scene.points), true, int(scene.are_ties.sum()), name,
                          "<=" if is_closed else "<", missing, extra])
-            print(f"{scene.name:36}{name:20}{len(found):10}{1000 * seconds:10.4g} ms"
-                  f"{missing:8} missing{extra:8} extra", flush=True)
+            wrong = f", {missing} missing, {extra} extra" if missing + extra else ""
+            print(f"| {scene.name} | {name}{wrong} | {len(found)} | {1000 * seconds:.4g} | | |",
+                  flush=True)
     if len(sys.argv) > 2:
         with open(sys.argv[2], "a", newline="", encoding="utf-8") as out:
             csv.writer(out, quoting=csv.QUOTE_NONNUMERIC, lineterminator="\n").writerows(rows)

@@ -29,18 +29,12 @@
 namespace thick_benchmark {
 namespace {
 
-void print_facts()
-{
-  if(rank() == 0)
-    for(const Run_fact& fact : run_facts())
-      std::cout << "- " << fact.name << ": " << fact.value << '\n';
-}
-
 void print_rows(const std::string& table, bool is_quick)
 {
-  if(table == "facts")
-    print_facts();
-  else if(table == "threads")
+  if(table == "facts") {
+    if(rank() == 0)
+      print_run_facts(std::cout);
+  } else if(table == "threads")
     print_threads(is_quick);
   else if(table == "memory")
     print_memory(is_quick);

@@ -5,6 +5,7 @@
 // doubles or of box_self_intersection_d(), as a table in Markdown. Figures are medians of 7 rounds,
 // each over many random scenes.
 
+#include "measuring/run_facts.h"
 #include "measuring/timing.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -156,8 +157,9 @@ void print_row(std::size_t size)
 
 int main()
 {
-  std::cout << "| n | near pairs, ns | / loop | closest pair, ns | / loop | boxes, ns | / CGAL |\n"
-               "|--:|--:|--:|--:|--:|--:|--:|\n";
+  thick_benchmark::print_run_facts(std::cout);
+  std::cout << "\n| n | near pairs, ns | / loop | closest pair, ns | / loop | boxes, ns "
+               "| / CGAL |\n|--:|--:|--:|--:|--:|--:|--:|\n";
   for(const std::size_t size : {2, 3, 4, 6, 8, 12, 16, 32, 64, 100, 128, 200})
     print_row(size);
 }

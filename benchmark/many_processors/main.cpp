@@ -131,8 +131,7 @@ void print_row(const Many_row& row, std::size_t n)
 
 void print_table(const Settings& settings)
 {
-  for(const Run_fact& fact : run_facts())
-    std::cout << "- " << fact.name << ": " << fact.value << '\n';
+  print_run_facts(std::cout);
   std::cout << "\n| search | n | pairs | ms in sequence | work | span, ms | P = 16 | P = 64 "
                "| P = 256 | target | verdict | pages touched first | bytes more | with P = 256 |\n"
                "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|---|--:|--:|--:|\n";

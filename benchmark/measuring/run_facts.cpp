@@ -15,6 +15,7 @@
 
 #include <chrono>
 #include <ctime>
+#include <ostream>
 #include <thread>
 
 namespace thick_benchmark {
@@ -60,6 +61,12 @@ std::vector<Run_fact> run_facts()
           {"flags", THICK_BENCHMARK_FLAGS},
           {"CGAL", CGAL_VERSION_STR},
           {"Boost", BOOST_LIB_VERSION}};
+}
+
+void print_run_facts(std::ostream& out)
+{
+  for(const Run_fact& fact : run_facts())
+    out << "- " << fact.name << ": " << fact.value << '\n';
 }
 
 } // namespace thick_benchmark

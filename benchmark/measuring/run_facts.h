@@ -6,6 +6,7 @@
 #ifndef THICK_INTERSECTION_BENCHMARK_MEASURING_RUN_FACTS_H
 #define THICK_INTERSECTION_BENCHMARK_MEASURING_RUN_FACTS_H
 
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct Run_fact
 };
 
 std::vector<Run_fact> run_facts();
+
+void print_run_facts(std::ostream& out); // a list in Markdown
 
 } // namespace thick_benchmark
 

@@ -156,8 +156,7 @@ void write_csv(const std::string& file, const Rows& rows)
 void write_markdown(const std::string& file, const Rows& rows)
 {
   std::ofstream out = open(file);
-  for(const Run_fact& fact : run_facts())
-    out << "- " << fact.name << ": " << fact.value << '\n';
+  print_run_facts(out);
   out << "\n| scene | n | k | ms | quantity | measured | target | good | verdict | machine |\n"
       << "|---|--:|--:|--:|---|--:|--:|--:|---|--:|\n";
   for(const Row& row : rows) {
