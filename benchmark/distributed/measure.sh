@@ -22,6 +22,7 @@ tables=("${@:-threads trees memory}")
 # two threads of one process are to find two. Processes that wait leave their processor to others.
 export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none
 export OMPI_MCA_mpi_yield_when_idle=1
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 # as in a container
 
 rows() {  # table, number of processes...
   local table=$1
