@@ -47,7 +47,7 @@ forward iterators or better. It is neither copied nor reordered. It may be a vie
 `Point_set_3`.
 
 \param points the points, all of the same dimension, at least two and less than
-\f$ 2^{32} - 1 \f$ points.
+\f$ 2^{31} - 1 \f$ points.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
 below
 
@@ -55,7 +55,8 @@ below
   \cgalParamNBegin{point_map}
     \cgalParamDescription{a property map associating points to the elements of the range}
     \cgalParamType{a model of `ReadablePropertyMap` from these elements to points}
-    \cgalParamDefault{the elements are the points}
+    \cgalParamDefault{`points.point_map()` if the range has this function, as `Point_set_3` has;
+                      otherwise the elements are the points}
   \cgalParamNEnd
   \cgalParamNBegin{geom_traits}
     \cgalParamDescription{an instance of the kernel of the points}
@@ -87,7 +88,7 @@ they are the closest of the pairs that were compared so far. (0, 1) is the first
 \throws std::invalid_argument if there are fewer than two points, if a coordinate is NaN or
 infinite, or if the points differ in dimension. The message gives the position of the point.
 Exceptions of the progress functor pass through.
-\throws std::length_error if there are \f$ 2^{32} - 1 \f$ points or more.
+\throws std::length_error if there are \f$ 2^{31} - 1 \f$ points or more.
 \throws std::runtime_error if the processor is set to flush denormal numbers to zero.
 
 \sa `find_close_pair()`
@@ -134,7 +135,7 @@ sequence, the pair depends on the input alone. `Parallel_tag` requires \tbb.
 \tparam NT is a number type as described for `Distance_bound`. It need not be the number type of the
 kernel.
 
-\param points the points, all of the same dimension, less than \f$ 2^{32} - 1 \f$ points.
+\param points the points, all of the same dimension, less than \f$ 2^{31} - 1 \f$ points.
 \param bound made by `within_distance()` or `within_squared_distance()`.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
 below
@@ -143,7 +144,8 @@ below
   \cgalParamNBegin{point_map}
     \cgalParamDescription{a property map associating points to the elements of the range}
     \cgalParamType{a model of `ReadablePropertyMap` from these elements to points}
-    \cgalParamDefault{the elements are the points}
+    \cgalParamDefault{`points.point_map()` if the range has this function, as `Point_set_3` has;
+                      otherwise the elements are the points}
   \cgalParamNEnd
   \cgalParamNBegin{geom_traits}
     \cgalParamDescription{an instance of the kernel of the points}
@@ -169,7 +171,7 @@ the bound, or if the progress functor cancels the search before it has found a p
 \throws std::invalid_argument if a coordinate is NaN or infinite, if the points differ in dimension,
 or if the bound is negative or NaN. All points are checked, wherever the pair is. Exceptions of the
 progress functor pass through.
-\throws std::length_error if there are \f$ 2^{32} - 1 \f$ points or more.
+\throws std::length_error if there are \f$ 2^{31} - 1 \f$ points or more.
 \throws std::runtime_error if the processor is set to flush denormal numbers to zero.
 
 \sa `closest_pair()`

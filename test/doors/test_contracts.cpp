@@ -22,6 +22,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <list>
+#include <memory>
 
 #ifdef __SSE2__
 #include <xmmintrin.h>
@@ -60,6 +61,15 @@ bool contains(const std::string& text, const std::string& part)
 {
   return text.find(part) != std::string::npos;
 }
+
+struct Points_at_origin
+{
+  using key_type = char;
+  using value_type = Point;
+  using reference = Point;
+  using category = boost::readable_property_map_tag;
+  friend Point get(const Points_at_origin&, char) { return Point(0, 0); }
+};
 
 } // namespace
 
@@ -378,6 +388,20 @@ BOOST_AUTO_TEST_CASE(progress_of_a_crowd_grows_and_cancels)
   BOOST_CHECK_GE(calls, 3u);
   BOOST_CHECK_GT(pairs, 0u);
   BOOST_CHECK_LT(pairs, 10000u * 9999 / 2);
+}
+
+// Nobody reads the elements: it would take long, and most of their memory is never there.
+BOOST_AUTO_TEST_CASE(closest_pair_refuses_2_to_the_31_points_at_once)
+{
+  if constexpr(sizeof(std::size_t) > 4) {
+    const std::size_t size = (std::size_t(1) << 31) - 1;
+    const std::unique_ptr<char[]> memory(new char[size]);
+    const auto range = boost::make_iterator_range(memory.get(), memory.get() + size);
+    const auto np = CGAL::parameters::point_map(Points_at_origin());
+    BOOST_CHECK_THROW(CGAL::closest_pair(range, np), std::length_error);
+    BOOST_CHECK_THROW(CGAL::find_close_pair(range, CGAL::within_distance(1), np),
+                      std::length_error);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(order_of_reports_is_a_function_of_the_input)

@@ -56,7 +56,7 @@ inline bool may_need_grid(const Scene_sample& sample)
 template <class ConcurrencyTag, class Elements>
 Scene scan_checked_points(const Elements& points)
 {
-  check_size(points.size());
+  check_size(points.size(), max_place / 2); // crowds take slabs, as near_pairs_search.h does
   return scan_points<ConcurrencyTag>(points, "point", may_need_grid(Scene_sample(points)));
 }
 

@@ -27,10 +27,10 @@ inline constexpr Place max_place = (std::numeric_limits<Place>::max)();
 // Two positions, the smaller position first.
 using Position_pair = std::pair<std::size_t, std::size_t>;
 
-// Throws if there are too many points for places. One place is taken: it stands for no point.
-inline void check_size(std::size_t size)
+// Throws if there are `limit` points or more. One place is taken: it stands for no point.
+inline void check_size(std::size_t size, std::size_t limit = max_place)
 {
-  if(size >= max_place)
+  if(size >= limit)
     throw std::length_error("There are too many points: " + std::to_string(size) + ".");
 }
 
