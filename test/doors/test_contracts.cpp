@@ -62,6 +62,20 @@ bool contains(const std::string& text, const std::string& part)
   return text.find(part) != std::string::npos;
 }
 
+// Any object is at the origin of a line.
+struct Distances_at_origin
+{
+  int dimension() const { return 1; }
+  auto interval_d_object() const
+  {
+    return [](const auto&, int) { return std::pair<double, double>(0, 0); };
+  }
+  auto is_within_distance_d_object() const
+  {
+    return [](const auto&, const auto&, const auto&) { return true; };
+  }
+};
+
 struct Points_at_origin
 {
   using key_type = char;
@@ -431,6 +445,10 @@ BOOST_AUTO_TEST_CASE(flushing_denormal_numbers_to_zero_is_refused)
       CGAL::thick_self_intersection_d(balls, ignore, CGAL::parameters::geom_traits(traits)),
       std::runtime_error);
     BOOST_CHECK_THROW(CGAL::fixed_radius_near_neighbors(balls, bound, ignore), std::runtime_error);
+    BOOST_CHECK_THROW(
+      CGAL::fixed_radius_near_neighbors(
+        balls, bound, ignore, CGAL::parameters::geom_traits(Distances_at_origin())),
+      std::runtime_error);
     BOOST_CHECK_THROW(CGAL::thick_feature_self_intersection_d(points, ignore), std::runtime_error);
     _mm_setcsr(state);
     BOOST_CHECK(CGAL::fixed_radius_near_neighbors(points, bound, ignore));

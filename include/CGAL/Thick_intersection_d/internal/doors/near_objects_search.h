@@ -208,6 +208,7 @@ bool report_near_objects(const Elements& objects, const Sets& sets, const Distan
   else if constexpr(Has_distance_predicate<Traits>::value) {
     const auto& traits = parameters::get_parameter_reference(np, internal_np::geom_traits);
     const Are_near_by_traits<Object, Traits, NT> test(traits, bound);
+    check_denormals();
     check_objects<ConcurrencyTag>(objects, traits);
     return report_near_boxes<ConcurrencyTag>(objects, sets, test, callback, np);
   }
