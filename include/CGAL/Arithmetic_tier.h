@@ -27,7 +27,8 @@ enum class Arithmetic_tier {
   INT192,          ///< Doubles decide what they safely can, integers of 192 bits decide the rest.
                    ///< Objects in space may need them; for points they are no better than
                    ///< `FILTERED_EXACT`, which then takes their place.
-  FILTERED_EXACT   ///< Doubles decide what they safely can, exact numbers decide the rest.
+  FILTERED_EXACT   ///< Doubles decide what they safely can, exact numbers decide the rest. Integers
+                   ///< decide where they happen to suffice, unless this tier is forced.
 };
 
 /// \ingroup PkgThickIntersectionDRef

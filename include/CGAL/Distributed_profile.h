@@ -19,8 +19,8 @@ namespace CGAL {
 says which process of a distributed search searches a point.
 */
 enum class Point_distribution {
-  BALANCED, ///< Space is cut into boxes of about the same work, and points move to the process of
-            ///< their box.
+  BALANCED, ///< Space is cut into parts of about the same work, and points move to the process of
+            ///< their part.
   AS_IS     ///< Points stay on the process that has them. This is for processes whose points are
             ///< near each other already: only points near those of another process are sent.
 };
@@ -32,7 +32,7 @@ names the phases of a distributed search.
 */
 enum class Distributed_phase {
   CHECK,     ///< The points and the bound are read and checked.
-  PARTITION, ///< A sample decides where to cut space.
+  PARTITION, ///< Samples decide where to cut space.
   MIGRATION, ///< Points move to the process that searches them.
   HALO,      ///< Points near those of another process are sent to it.
   SEARCH,    ///< Each process searches its points.

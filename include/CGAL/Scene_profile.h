@@ -276,7 +276,7 @@ returns the profile of the scene of `points` and `bound`, in one pass over the c
   \cgalParamNBegin{point_map}
     \cgalParamDescription{a property map associating points to the elements of `points`}
     \cgalParamType{a model of `ReadablePropertyMap` from these elements to points}
-    \cgalParamDefault{the elements are the points}
+    \cgalParamDefault{as for `fixed_radius_near_neighbors()`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 \throws std::invalid_argument if a coordinate is NaN or infinite, if the points differ in dimension,

@@ -48,7 +48,7 @@ coordinates are doubles, is its own box, and needs no further test.
 The predicates of `ThickIntersectionTraits_d` compare the lower corners of the boxes. The reach
 along an axis is the largest extent of a box along the axis: the lower corners of two boxes that
 overlap are not farther apart \cgalCite{v-riato-03}. A search uses these predicates for
-2<sup>31</sup> objects or more, which the numbers of boxes do not count.
+2<sup>31</sup> - 1 objects or more, which the numbers of boxes do not count.
 
 Closed balls are `std::pair`s of a center and a radius. Their test compares a squared distance with
 a squared radius, in degree 4 in the plane and 6 in space, or 2 for two balls or a ball and a point:

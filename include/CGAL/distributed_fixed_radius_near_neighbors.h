@@ -39,9 +39,9 @@ another, and the pairs are those that `fixed_radius_near_neighbors()` reports fo
 for every number of processes, every distribution of the points and every kernel, ties included.
 Which process reports a pair depends on the input and the number of processes alone.
 
-By default, space is cut into boxes of about the same work, one for each process. Points move to the
-process of their box, with their ids, and points near another box are sent there as well: about
-34 bytes for each point in space. The process then searches its points as
+By default, space is cut into parts of about the same work, one for each process: a box or a few
+boxes. Points move to the process of their part, with their ids, and points near another part are
+sent there as well: about 34 bytes for each point in space. The process then searches its points as
 `fixed_radius_near_neighbors()` does. `Distributed_profile` leaves the points where they are.
 
 The function sends no message on `comm` itself, but on a duplicate of it. Nothing is in flight when

@@ -46,7 +46,8 @@ pairs are reported in any order. Several threads call the callback at once, so i
 `Parallel_tag` requires \tbb.
 
 \tparam PointRange is a range of `Point_2` or `Point_3` of a kernel of \cgal whose number type is
-`double` or `float`, with input iterators that can be copied, or better. `begin()` is called once.
+`double`, or one whose numbers doubles hold, with input iterators that can be copied, or better.
+`begin()` is called once.
 
 \tparam NT is a number type as described for `Distance_bound`.
 
@@ -65,7 +66,8 @@ below
   \cgalParamNBegin{point_map}
     \cgalParamDescription{a property map associating points to the elements of the range}
     \cgalParamType{a model of `ReadablePropertyMap` from these elements to points}
-    \cgalParamDefault{the elements are the points}
+    \cgalParamDefault{`points.point_map()` if the range has this function, as `Point_set_3` has;
+                      otherwise the elements are the points}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
     \cgalParamDescription{a functor that is called with the progress between 0 and 1, and cancels

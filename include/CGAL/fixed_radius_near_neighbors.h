@@ -99,9 +99,8 @@ below
 if a radius is negative, NaN or infinite, or if the bound is negative or NaN, before anything is
 reported. The message gives the position of the point or object. Exceptions of the callback and of
 traits pass through.
-\throws std::length_error if there are 2<sup>31</sup> - 1 points or more, their coordinates are
-`double` or `float`, and their type tells their dimension, or if there are 2<sup>31</sup> objects or
-more.
+\throws std::length_error if there are 2<sup>31</sup> - 1 objects or more, or as many points whose
+coordinates are `double` or `float` and whose type tells their dimension.
 \throws std::runtime_error if the processor is set to flush denormal numbers to zero.
 
 \sa `with_elements()`

@@ -24,9 +24,10 @@ namespace CGAL {
 
 returns for each point of a range all other points whose distance is within a bound.
 
-The search takes \f$ O(n \log n + k \log k) \f$ time and \f$ O(n + k) \f$ space in fixed dimension,
-where \f$ k \f$ is the number of pairs \cgalCite{v-riato-03}. The result does not depend on the
-number of threads.
+The search takes \f$ O(n \log n + k \log k) \f$ time and \f$ O(n + k) \f$ space in the plane and in
+space, where \f$ k \f$ is the number of pairs \cgalCite{v-riato-03}. In other dimensions, and of
+objects, it takes the time of `fixed_radius_near_neighbors()` and \f$ O(k \log k) \f$. The result
+does not depend on the number of threads.
 
 The parameters are as for `fixed_radius_near_neighbors()`: the points may be objects. The lists hold
 positions.
@@ -35,7 +36,8 @@ positions.
 both of its lists.
 
 \throws std::invalid_argument as `fixed_radius_near_neighbors()`.
-\throws std::length_error if there are \f$ 2^{32} \f$ points or more.
+\throws std::length_error as `fixed_radius_near_neighbors()`, and if there are \f$ 2^{32} \f$ points
+or more.
 */
 template <class ConcurrencyTag = Sequential_tag, class PointRange, class NT,
           class NamedParameters = parameters::Default_named_parameters>
@@ -83,7 +85,8 @@ function is as the version for one range, where \f$ n \f$ is the number of point
 \return the lists. If the progress functor cancels the search, they hold some of the pairs.
 
 \throws std::invalid_argument as `fixed_radius_near_neighbors()`.
-\throws std::length_error if both ranges together have \f$ 2^{32} \f$ points or more.
+\throws std::length_error as `fixed_radius_near_neighbors()`, and if both ranges together have
+\f$ 2^{32} \f$ points or more.
 */
 template <class ConcurrencyTag = Sequential_tag, class PointRangeA, class PointRangeB, class NT,
           class NamedParameters = parameters::Default_named_parameters>

@@ -27,7 +27,8 @@ repeats: then it and an image of it may be the closest pair. The result is that 
 whatever the kernel.
 
 The search takes expected \f$ O(n \log n) \f$ time: the closest pair of the points without periods
-and the shortest period bound the distance, and few pairs of images are within this bound [L].
+and the shortest period bound the distance, and few pairs of images are within this bound
+\cgalCite{l-cp}.
 
 \param points,domain as for `periodic_fixed_radius_near_neighbors()`.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `point_map`,

@@ -43,11 +43,11 @@ enum Topology {
 reports all pairs of boxes of a sequence that intersect, each exactly once.
 
 The function takes the arguments of `CGAL::box_self_intersection_d()` and reports the same pairs,
-with the same box first. Programs change the name of the function and nothing else. For boxes of any
-sizes in fixed dimension \f$ d \f$ it takes \f$ O(n \log^{d-1} n + k) \f$ time and \f$ O(n) \f$
+with the same box first. Programs change the names of the header and of the function. For boxes of
+any sizes in fixed dimension \f$ d \f$ it takes \f$ O(n \log^{d-1} n + k) \f$ time and \f$ O(n) \f$
 space, where \f$ k \f$ is the number of intersecting pairs. Coordinates that are no doubles are
-rounded first; then \f$ k \f$ counts the pairs of rounded boxes that touch or overlap. Beyond
-four dimensions, it counts the pairs that do so along those axes that separate most boxes: eight for
+rounded first; then \f$ k \f$ counts the pairs of rounded boxes that touch or overlap. Beyond four
+dimensions, it counts the pairs that do so along those axes that separate most boxes: eight for
 boxes of \cgal and if `dimension()` of the box traits is a constant expression, four otherwise.
 
 It differs in the following.
@@ -94,7 +94,7 @@ are one box, and no pair.
 
 \throws std::invalid_argument if a coordinate is NaN, before anything is reported. The message gives
 the position of the box. Exceptions of the callback and of the traits pass through.
-\throws std::length_error if there are 2<sup>31</sup> boxes or more.
+\throws std::length_error if there are 2<sup>31</sup> - 1 boxes or more.
 \throws std::runtime_error if the processor is set to flush denormal numbers to zero.
 
 \sa `thick_box_intersection_d()`

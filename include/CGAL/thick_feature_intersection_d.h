@@ -49,10 +49,11 @@ known to be a pair. What is left are features whose boundaries do not meet. One 
 polygon if its first vertex is, which is asked if this vertex is in the box of the polygon. Let
 there be \f$ n \f$ segments and \f$ k \f$ reported pairs, let \f$ K \f$ be the number of pairs of
 segments whose boxes meet, and let \f$ K_v \f$ be the number of first vertices in the boxes of
-polygons that their features do not meet. Then the search takes \f$ O(n \log n + K) \f$ time, and
-for each of the \f$ K_v \f$ vertices \f$ O(\log n) \f$ time for most shapes. It is
-\f$ O(c \log n) \f$ at most, where \f$ c \f$ is the number of edges at the height of the vertex: a
-spiral takes that much. The search takes \f$ O(n + k) \f$ space.
+polygons that their features do not meet. Then the search takes \f$ O(n \log n + K) \f$ time in the
+plane and \f$ O(n \log^2 n + K) \f$ in space, and for each of the \f$ K_v \f$ vertices
+\f$ O(\log n) \f$ time for most shapes. It is \f$ O(c \log n) \f$ at most, where \f$ c \f$ is the
+number of edges at the height of the vertex: a spiral takes that much. The search takes
+\f$ O(n + k) \f$ space.
 
 \tparam ConcurrencyTag is `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. In
 sequence, the order of reports depends on the input alone. In parallel, the same pairs are reported
@@ -90,7 +91,7 @@ below
 \throws std::invalid_argument if a coordinate is NaN or infinite, or if a polygon with holes has no
 outer boundary, before anything is reported. The message gives the position of the feature.
 Exceptions of the callback pass through.
-\throws std::length_error if there are 2<sup>31</sup> features or segments, or more.
+\throws std::length_error if there are 2<sup>31</sup> - 1 features or segments, or more.
 \throws std::runtime_error if the processor is set to flush denormal numbers to zero.
 
 \sa `thick_feature_intersection_d()`

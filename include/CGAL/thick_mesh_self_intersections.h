@@ -87,7 +87,7 @@ below
 \throws std::invalid_argument if a face is no triangle, or if a coordinate is NaN, infinite or
 beyond the range of doubles, before anything is written. The message gives the position of the face
 in the range. Exceptions of `out` and of the property map pass through.
-\throws std::length_error if there are 2<sup>31</sup> faces or more.
+\throws std::length_error if there are 2<sup>31</sup> - 1 faces or more.
 \throws std::runtime_error if the processor is set to flush denormal numbers to zero.
 
 \sa `thick_self_intersection_d()`
