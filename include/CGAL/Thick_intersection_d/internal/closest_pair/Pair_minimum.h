@@ -184,8 +184,8 @@ private:
   BOOST_NOINLINE Twofold_distance twofold_distance(const Position_pair& pair) const
   {
     const auto coordinate_of = [&](std::size_t position) {
-      return [&point = points_[position]](int axis) {
-        return static_cast<double>(coordinate(point, axis));
+      return [this, position](int axis) { // the point may be made for the occasion
+        return static_cast<double>(coordinate(points_[position], axis));
       };
     };
     return Twofold_distance(coordinate_of(pair.first), coordinate_of(pair.second), dimension_,
