@@ -160,6 +160,23 @@ BOOST_AUTO_TEST_CASE(points_that_are_made_for_a_seed_take_a_few_reports)
   }
 }
 
+// The eighth of an eighth that the search draws is far apart; another one is not. The distance of
+// the former would have nearly all pairs reported.
+BOOST_AUTO_TEST_CASE(crowded_sample_is_drawn_from_again)
+{
+  for(const std::size_t dimension : {2, 3}) {
+    std::uint64_t seed = 1;
+    const internal::Some_positions all(32000);
+    const internal::Some_positions eighth(CGAL::Sequential_tag(), all, seed);
+    const internal::Some_positions drawn(CGAL::Sequential_tag(), eighth, seed);
+    Points points = moved(uniform_points(static_cast<int>(dimension), 32000, 0, 1, 8), 1e-3, 0);
+    for(std::size_t i = 0; i < drawn.size(); ++i)
+      points[drawn[i]] = Coordinates(dimension, 1 + static_cast<double>(i) / 100);
+    BOOST_CHECK_EQUAL(
+      dimension == 2 ? reports_of_closest_pair<2>(points) : reports_of_closest_pair<3>(points), 0);
+  }
+}
+
 // Claims that too many pairs are within each distance above a limit.
 struct Flooding_reports
 {

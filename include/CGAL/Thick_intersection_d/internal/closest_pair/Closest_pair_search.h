@@ -91,7 +91,9 @@ private:
   // does, or if the points are crowded.
   //
   // The same method finds the closest pair of an eighth of the points. Few pairs of all points are
-  // within the distance of this pair: 8^2 pairs, if pairs were independent.
+  // within the distance of this pair: 8^2 pairs, if pairs were independent. If by chance there are
+  // too many, another eighth of the sample is drawn, because the pair is too far apart to have all
+  // nearer pairs of the scene reported.
   template <int Dimension>
   CGAL_RARELY_CALLED bool search(const Some_positions& sample)
   {
@@ -99,8 +101,15 @@ private:
       offer_all(sample);
       return true;
     }
-    return search<Dimension>(Some_positions(ConcurrencyTag(), sample, seed_))
-           && can_join<Dimension>() && join<Dimension>(sample);
+    for(bool may_draw_again = sample.size() != points_.size();; may_draw_again = false) {
+      if(!search<Dimension>(Some_positions(ConcurrencyTag(), sample, seed_))
+         || !can_join<Dimension>())
+        return false;
+      if(join<Dimension>(sample))
+        return true;
+      if(!may_draw_again || progress_.is_cancelled())
+        return false;
+    }
   }
 
   // Whether cells can be about as large as the distance of the closest pair so far.
