@@ -108,6 +108,17 @@ BOOST_AUTO_TEST_CASE(lists_of_lattices_with_ties)
               lattice, 0.1);
 }
 
+// Two of the points are denormal, and the third one is not to have them scaled down.
+BOOST_AUTO_TEST_CASE(lists_of_denormal_numbers_beside_a_huge_one)
+{
+  const double d = std::numeric_limits<double>::denorm_min();
+  const auto points = make_points<Cartesian_points<Kernel, 2>>(
+    {{5033165 * d, 0}, {-5033165 * d, 0}, {0x1p1023, 0}});
+  const auto lists
+    = CGAL::fixed_radius_neighbor_lists(points, CGAL::within_distance(10905190 * d));
+  BOOST_CHECK_EQUAL(lists.number_of_pairs(), 1u);
+}
+
 BOOST_AUTO_TEST_CASE(lists_in_higher_dimension)
 {
   const Points points = uniform_points(5, 300, 0, 1, 5);

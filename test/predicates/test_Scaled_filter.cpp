@@ -190,6 +190,15 @@ BOOST_AUTO_TEST_CASE(many_denormal_steps_are_certain_unless_they_are_a_near_tie)
   BOOST_CHECK(decision(filter, p, far) == std::optional<bool>(false));
 }
 
+// Scaled to keep them in range, denormal numbers would lose the bits that decide.
+BOOST_AUTO_TEST_CASE(a_denormal_bound_in_a_huge_scene_is_left_to_the_other_filter)
+{
+  const Filter filter = internal::scaled_filter(
+    Bound(CGAL::within_distance(std::ldexp(10905190, -1074))), scene_up_to(2, 0x1p1023), none);
+  BOOST_CHECK_EQUAL(filter.scale, none.scale);
+  BOOST_CHECK_EQUAL(filter.filter.inside, none.filter.inside);
+}
+
 // The extent of a scene may overflow.
 BOOST_AUTO_TEST_CASE(differences_may_be_beyond_the_range_of_doubles)
 {

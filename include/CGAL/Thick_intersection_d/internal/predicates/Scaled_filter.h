@@ -40,8 +40,9 @@ struct Scaled_filter
 // beyond the bound decides about all of them. All doubles are on the grid of the denormal ones;
 // there, the reach itself may be a step too long, which is much.
 //
-// Otherwise, what underflows in a scaled number is less than 2^-1000 of the bound. The reach and
-// the rounding of `low` have more room than that.
+// Otherwise, what underflows in a scaled number is less than 2^-1000 of the bound, unless a bound
+// below 1 is scaled down to keep far points in range. The reach and the rounding of `low` have more
+// room than that.
 template <class Exact>
 CGAL_RARELY_CALLED
 Scaled_filter scaled_filter(const Squared_bound<Exact>& bound, const Scene& scene,
@@ -65,7 +66,7 @@ Scaled_filter scaled_filter(const Squared_bound<Exact>& bound, const Scene& scen
     return {scale, std::sqrt(limit), {limit, limit}};
   }
   const double low = high * (1 - 0x1p-50) - 2 * std::numeric_limits<double>::denorm_min();
-  if(!bound.holds_for(Exact(low) * Exact(low)))
+  if((exponent < 0 && high < 1) || !bound.holds_for(Exact(low) * Exact(low)))
     return plain;
   const double scaled_low = low * scale, scaled_high = high * scale;
   return {scale, scaled_high * (1 + 0x1p-50),
