@@ -400,6 +400,23 @@ BOOST_AUTO_TEST_CASE(several_threads_find_the_same)
               == CGAL::periodic_closest_pair(points, unit_square));
 }
 
+// Of each part of the search.
+BOOST_AUTO_TEST_CASE(closest_pair_does_not_go_on_when_it_is_cancelled)
+{
+  const std::vector<Plain::Point_2> points = {{.5, .5}, {.5, .6}, {.01, .2}, {.99, .2}};
+  std::size_t calls = 0, last = 0;
+  const auto cancel = [&](double) { return ++calls != last; };
+  const auto np = CGAL::parameters::callback(cancel);
+  CGAL::periodic_closest_pair(points, unit_square, np);
+  BOOST_CHECK_GT(calls, 2u);
+  const std::size_t all = calls;
+  for(last = 1; last <= all; ++last) {
+    calls = 0;
+    CGAL::periodic_closest_pair(points, unit_square, np);
+    BOOST_CHECK_EQUAL(calls, last);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(elements_are_handed_over)
 {
   const std::vector<Plain::Point_2> points = {{0, 0}, {0.75, 0}};

@@ -49,7 +49,8 @@ public:
   template <class NamedParameters>
   Pair find(const NamedParameters& np) const
   {
-    Minimum minimum = homes_minimum(parameters_of_part(np, 0, 0.5));
+    bool is_cancelled = false;
+    Minimum minimum = homes_minimum(parameters_of_part(np, 0, 0.5, &is_cancelled));
     if(!minimum.pair)
       throw std::invalid_argument("There is no closest pair of fewer than two points.");
 
@@ -57,9 +58,10 @@ public:
     // is left but pairs that are as close.
     const Pair bound_pair = *minimum.pair;
     const auto bound = within_squared_distance(minimum.square);
-    offer_reported(bound.open(), minimum, parameters_of_part(np, 0.5, 0.75),
-                   [this](Minimum& own, const Pair& pair) { own.offer(pair, square_of(pair)); });
-    if(*minimum.pair == bound_pair)
+    if(!is_cancelled)
+      offer_reported(bound.open(), minimum, parameters_of_part(np, 0.5, 0.75, &is_cancelled),
+                     [this](Minimum& own, const Pair& pair) { own.offer(pair, square_of(pair)); });
+    if(!is_cancelled && *minimum.pair == bound_pair)
       offer_reported(bound, minimum, parameters_of_part(np, 0.75, 1),
                      [](Minimum& own, const Pair& pair) { own.offer_tie(pair); });
     return *minimum.pair;

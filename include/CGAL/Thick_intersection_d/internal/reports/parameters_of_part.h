@@ -22,21 +22,30 @@ struct Part_of_progress
   Functor functor;
   double start;
   double end;
+  bool* is_cancelled; // null, or becomes true if the functor cancels the part
 
-  bool operator()(double done) { return functor(start + (end - start) * done); }
+  bool operator()(double done)
+  {
+    const bool goes_on = functor(start + (end - start) * done);
+    if(is_cancelled != nullptr && !goes_on)
+      *is_cancelled = true;
+    return goes_on;
+  }
 };
 
 // Returns the named parameters of a part of a search.
 template <class NamedParameters>
 auto parameters_of_part([[maybe_unused]] const NamedParameters& np, [[maybe_unused]] double start,
-                        [[maybe_unused]] double end)
+                        [[maybe_unused]] double end,
+                        [[maybe_unused]] bool* is_cancelled = nullptr)
 {
   if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::callback_t>::value)
     return parameters::default_values();
   else {
     const auto& functor = parameters::get_parameter(np, internal_np::callback);
     return parameters::callback(
-      Part_of_progress<std::decay_t<decltype(functor)>>{functor, start, end});
+      Part_of_progress<std::decay_t<decltype(functor)>>{functor, start, end,
+                                                                is_cancelled});
   }
 }
 
