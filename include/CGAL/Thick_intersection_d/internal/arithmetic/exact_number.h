@@ -26,7 +26,8 @@
 #include <type_traits>
 #include <utility>
 
-#ifdef __FAST_MATH__
+#if defined __FAST_MATH__ || defined _M_FP_FAST \
+  || (defined __FINITE_MATH_ONLY__ && __FINITE_MATH_ONLY__)
 #error "Thick_intersection_d is exact and relies on IEEE 754: compile without -ffast-math."
 #endif
 // The x87 unit rounds sums and products of doubles to long double first, if they are not stored.
