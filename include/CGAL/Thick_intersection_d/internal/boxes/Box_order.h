@@ -93,7 +93,8 @@ private:
       for(const auto& ends : {run(set).low, run(set).high})
         for(const double* end : ends)
           boost::hash_range(hash, end + run(set).first, end + run(set).last);
-    return static_cast<std::uint32_t>(hash ^ (hash >> 32));
+    const std::uint64_t wide = hash; // a size may have 32 bits
+    return static_cast<std::uint32_t>(wide ^ (wide >> 32));
   }
 
   static bool do_meet(const Box_run<Axes>& a, Place i, const Box_run<Axes>& b, Place j)

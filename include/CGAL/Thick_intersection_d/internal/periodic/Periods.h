@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <functional>
 #include <limits>
@@ -117,7 +118,7 @@ public:
                                          int axis) const
   {
     double y = 0; // exact if one period is added at most
-    int count = 0;
+    std::int64_t count = 0;
     for(int k = 0; k < Dimension; ++k) {
       y += offset[k] * steps_[k][axis];
       count += moves_[k][axis] ? std::abs(offset[k]) : 0;

@@ -46,7 +46,7 @@ class Scene_images
   using Image_list = std::vector<Image<Dimension>>;
 
 public:
-  // Throws std::length_error if a point is too many periods long.
+  // Throws std::length_error if a point is too many periods away.
   template <class ConcurrencyTag, class Elements, class Sets>
   CGAL_RARELY_CALLED
   Scene_images(ConcurrencyTag, const Elements& points, const Sets& sets,
