@@ -101,15 +101,15 @@ private:
       offer_all(sample);
       return true;
     }
-    for(bool may_draw_again = sample.size() != points_.size();; may_draw_again = false) {
+    const int draw_count = sample.size() == points_.size() ? 1 : 2;
+    for(int draw = 0; draw < draw_count && !progress_.is_cancelled(); ++draw) {
       if(!search<Dimension>(Some_positions(ConcurrencyTag(), sample, seed_))
          || !can_join<Dimension>())
         return false;
       if(join<Dimension>(sample))
         return true;
-      if(!may_draw_again || progress_.is_cancelled())
-        return false;
     }
+    return false;
   }
 
   // Whether cells can be about as large as the distance of the closest pair so far.
