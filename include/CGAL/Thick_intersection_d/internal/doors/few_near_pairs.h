@@ -37,8 +37,8 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Whether points, by their types, are searched each with each if they are few. Lists of
-// one range are made of slabs in any case.
+// Whether points, by their types, are searched each with each if they are few. Lists of one range
+// are made of slabs in any case.
 template <class Elements, class NT, class Callback>
 inline constexpr bool takes_few_points
   = has_few_doubles<typename Elements::value_type>() && is_held_by_double_v<NT>

@@ -40,9 +40,9 @@ struct Scaled_filter
 // beyond the bound decides about all of them. All doubles are on the grid of the denormal ones;
 // there, the reach itself may be a step too long, which is much.
 //
-// Otherwise, what underflows in a scaled number is less than 2^-1000 of the bound, unless a bound
-// below 1 is scaled down to keep far points in range. The reach and the rounding of `low` have more
-// room than that.
+// Otherwise, what underflows in a scaled number is less than 2^-1000 of the bound. The reach and
+// the rounding of `low` have more room than that. Only a bound below 1 that would be scaled down,
+// to keep far points in range, could lose the bits that decide: `plain` leaves it to exact numbers.
 template <class Exact>
 CGAL_RARELY_CALLED
 Scaled_filter scaled_filter(const Squared_bound<Exact>& bound, const Scene& scene,

@@ -43,9 +43,8 @@ auto parameters_of_part([[maybe_unused]] const NamedParameters& np, [[maybe_unus
     return parameters::default_values();
   else {
     const auto& functor = parameters::get_parameter(np, internal_np::callback);
-    return parameters::callback(
-      Part_of_progress<std::decay_t<decltype(functor)>>{functor, start, end,
-                                                                is_cancelled});
+    using Part = Part_of_progress<std::decay_t<decltype(functor)>>;
+    return parameters::callback(Part{functor, start, end, is_cancelled});
   }
 }
 
