@@ -38,6 +38,9 @@ bool do_intersect(const Disk& a, const Disk& b)
   return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y) <= radii * radii;
 }
 
+// The package has a function of this name for its own use, and is not to find this one.
+void bounding_box(const Disk&);
+
 } // namespace shapes
 
 namespace {

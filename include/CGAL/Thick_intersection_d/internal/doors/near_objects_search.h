@@ -66,7 +66,7 @@ public:
 
   static std::pair<double, double> interval(const Object& object, int axis)
   {
-    const auto& box = bounding_box(object);
+    const auto& box = internal::bounding_box(object);
     return {(box.min)(axis), (box.max)(axis)};
   }
 

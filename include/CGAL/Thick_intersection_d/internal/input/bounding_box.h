@@ -95,7 +95,7 @@ template <class Object>
 auto bounding_box(const Object& object)
 {
   if constexpr(is_mixed_v<Object>)
-    return with_kind(object, [](const auto& kind) { return bounding_box(kind); });
+    return with_kind(object, [](const auto& kind) { return internal::bounding_box(kind); });
   else if constexpr(Is_ball<Object>::value)
     return bounding_box_of_ball(object);
   else if constexpr(Vertex_count<Object>::value == 0)
@@ -111,10 +111,14 @@ auto bounding_box(const Object& object)
   }
 }
 
+// The type of the bounding box of an object: Bbox_2 or Bbox_3.
+template <class Object>
+using Bounding_box_t = std::decay_t<decltype(internal::bounding_box(
+  std::declval<const Object&>()))>;
+
 // Whether objects of a kind, which have a box, are in the plane.
 template <class Kind>
-struct Is_planar
-  : std::is_same<std::decay_t<decltype(bounding_box(std::declval<const Kind&>()))>, Bbox_2>
+struct Is_planar : std::is_same<Bounding_box_t<Kind>, Bbox_2>
 {};
 
 // Checks that the kinds of an object are of one dimension.
@@ -168,7 +172,7 @@ void check_object(const Object& object, std::size_t position)
     check_ball(object, dimension_or<typename Object::first_type>(0), position);
   else if constexpr(Vertex_count<Object>::value != 0 && !is_bbox)
     check_vertices(object, position);
-  else if(!is_finite_box(bounding_box(object)))
+  else if(!is_finite_box(internal::bounding_box(object)))
     throw std::invalid_argument("The bounding box of object " + std::to_string(position)
                                 + " is empty or not finite.");
 }

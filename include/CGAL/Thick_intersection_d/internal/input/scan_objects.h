@@ -61,7 +61,7 @@ Object_scene scan_objects(const Elements& objects)
   bool are_doubles = true;
   for(std::size_t i = 0; i < objects.size(); ++i) {
     const auto& object = objects[i];
-    const auto& box = bounding_box(object);
+    const auto& box = internal::bounding_box(object);
     const auto axes = static_cast<std::size_t>(box.dimension());
     if(i == 0) {
       scene.reaches.resize(axes);
