@@ -428,3 +428,15 @@ BOOST_AUTO_TEST_CASE(few_points_need_no_memory)
     }
   }
 }
+
+// Lanes read all columns of the ends. Programs that look for memory nobody wrote would complain.
+BOOST_AUTO_TEST_CASE(runs_end_in_every_column)
+{
+  namespace internal = CGAL::Thick_intersection_d::internal;
+  const std::vector<CGAL::Epick::Point_3> points(20, CGAL::ORIGIN);
+  internal::Few_runs<CGAL::Epick::Point_3> runs;
+  const auto run = runs.make(points, 0, points.size());
+  for(const double* column : run.x)
+    for(std::size_t end = 0; end < internal::lanes; ++end)
+      BOOST_CHECK(std::isnan(column[points.size() + end]));
+}

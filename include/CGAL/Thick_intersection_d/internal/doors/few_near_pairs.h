@@ -61,8 +61,9 @@ public:
       run.x[axis] = x_[axis].data() + end_;
     for(; first < last; ++first)
       positions_[end_++] = static_cast<Place>(first);
-    for(Place lane = 0; lane < lanes; ++lane)
-      x_[0][end_++] = end_of_run<double>(lane);
+    for(Place lane = 0; lane < lanes; ++lane, ++end_)
+      for(auto& column : x_)
+        column[end_] = end_of_run<double>(lane);
     return run;
   }
 
