@@ -171,8 +171,8 @@ private:
   void sweep_boxes(const Box_order<axes>& order, const Piece<Box>& piece,
                    const Piece_task& task)
   {
-    const double candidates = static_cast<double>(order.candidate_count());
-    const Place count = static_cast<Place>(candidates / tuning_.candidates_per_block) + 1;
+    const std::uint64_t full_blocks = order.candidate_count() / tuning_.candidates_per_block;
+    const Place count = static_cast<Place>((std::min)(full_blocks, max_sweep_blocks)) + 1;
     const std::size_t size = task.finishes_boxes ? original_count(piece) : 0;
     for_each_block<ConcurrencyTag>(count, [&](std::size_t block, std::size_t last) {
       Box_sweep<Test, Report> box_sweep(test_, report_);

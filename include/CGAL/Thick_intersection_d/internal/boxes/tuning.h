@@ -11,6 +11,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 
 #include <cstddef>
+#include <cstdint>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -52,6 +53,9 @@ inline constexpr Place crowd_sample = 512;
 inline constexpr int crowd_pairs = 2048;
 inline constexpr int min_crowd_candidates = 64;
 
+// The most blocks of a sweep, which a `Place` counts. More would be of no use to threads.
+inline constexpr std::uint64_t max_sweep_blocks = 1 << 24;
+
 // How a search treats its boxes. Tests set small numbers, to get many pieces of few boxes.
 struct Box_tuning
 {
@@ -85,7 +89,7 @@ struct Box_tuning
   double tree_candidates = 16;
 
   // A sweep with more candidates is swept in blocks, which threads share.
-  double candidates_per_block = 1 << 24;
+  std::uint64_t candidates_per_block = 1 << 24;
 };
 
 } // namespace internal
