@@ -37,9 +37,9 @@ FILES = {  # file: the call, target for the time, limit of the text in kB of g++
     "closest_pair": ("`closest_pair`, plane", None, None),
     "closest_pair_in_space": ("`closest_pair`, space", 1.5, 89),
     "thick_objects": ("`thick_self_intersection_d`, segments", None, None),
-    "triangles": ("`thick_self_intersection_d`, triangles in space", 1.4, 79.3),
+    "triangles": ("`thick_self_intersection_d`, triangles in space", 1.4, 71),
     "near_segments": ("`fixed_radius_near_neighbors`, segments in space", None, 94.7),
-    "boxes": ("`thick_box_self_intersection_d`, boxes in space", 1.5, 59.8),
+    "boxes": ("`thick_box_self_intersection_d`, boxes in space", 1.5, 59.7),
     "box_intersection": ("`box_self_intersection_d`", None, None),
 }
 

@@ -14,7 +14,6 @@
 
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/kinds.h>
-#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_kernel_objects_intersect.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
@@ -47,8 +46,7 @@ coordinates are doubles, is its own box, and needs no further test.
 
 The predicates of `ThickIntersectionTraits_d` compare the lower corners of the boxes. The reach
 along an axis is the largest extent of a box along the axis: the lower corners of two boxes that
-overlap are not farther apart \cgalCite{v-riato-03}. A search uses these predicates for
-2<sup>31</sup> - 1 objects or more, which the numbers of boxes do not count.
+overlap are not farther apart \cgalCite{v-riato-03}. A search by boxes has no use for them.
 
 Closed balls are `std::pair`s of a center and a radius. Their test compares a squared distance with
 a squared radius, in degree 4 in the plane and 6 in space, or 2 for two balls or a ball and a point:
@@ -73,8 +71,7 @@ with inexact predicates.
 template <class Object>
 class Thick_object_traits_d
 {
-  using Box = std::decay_t<decltype(Thick_intersection_d::internal::bounding_box(
-    std::declval<const Object&>()))>;
+  using Box = Thick_intersection_d::internal::Bounding_box_t<Object>;
   static constexpr int dimension_ = std::is_same_v<Box, Bbox_2> ? 2 : 3;
   using Extents = std::array<double, dimension_>;
   using Counts = Thick_intersection_d::internal::Shared_decision_counts;
@@ -96,7 +93,7 @@ public:
   {
   public:
     /// returns whether the box of `a` begins before the box of `b` along axis `i`.
-    CGAL_RARELY_CALLED bool operator()(const Object& a, const Object& b, int i) const
+    bool operator()(const Object& a, const Object& b, int i) const
     {
       return (box(a).min)(i) < (box(b).min)(i);
     }
@@ -108,7 +105,7 @@ public:
   public:
     /// returns whether the lower corners differ by at most the reach along axis `i`. Difference and
     /// reach are rounded in the same way.
-    CGAL_RARELY_CALLED bool operator()(const Object& a, const Object& b, int i) const
+    bool operator()(const Object& a, const Object& b, int i) const
     {
       return std::fabs((box(a).min)(i) - (box(b).min)(i)) <= reaches_[i];
     }
@@ -124,7 +121,7 @@ public:
   {
   public:
     /// returns whether `a` and `b` have a point in common.
-    CGAL_RARELY_CALLED bool operator()(const Object& a, const Object& b) const
+    bool operator()(const Object& a, const Object& b) const
     {
       return do_overlap(box(a), box(b)) && decide(a, b);
     }

@@ -75,7 +75,7 @@ below
   \cgalParamNBegin{geom_traits}
     \cgalParamDescription{an instance of a traits class, which may have a state}
     \cgalParamType{a model of `ThickIntersectionIntervalTraits_d` or of `ThickIntersectionTraits_d`}
-    \cgalParamDefault{`Thick_object_traits_d<Object>`, constructed from the range}
+    \cgalParamDefault{`Thick_object_traits_d<Object>`}
     \cgalParamExtra{Intervals are used if the class is a model of both.}
   \cgalParamNEnd
   \cgalParamNBegin{point_map}
@@ -100,8 +100,8 @@ numbers beyond the range of doubles are taken. Traits of other packages may chec
 member function `check(object, position)`. Exceptions of the callback and of predicates pass
 through.
 \throws std::invalid_argument if an interval is empty or NaN, before anything is reported.
-\throws std::length_error if there are 2<sup>31</sup> - 1 objects or more, and the traits have
-intervals only.
+\throws std::length_error if there are 2<sup>31</sup> - 1 objects or more, and the traits give
+finite intervals.
 \throws std::runtime_error if the processor is set to flush denormal numbers to zero.
 
 \sa `thick_intersection_d()`

@@ -28,8 +28,7 @@ meet. So its result is exact if the intersection test is exact and the law holds
 computed, round them outward.
 
 A class may be a model of `ThickIntersectionTraits_d` as well, like the classes of the package. Then
-the intervals are used, and the predicates of that concept only if an interval is infinite or there
-are 2<sup>31</sup> - 1 objects or more.
+the intervals are used, and the predicates of that concept only if an interval is infinite.
 
 <b>Two types.</b> The two ranges of `CGAL::thick_intersection_d()` may hold objects of two types.
 Then a model need not have the type `Object_d`. `Interval_d` takes objects of either type, and

@@ -54,7 +54,8 @@ struct Object_dimension<Traits, std::void_t<decltype(Traits::Dimension::value)>>
 {};
 
 // Whether traits make boxes of all intervals at once, and ask no more about boxes that meet, as
-// those of kernel objects do. Their boxes are finite if check() has not thrown.
+// those of kernel objects do. Their boxes are finite if check() has not thrown, so these objects
+// never take the recursive route.
 template <class Traits, class = void>
 struct Has_boxes : std::false_type {};
 template <class Traits>
@@ -194,11 +195,11 @@ bool report_objects(const Elements& objects, const Sets& sets, const Traits& tra
                     Callback& callback, const NamedParameters& np)
 {
   auto progress = make_progress(np, objects.size());
+  constexpr bool may_recurse = Has_close_predicate<Traits>::value && !Has_boxes<Traits>::value;
   if constexpr(Has_intervals<Traits>::value) {
     const Traits_boxes<Elements, Traits> boxes(objects, traits);
-    const bool are_finite
-      = boxes.template are_finite<ConcurrencyTag>() && fits_box_route(objects.size());
-    if(are_finite || !Has_close_predicate<Traits>::value) {
+    const bool are_finite = boxes.template are_finite<ConcurrencyTag>();
+    if(are_finite || !may_recurse) {
       if constexpr(Sets::are_two && Has_boxes<Traits>::value
                    && Has_segments<typename Elements::value_type>::value)
         return report_segment_pairs<ConcurrencyTag>(boxes, objects, sets, callback, progress);
@@ -206,7 +207,7 @@ bool report_objects(const Elements& objects, const Sets& sets, const Traits& tra
         return report_meeting_boxes<ConcurrencyTag>(boxes, sets, callback, progress);
     }
   }
-  if constexpr(Has_close_predicate<Traits>::value)
+  if constexpr(may_recurse)
     return search_recursively<ConcurrencyTag>(objects, sets, traits, callback, progress);
   else
     return true;

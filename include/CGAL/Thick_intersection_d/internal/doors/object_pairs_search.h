@@ -153,12 +153,11 @@ constexpr bool check_profiled_objects()
     return false;
 }
 
-// Returns the traits given as `geom_traits`. Otherwise makes the traits for kernel objects. Only
-// the recursive route needs the extents of objects, which take a pass over them.
-template <class Elements, class NamedParameters>
-decltype(auto) object_traits(const Elements& objects, const NamedParameters& np)
+// Returns the traits given as `geom_traits`. Otherwise makes the traits for kernel objects, without
+// the extents of the objects, which only the recursive route needs.
+template <class Object, class NamedParameters>
+decltype(auto) object_traits([[maybe_unused]] const NamedParameters& np)
 {
-  using Object = typename Elements::value_type;
   if constexpr(!parameters::is_default_parameter<NamedParameters,
                                                  internal_np::geom_traits_t>::value) {
     if constexpr(Is_one_of_two<Object>::value) {
@@ -168,10 +167,8 @@ decltype(auto) object_traits(const Elements& objects, const NamedParameters& np)
     else
       return parameters::get_parameter_reference(np, internal_np::geom_traits);
   }
-  else {
-    using Traits = Thick_object_traits_d<Object>;
-    return fits_box_route(objects.size()) ? Traits() : Traits(objects);
-  }
+  else
+    return Thick_object_traits_d<Object>();
 }
 
 // Checks the objects, and reports the pairs. Returns false iff the search was stopped.
@@ -179,9 +176,10 @@ template <class ConcurrencyTag, class Elements, class Sets, class Callback, clas
 bool report_object_pairs(const Elements& objects, const Sets& sets, Callback& callback,
                          const NamedParameters& np)
 {
-  if constexpr(check_objects_and_traits<typename Elements::value_type, NamedParameters>()) {
+  using Object = typename Elements::value_type;
+  if constexpr(check_objects_and_traits<Object, NamedParameters>()) {
     check_denormals();
-    const auto& traits = object_traits(objects, np);
+    const auto& traits = object_traits<Object>(np);
     using Route = Object_route<std::decay_t<decltype(traits)>>;
     return Route::template report<ConcurrencyTag>(objects, sets, traits, callback, np);
   }
@@ -205,7 +203,7 @@ bool report_object_pairs(const Elements& objects, const Sets& sets, Callback& ca
   using Object = typename Elements::value_type;
   if constexpr(check_profiled_objects<Object, NamedParameters>()) {
     check_denormals();
-    Thick_object_traits_d<Object> traits = object_traits(objects, np);
+    Thick_object_traits_d<Object> traits;
     check_objects<ConcurrencyTag>(objects, traits);
     Object_scene scene = scan_objects(objects);
     scene.has_distances = Kinds<Object>::template is_any<Is_ball>;
