@@ -100,8 +100,8 @@ numbers beyond the range of doubles are taken. Traits of other packages may chec
 member function `check(object, position)`. Exceptions of the callback and of predicates pass
 through.
 \throws std::invalid_argument if an interval is empty or NaN, before anything is reported.
-\throws std::length_error if there are 2<sup>31</sup> - 1 objects or more, and the traits give
-finite intervals.
+\throws std::length_error if there are 2<sup>31</sup> - 1 objects or more, and they are searched by
+intervals.
 \throws std::runtime_error if the processor is set to flush denormal numbers to zero.
 
 \sa `thick_intersection_d()`
