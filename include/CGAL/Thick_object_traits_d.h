@@ -174,8 +174,10 @@ public:
   /// @}
 
 #ifndef DOXYGEN_RUNNING
-  // Throws if a coordinate of `object` is NaN or infinite.
-  void check(const Object& object, std::size_t position) const
+  // Throws if a coordinate of `object` is NaN or infinite. If the objects are those of two ranges,
+  // `object` is of the type of one of them.
+  template <class Given>
+  void check(const Given& object, std::size_t position) const
   {
     Thick_intersection_d::internal::settle(object);
     Thick_intersection_d::internal::check_object(object, position);

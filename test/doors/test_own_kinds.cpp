@@ -98,6 +98,16 @@ private:
   double range_;
 };
 
+// The same without check().
+struct Trusting_sea_traits
+{
+  using Dimension = CGAL::Dimension_tag<1>;
+  int dimension() const { return 1; }
+  auto interval_d_object() const { return traits.interval_d_object(); }
+  auto do_intersect_d_object() const { return traits.do_intersect_d_object(); }
+  Sea_traits traits;
+};
+
 // A model of ThickDistanceTraits_d for them, and for ships alone.
 struct Distances_at_sea
 {
@@ -189,6 +199,39 @@ BOOST_AUTO_TEST_CASE(traits_for_two_types)
   pairs.clear();
   CGAL::thick_intersection_d(a, b, add, CGAL::parameters::geom_traits(far_traits));
   BOOST_CHECK((sorted(pairs) == Pairs{{0, 0}, {1, 0}, {2, 0}, {3, 1}}));
+}
+
+BOOST_AUTO_TEST_CASE(traits_for_two_types_need_no_checks)
+{
+  Pairs pairs;
+  const auto add = [&](std::size_t i, std::size_t j) { pairs.emplace_back(i, j); };
+  const Trusting_sea_traits traits{Sea_traits(1)};
+  CGAL::thick_intersection_d(ships(), lighthouses(), add, CGAL::parameters::geom_traits(traits));
+  BOOST_CHECK((sorted(pairs) == Pairs{{1, 0}, {3, 1}}));
+}
+
+BOOST_AUTO_TEST_CASE(objects_of_two_types_are_checked)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<CGAL::Bbox_2> boxes = {{0, 0, 1, 1}, {2, 2, 3, 3}};
+  const auto fail = [](std::size_t, std::size_t) { BOOST_ERROR("a pair before the checks"); };
+  const auto check = [&](const auto& a, const auto& b, const std::string& position) {
+    const auto has_position = [&](const std::invalid_argument& error) {
+      return std::string(error.what()).find(position) != std::string::npos;
+    };
+    BOOST_CHECK_EXCEPTION(CGAL::thick_intersection_d(a, b, fail), std::invalid_argument,
+                          has_position);
+    CGAL::Scene_profile profile;
+    BOOST_CHECK_EXCEPTION(CGAL::thick_intersection_d(a, b, fail, profile), std::invalid_argument,
+                          has_position);
+  };
+  const std::vector<Segment> segments = {{Point(0, 0), Point(1, 1)}, {Point(0, 0), Point(nan, 1)}};
+  check(segments, boxes, " 1");
+  check(boxes, segments, " 3");
+  check(std::vector<Ball>{{Point(0, 0), -1}}, boxes, " 0");
+  check(boxes, std::vector<Ball>{{Point(0, 0), infinity}}, " 2");
+  check(std::vector<std::variant<Segment, CGAL::Bbox_2>>{segments[1]}, boxes, " 0");
 }
 
 BOOST_AUTO_TEST_CASE(own_object_beside_one_of_a_kernel)

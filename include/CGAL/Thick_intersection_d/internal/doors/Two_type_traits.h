@@ -54,10 +54,11 @@ public:
     };
   }
 
-  // For an object of either type, if the traits check it.
-  template <class T>
+  // For an object of either type, if the traits check it. `Given` are the traits: as a parameter of
+  // the function, they may have no check() at all.
+  template <class T, class Given = Traits>
   auto check(const T& object, std::size_t position) const
-    -> decltype(std::declval<const Traits&>().check(object, position))
+    -> decltype(std::declval<const Given&>().check(object, position))
   {
     return traits_.check(object, position);
   }

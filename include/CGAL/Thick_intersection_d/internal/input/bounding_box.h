@@ -167,7 +167,7 @@ void check_object(const Object& object, std::size_t position)
 {
   constexpr bool is_bbox = std::is_same_v<Object, Bbox_2> || std::is_same_v<Object, Bbox_3>;
   if constexpr(is_mixed_v<Object>)
-    with_kind(object, [&](const auto& kind) { check_object(kind, position); });
+    with_kind(object, [&](const auto& kind) { internal::check_object(kind, position); });
   else if constexpr(Is_ball<Object>::value)
     check_ball(object, dimension_or<typename Object::first_type>(0), position);
   else if constexpr(Vertex_count<Object>::value != 0 && !is_bbox)

@@ -87,7 +87,7 @@ template <class Object>
 void settle(const Object& object)
 {
   if constexpr(is_mixed_v<Object>)
-    with_kind(object, [](const auto& kind) { settle(kind); });
+    with_kind(object, [](const auto& kind) { internal::settle(kind); });
   else if constexpr(Is_ball<Object>::value) {
     settle(object.first);
     if constexpr(Is_lazy<typename Object::second_type>::value)
