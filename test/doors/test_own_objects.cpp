@@ -7,6 +7,7 @@
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Bbox_3.h>
+#include <CGAL/Thick_object_traits_d.h>
 #include <CGAL/tags.h>
 #include <CGAL/thick_intersection_d.h>
 
@@ -152,6 +153,24 @@ void check_error(std::vector<Object> objects, const Object& bad)
 BOOST_AUTO_TEST_CASE(a_class_with_a_box_and_a_test_is_searched_without_traits)
 {
   check_pairs(random_disks(3000), [](const Disk& a, const Disk& b) { return do_intersect(a, b); });
+}
+
+// Traits like those of the package, without intervals: three predicates are left.
+struct Traits_without_intervals : CGAL::Thick_object_traits_d<Disk>
+{
+  using CGAL::Thick_object_traits_d<Disk>::Thick_object_traits_d;
+  Interval_d interval_d_object() const = delete;
+};
+
+BOOST_AUTO_TEST_CASE(derived_traits_without_intervals_take_the_recursive_route)
+{
+  const std::vector<Disk> disks = random_disks(300);
+  Pairs pairs;
+  CGAL::thick_self_intersection_d(
+    disks, [&](std::size_t i, std::size_t j) { pairs.emplace_back(i, j); },
+    CGAL::parameters::geom_traits(Traits_without_intervals(disks)));
+  const auto test = [](const Disk& a, const Disk& b) { return do_intersect(a, b); };
+  BOOST_CHECK(compare(all_pairs(disks, test), pairs).empty());
 }
 
 BOOST_AUTO_TEST_CASE(bounding_boxes_are_searched_without_traits)

@@ -59,7 +59,7 @@ struct Object_dimension<Traits, std::void_t<decltype(Traits::Dimension::value)>>
 template <class Traits, class = void>
 struct Has_boxes : std::false_type {};
 template <class Traits>
-struct Has_boxes<Traits, std::void_t<decltype(Traits::do_boxes_decide)>> : std::true_type {};
+struct Has_boxes<Traits, std::void_t<decltype(Traits::do_boxes_decide)>> : Has_intervals<Traits> {};
 
 // Decides about objects by their boxes. A specialization for some traits may know more.
 template <class Traits>

@@ -190,6 +190,8 @@ template <class ConcurrencyTag, class Objects, class Elements, class Callback, c
 bool report_segment_pairs(const Objects& objects, const Elements& elements, const Two_sets& sets,
                           Callback& callback, Progress& progress)
 {
+  if(!fits_box_route(objects.size()))
+    throw_too_many_objects(objects.size());
   const Segments_and_others<Objects, Elements> segments(objects, elements);
   const Stretch_counts stretches = plan_stretches<ConcurrencyTag>(segments, sets);
   if(stretches.added == 0 || !fits_box_route(segments.size() + stretches.added))
