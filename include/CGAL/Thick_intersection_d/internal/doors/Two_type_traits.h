@@ -54,8 +54,8 @@ public:
     };
   }
 
-  // For an object of either type, if the traits check it. `Given` are the traits: as a parameter of
-  // the function, they may have no check() at all.
+  // For an object of either type, if the traits check it. `Given` is the type of the traits. If it
+  // were no parameter of the function, traits without any check() would not compile.
   template <class T, class Given = Traits>
   auto check(const T& object, std::size_t position) const
     -> decltype(std::declval<const Given&>().check(object, position))
