@@ -7,6 +7,7 @@
 #include "support/pairs.h"
 #include "support/parallel_pairs.h"
 #include "support/point_generators.h"
+#include "support/seeds.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -254,36 +255,38 @@ BOOST_AUTO_TEST_CASE(coordinates_may_be_no_doubles)
 // the box in which a pair of a stretch is reported.
 BOOST_AUTO_TEST_CASE(boxes_of_lazy_objects_do_not_shrink_in_a_search)
 {
-  Random random(7);
-  const auto number = [](double x) {
-    const Epeck::FT large = Epeck::FT(1e14) / Epeck::FT(3);
-    return Epeck::FT(x) + large - large; // in an interval that is a hundredth long
-  };
-  const auto point = [&](double x, double y, double size) {
-    const double dx = size * random.uniform();
-    return Epeck::Point_2(number(x + dx), number(y + size * random.uniform()));
-  };
-  std::vector<Epeck::Segment_2> segments;
-  for(int i = 0; i < 300; ++i) {
-    const Epeck::Point_2 source = point(0, 0, 100);
-    segments.emplace_back(source, point(0, 0, 100));
-  }
-  std::vector<Epeck::Triangle_2> triangles;
-  for(int i = 0; i < 5000; ++i) {
-    const double x = 100 * random.uniform(), y = 100 * random.uniform();
-    const Epeck::Point_2 p = point(x, y, .3), q = point(x, y, .3);
-    triangles.emplace_back(p, q, point(x, y, .3));
-  }
-  Pairs pairs;
-  const Callback add = [&](std::size_t i, std::size_t j) { pairs.emplace_back(i, j); };
-  CGAL::thick_intersection_d(segments, triangles, add);
-  Pairs truth;
-  for(std::size_t i = 0; i < segments.size(); ++i)
-    for(std::size_t j = 0; j < triangles.size(); ++j)
-      if(CGAL::do_overlap(segments[i].bbox(), triangles[j].bbox())
-         && CGAL::do_intersect(segments[i], triangles[j]))
-        truth.emplace_back(i, j);
-  BOOST_CHECK(sorted(pairs) == truth);
+  check_seeds(1, [](std::uint64_t seed) {
+    Random random(seed);
+    const auto number = [](double x) {
+      const Epeck::FT large = Epeck::FT(1e14) / Epeck::FT(3);
+      return Epeck::FT(x) + large - large; // in an interval that is a hundredth long
+    };
+    const auto point = [&](double x, double y, double size) {
+      const double dx = size * random.uniform();
+      return Epeck::Point_2(number(x + dx), number(y + size * random.uniform()));
+    };
+    std::vector<Epeck::Segment_2> segments;
+    for(int i = 0; i < 300; ++i) {
+      const Epeck::Point_2 source = point(0, 0, 100);
+      segments.emplace_back(source, point(0, 0, 100));
+    }
+    std::vector<Epeck::Triangle_2> triangles;
+    for(int i = 0; i < 5000; ++i) {
+      const double x = 100 * random.uniform(), y = 100 * random.uniform();
+      const Epeck::Point_2 p = point(x, y, .3), q = point(x, y, .3);
+      triangles.emplace_back(p, q, point(x, y, .3));
+    }
+    Pairs pairs;
+    const Callback add = [&](std::size_t i, std::size_t j) { pairs.emplace_back(i, j); };
+    CGAL::thick_intersection_d(segments, triangles, add);
+    Pairs truth;
+    for(std::size_t i = 0; i < segments.size(); ++i)
+      for(std::size_t j = 0; j < triangles.size(); ++j)
+        if(CGAL::do_overlap(segments[i].bbox(), triangles[j].bbox())
+           && CGAL::do_intersect(segments[i], triangles[j]))
+          truth.emplace_back(i, j);
+    BOOST_REQUIRE_MESSAGE(sorted(pairs) == truth, "seed " << seed);
+  });
 }
 
 // 1,000 segments and the boxes of 20,000 triangles meet 400,000 times.
