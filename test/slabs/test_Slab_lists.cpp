@@ -84,7 +84,6 @@ void check_window(std::size_t slab_count, std::size_t window_size, std::size_t p
     }
     if(s + 1 < window_size || window.empty())
       continue;
-    BOOST_CHECK_EQUAL(lists.slab_count(), window.size());
     for(std::size_t p = 0; p < pairs_per_slab; ++p) {
       const Numbers& other = window[random.below(window.size())];
       const Place i = window.front()[random.below(window.front().size())];

@@ -56,9 +56,6 @@ public:
 
   bool is_stopped() const { return stop_.is_stopped(); }
 
-  // The number of slabs in the window.
-  std::size_t slab_count() const { return window_.size(); }
-
   // Adds a slab behind those in the window. Its points get numbers instead of positions.
   template <class Point>
   BOOST_NOINLINE void number(Strips<Point>& slab)
