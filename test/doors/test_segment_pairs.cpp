@@ -13,6 +13,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Thick_intersection_d/internal/doors/Object_route.h>
 #include <CGAL/Thick_intersection_d/internal/doors/Stretched_objects.h>
 #include <CGAL/Thick_intersection_d/internal/doors/Stretches.h>
 #include <CGAL/Thick_intersection_d/internal/doors/segment_pairs_search.h>
@@ -40,8 +41,13 @@ using CGAL::Scene_profile;
 using CGAL::Thick_intersection_d::internal::Interval;
 using CGAL::Thick_intersection_d::internal::Place;
 using CGAL::Thick_intersection_d::internal::Stretch;
+using CGAL::Thick_intersection_d::internal::Traits_boxes;
+using CGAL::Thick_intersection_d::internal::Two_sets;
 using CGAL::Thick_intersection_d::internal::count_stretches;
 using CGAL::Thick_intersection_d::internal::interval_of_stretch;
+using CGAL::Thick_intersection_d::internal::make_progress;
+using CGAL::Thick_intersection_d::internal::report_meeting_boxes;
+using CGAL::Thick_intersection_d::internal::report_segment_pairs;
 
 namespace {
 
@@ -338,6 +344,29 @@ BOOST_AUTO_TEST_CASE(stretches_take_linear_memory)
     scene, 0, scene.segment_count, scene.segment_count, scene.size());
   BOOST_CHECK_LT(stretches.added, 8 * scene.size());
   BOOST_CHECK_GT(stretches.added, 3 * scene.size());
+}
+
+// Claims to be one object more than places can number. Nobody reads any.
+struct Too_many_segments
+  : Traits_boxes<std::vector<Epick::Segment_2>, CGAL::Thick_object_traits_d<Epick::Segment_2>>
+{
+  using Traits_boxes::Traits_boxes;
+  std::size_t size() const { return (std::size_t(1) << 31) - 1; }
+};
+
+BOOST_AUTO_TEST_CASE(too_many_objects_are_refused_at_once)
+{
+  const std::vector<Epick::Segment_2> none;
+  const CGAL::Thick_object_traits_d<Epick::Segment_2> traits;
+  const Too_many_segments objects(none, traits);
+  const Two_sets sets{1};
+  const Callback ignore = [](std::size_t, std::size_t) {};
+  auto progress = make_progress(CGAL::parameters::default_values(), 1);
+  BOOST_CHECK_THROW(report_segment_pairs<CGAL::Sequential_tag>(objects, none, sets, ignore,
+                                                               progress),
+                    std::length_error);
+  BOOST_CHECK_THROW(report_meeting_boxes<CGAL::Sequential_tag>(objects, sets, ignore, progress),
+                    std::length_error);
 }
 
 // Ties are near, and so is each end of a stretch.
