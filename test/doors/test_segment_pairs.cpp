@@ -346,7 +346,7 @@ BOOST_AUTO_TEST_CASE(stretches_take_linear_memory)
   BOOST_CHECK_GT(stretches.added, 3 * scene.size());
 }
 
-// Claims to be one object more than places can number. Nobody reads any.
+// Claims to be one object more than a search by boxes takes. Nobody reads any.
 struct Too_many_segments
   : Traits_boxes<std::vector<Epick::Segment_2>, CGAL::Thick_object_traits_d<Epick::Segment_2>>
 {
