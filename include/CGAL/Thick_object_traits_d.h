@@ -58,6 +58,16 @@ A `std::variant` of such types is an object: it is what it holds.
 
 Objects of this class may be used by several threads at once.
 
+An object of a class that derives from one of these, as a segment with an id does, is what its base
+is. If `do_intersect()` takes the class itself, this is the test, as for objects of other classes.
+
+Traits that derive from these may have other functors, which are asked in the place of the inherited
+ones.
+
+The radius of a ball may be of any number type, but of an integer type only if the coordinates are
+of this type: a pair of a point and another integer may be a point with an index, and is refused
+when it is compiled.
+
 \tparam Object is `Point_2`, `Segment_2`, `Triangle_2`, `Iso_rectangle_2`, `Point_3`, `Segment_3`,
 `Triangle_3`, `Iso_cuboid_3`, `Tetrahedron_3`, `Bbox_2`, `Bbox_3`, a pair of a `Point_2` or
 `Point_3` and a radius, a `std::variant` of these types, or another type. Another type has
@@ -175,8 +185,10 @@ public:
 
 #ifndef DOXYGEN_RUNNING
   // Throws if a coordinate of `object` is NaN or infinite. If the objects are those of two ranges,
-  // `object` is of the type of one of them.
-  template <class Given>
+  // `object` is of the type of one of them. Traits that derive from these may have other objects.
+  template <class Given,
+            class = std::enable_if_t<
+              Thick_intersection_d::internal::Is_object_of<Given, Object>::value>>
   void check(const Given& object, std::size_t position) const
   {
     Thick_intersection_d::internal::settle(object);

@@ -37,8 +37,9 @@ Instead of points, the range may hold closed objects: `Segment_2`, `Triangle_2`,
 `std::pair`s of a `Point_2` or `Point_3` and a radius, or `std::variant`s of these and of points.
 Two objects are near if a point of one and a point of the other are within the bound. So objects
 that intersect are near, but for an open bound of zero. Objects may be degenerate, as for
-`thick_self_intersection_d()`, and the result is that of real arithmetic. Objects of other classes
-have traits, a model of `ThickDistanceTraits_d`.
+`thick_self_intersection_d()`, and the result is that of real arithmetic. An object of a class that
+derives from one of these is what its base is. Objects of other classes have traits, a model of
+`ThickDistanceTraits_d`.
 
 The search takes \f$ O(n \log n + k) \f$ time and \f$ O(n) \f$ space in the plane and in space,
 where \f$ k \f$ is the number of pairs \cgalCite{v-riato-03}. In other dimensions, it puts a box on
@@ -81,8 +82,8 @@ below
     \cgalParamDescription{an instance of the kernel of the points, or traits of other objects}
     \cgalParamType{a model of `Kernel`, `Kernel_d` or `ThickDistanceTraits_d`}
     \cgalParamDefault{the kernel deduced from the point type}
-    \cgalParamExtra{A kernel is accepted as by other functions of \cgal. The type of the points
-                    determines the kernel.}
+    \cgalParamExtra{The kernel of the points is accepted as by other functions of \cgal. Other
+                    traits decide, whatever the elements are.}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
     \cgalParamDescription{a functor that is called with the progress between 0 and 1, and cancels

@@ -57,8 +57,9 @@ requires \tbb.
 \tparam ObjectRange is a range whose elements are of the type `Object_d` of the traits, with forward
 iterators or better. It is neither copied nor reordered. It may be a view of C++20. Without traits,
 the elements are objects of a kernel, boxes of the type `Bbox_2` or `Bbox_3`, closed balls, which
-are `std::pair`s of a center and a radius, other objects with `bbox()` and `do_intersect()`, or
-`std::variant`s of such types, all in the plane or all in space.
+are `std::pair`s of a center and a radius, objects of classes that derive from these, which are what
+their base is, other objects with `bbox()` and `do_intersect()`, or `std::variant`s of such types,
+all in the plane or all in space.
 
 \tparam Callback is callable with `(std::size_t i, std::size_t j)`. It returns `void`, or `bool` to
 stop the search by returning `false`. Or it is an output iterator for pairs of the type

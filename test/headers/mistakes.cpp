@@ -8,18 +8,24 @@
 #include <CGAL/Dimension.h>
 #include <CGAL/Distance_bound.h>
 #include <CGAL/Memory_budget.h>
+#include <CGAL/Polygon_2.h>
+#include <CGAL/Projection_traits_xy_3.h>
 #include <CGAL/Scene_profile.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
 #include <CGAL/Thick_ball_traits_d.h>
+#include <CGAL/Thick_object_traits_d.h>
 #include <CGAL/closest_pair.h>
 #include <CGAL/external_fixed_radius_near_neighbors.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
 #include <CGAL/thick_box_intersection_d.h>
 #include <CGAL/thick_feature_intersection_d.h>
 #include <CGAL/thick_intersection_d.h>
+#include <CGAL/thick_mesh_self_intersections.h>
 
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <variant>
@@ -52,12 +58,30 @@ struct Traits_of_strings
   Is_within_distance_d is_within_distance_d_object() const;
 };
 
+// Traits whose functor has another name than the concept says.
+struct Traits_with_wrong_name : Traits_of_strings
+{
+  struct Is_within_distance_d {};
+  Is_within_distance_d is_within_distance_d_object() const;
+};
+
+// Traits that inherit functors of other objects.
+struct Traits_of_other_objects : CGAL::Thick_object_traits_d<Kernel::Segment_2>
+{
+  using Object_d = std::string;
+};
+
 const std::vector<Point> points;
 const std::vector<Kernel::Point_3> points_in_space;
 const std::vector<Point_of_any_dimension> points_of_any_dimension;
 const std::vector<std::array<double, 2>> arrays;
 const std::vector<Kernel::Weighted_point_2> weighted_points;
 const std::vector<Ball> balls;
+const std::vector<std::pair<Point, std::size_t>> points_with_indices;
+const std::vector<std::pair<Point, int>> points_with_numbers;
+const std::vector<std::pair<Kernel::Point_3, Kernel::Vector_3>> points_with_normals;
+const std::vector<CGAL::Polygon_2<CGAL::Projection_traits_xy_3<Kernel>>> projected_polygons;
+const CGAL::Surface_mesh<Kernel::Point_3> mesh;
 const std::vector<Kernel::Circle_2> circles;
 const std::vector<std::string> strings;
 const std::vector<std::variant<Kernel::Segment_2, Kernel::Segment_3>> variants;
@@ -67,6 +91,7 @@ const auto bound = CGAL::within_distance(1);
 const auto report = [](std::size_t, std::size_t) {};
 const CGAL::Memory_budget budget(1 << 30);
 CGAL::Scene_profile profile;
+std::pair<CGAL::SM_Face_index, CGAL::SM_Face_index>* pairs_of_faces = nullptr;
 
 void make_mistakes()
 {
@@ -137,6 +162,56 @@ void make_mistakes()
   CGAL::fixed_radius_near_neighbors(strings, bound, report, profile,
                                     CGAL::parameters::geom_traits(Traits_of_strings()));
 
+  // error: geom_traits is to be a model of ThickDistanceTraits_d whose functors take the elements
+  // of the range and the bound, or the kernel of points.
+  CGAL::fixed_radius_near_neighbors(points, bound, report, CGAL::parameters::geom_traits(42));
+
+  // error: geom_traits is to be a model of ThickDistanceTraits_d whose functors take the elements
+  // of the range and the bound, or the kernel of points.
+  CGAL::fixed_radius_neighbor_lists(
+    points_in_space, bound,
+    CGAL::parameters::geom_traits(CGAL::Projection_traits_xy_3<Kernel>()));
+
+  // error: geom_traits is to be a model of ThickDistanceTraits_d whose functors take the elements
+  // of the range and the bound, or the kernel of points.
+  CGAL::fixed_radius_near_neighbors(boxes, boxes, bound, report,
+                                    CGAL::parameters::geom_traits(Traits_with_wrong_name()));
+
+  // error: geom_traits is to be the kernel of the points, if it is given: this function asks no
+  // other traits.
+  CGAL::closest_pair(points, CGAL::parameters::geom_traits(Traits_of_strings()));
+
+  // error: geom_traits is to be the kernel of the points, if it is given: this function asks no
+  // other traits.
+  CGAL::thick_feature_self_intersection_d(
+    points, report, CGAL::parameters::geom_traits(CGAL::Thick_object_traits_d<Point>()));
+
+  // error: geom_traits is to be the kernel of the points, if it is given: this function asks no
+  // other traits.
+  CGAL::thick_mesh_self_intersections(mesh, pairs_of_faces,
+                                      CGAL::parameters::geom_traits(Traits_of_strings()));
+
+  // error: vertex_point_map is for meshes: pass the map as point_map.
+  CGAL::closest_pair(points, CGAL::parameters::vertex_point_map(mesh.points()));
+
+  // error: point_map is for ranges: pass the map from the vertices of a mesh as vertex_point_map.
+  CGAL::thick_mesh_self_intersections(mesh, pairs_of_faces,
+                                      CGAL::parameters::point_map(mesh.points()));
+
+  // error: A pair of a point and an integer may be a point with an index: pass a property map to
+  // the points as point_map, or make the integer a number of the kernel if it is the radius of a
+  // ball.
+  CGAL::fixed_radius_near_neighbors(points_with_indices, bound, report);
+
+  // error: A pair of a point and an integer may be a point with an index: pass a property map to
+  // the points as point_map, or make the integer a number of the kernel if it is the radius of a
+  // ball.
+  CGAL::thick_self_intersection_d(points_with_numbers, report);
+
+  // error: The elements of the range are to be points or objects of a kernel of CGAL: pass a
+  // property map to such elements as point_map, or a model of ThickDistanceTraits_d as geom_traits.
+  CGAL::fixed_radius_near_neighbors(points_with_normals, bound, report);
+
   // error: A weighted point is no ball: make it a pair of a center and a radius.
   CGAL::thick_self_intersection_d(weighted_points, report);
 
@@ -161,6 +236,15 @@ void make_mistakes()
   // property map to such objects as point_map.
   CGAL::thick_self_intersection_d(
     points, report, CGAL::parameters::geom_traits(CGAL::Thick_ball_traits_d<Point>(balls)));
+
+  // error: The functors of geom_traits are to take its type Object_d.
+  CGAL::thick_self_intersection_d(strings, report,
+                                  CGAL::parameters::geom_traits(Traits_of_other_objects()));
+
+  // error: The elements of the range are to be polylines or polygons: ranges of Point_2 or
+  // Point_3, Polygon_2 or Polygon_with_holes_2. For others, pass a property map to such features
+  // as point_map.
+  CGAL::thick_feature_self_intersection_d(projected_polygons, report);
 
   // error: The elements of the range are to be polylines or polygons: ranges of Point_2 or
   // Point_3, Polygon_2 or Polygon_with_holes_2. For others, pass a property map to such features

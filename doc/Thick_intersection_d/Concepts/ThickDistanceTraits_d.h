@@ -8,8 +8,9 @@
 
 The named parameter `geom_traits` of `CGAL::fixed_radius_near_neighbors()` and
 `CGAL::fixed_radius_neighbor_lists()` is a model of the concept `ThickDistanceTraits_d` if the
-ranges hold objects that the package does not know. The concept requires the interval of an object
-along each axis, and the test whether two objects are within a bound.
+ranges hold objects that the package does not know, or if their distance is another one than that of
+Euclid: that of Manhattan, for points. The concept requires the interval of an object along each
+axis, and the test whether two objects are within a bound.
 
 The traits must obey one law: if two objects are within a distance \f$ r \f$, their intervals are
 within \f$ r \f$ along every axis. Intervals that enclose the objects obey it. They may be larger

@@ -39,6 +39,12 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
+// Whether a type is that of numbers. A point is none, nor is a range.
+template <class T>
+inline constexpr bool is_number_v
+  = std::is_arithmetic_v<T>
+    || !std::is_same_v<typename Algebraic_structure_traits<T>::Algebraic_category, Null_tag>;
+
 // Whether all values of a number type are doubles, without rounding.
 template <class NT>
 constexpr bool is_held_by_double_v

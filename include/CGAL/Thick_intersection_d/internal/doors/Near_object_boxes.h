@@ -20,13 +20,11 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// `Test` tells the dimension and the reach, whether two objects are near, and the interval of
-// an object that is no point.
+// `Test` tells the dimension and the reach, the interval of an object along an axis, and whether
+// two objects are near.
 template <int Dimension, class Elements, class Test>
 class Near_object_boxes
 {
-  using Object = typename Elements::value_type;
-
 public:
   using Box_filter = void;
   static constexpr int static_dimension = Dimension;
@@ -39,10 +37,7 @@ public:
   auto intervals(std::size_t position) const
   {
     return [this, position](int axis) {
-      if constexpr(Is_point<Object>::value)
-        return around(coordinate_bounds(objects_[position], axis));
-      else
-        return around(test_.interval(objects_[position], axis));
+      return around(test_.interval(objects_[position], axis));
     };
   }
 

@@ -26,6 +26,10 @@
 #include <utility>
 
 namespace CGAL {
+
+template <class Object>
+class Thick_object_traits_d;
+
 namespace Thick_intersection_d {
 namespace internal {
 
@@ -55,11 +59,11 @@ struct Object_dimension<Traits, std::void_t<decltype(Traits::Dimension::value)>>
 
 // Whether traits make boxes of all intervals at once, and ask no more about boxes that meet, as
 // those of kernel objects do. Their boxes are finite if check() has not thrown, so these objects
-// never take the recursive route.
-template <class Traits, class = void>
-struct Has_boxes : std::false_type {};
+// never take the recursive route. A class that derives from these traits may ask something else.
 template <class Traits>
-struct Has_boxes<Traits, std::void_t<decltype(Traits::do_boxes_decide)>> : Has_intervals<Traits> {};
+struct Has_boxes : std::false_type {};
+template <class Object>
+struct Has_boxes<Thick_object_traits_d<Object>> : std::true_type {};
 
 // Decides about objects by their boxes. A specialization for some traits may know more.
 template <class Traits>

@@ -236,7 +236,7 @@ make_distributed_lists(const Communicator& comm, const Elements& elements, const
                        const Distance_bound<NT>& bound, Distributed_profile& profile,
                        const NamedParameters& np)
 {
-  if constexpr(!check_sent_points<Elements>())
+  if constexpr(!check_sent_points<Elements, NamedParameters>())
     return Distributed_neighbor_lists();
   else {
     Phase_clock clock(profile);

@@ -73,7 +73,7 @@ bool report_distributed_pairs(const Communicator& comm, const Elements& elements
                               const Distance_bound<NT>& bound, Callback& callback,
                               Distributed_profile& profile, const NamedParameters& np)
 {
-  if constexpr(!check_sent_points<Elements>())
+  if constexpr(!check_sent_points<Elements, NamedParameters>())
     return false;
   else if constexpr(!check_callback_of_remote_ids<Elements, Callback>())
     return false;

@@ -68,10 +68,10 @@ using Carried_point
                        Carried_numbers<dimension_or<Point>(0)>>;
 
 // Returns whether points can be sent.
-template <class Elements>
+template <class Elements, class NamedParameters>
 constexpr bool check_sent_points()
 {
-  if constexpr(!check_points<Elements>())
+  if constexpr(!check_points<Elements, NamedParameters>())
     return false;
   else {
     constexpr bool is_rational = Is_rational<Coordinate_t<typename Elements::value_type>>::value;

@@ -41,7 +41,7 @@ template <class Elements>
 using Point_of_features = Feature_point_t<typename Elements::value_type>;
 
 // Checks the features of one range, or of two.
-template <class First, class Second>
+template <class First, class Second, class NamedParameters>
 constexpr bool check_features()
 {
   using Point = Point_of_features<First>;
@@ -52,7 +52,10 @@ constexpr bool check_features()
                               "of Point_2 or Point_3, Polygon_2 or Polygon_with_holes_2. For "
                               "others, pass a property map to such features as point_map.");
   static_assert(are_alike, "The features of the two ranges are to have points of one type.");
-  return are_features && are_alike;
+  if constexpr(are_features && are_alike)
+    return check_no_traits<Point, NamedParameters>();
+  else
+    return false;
 }
 
 // Pairs of features that are within a bound. If one is inside the other, their distance is zero.
@@ -198,7 +201,7 @@ constexpr bool check_feature_search()
                && check_range<ConcurrencyTag, Second, NamedParameters>()) {
     using A = Elements_of<First, NamedParameters>;
     using B = Elements_of<Second, NamedParameters>;
-    if constexpr(check_features<A, B>())
+    if constexpr(check_features<A, B, NamedParameters>())
       return check_callback<Callback, A, B>();
     else
       return false;

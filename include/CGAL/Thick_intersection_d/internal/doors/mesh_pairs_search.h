@@ -19,6 +19,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/Mesh_face.h>
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
+#include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Kernel_orientation.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Staged_orientation.h>
@@ -209,30 +210,46 @@ private:
   Faces faces_;
 };
 
+// Checks that nothing is given that a search of a mesh does not read.
+template <class Point, class NamedParameters>
+constexpr bool check_mesh_parameters()
+{
+  constexpr bool has_no_other
+    = parameters::is_default_parameter<NamedParameters, internal_np::point_t>::value;
+  static_assert(has_no_other, "point_map is for ranges: pass the map from the vertices of a mesh "
+                              "as vertex_point_map.");
+  return has_no_other && check_no_traits<Point, NamedParameters>();
+}
+
 // Writes the pairs of faces that intersect. Degenerate faces come first, each as a pair with
 // itself. Returns the iterator behind the last pair.
 template <class ConcurrencyTag, class FaceRange, class Mesh, class Iterator, class NamedParameters>
 Iterator write_mesh_pairs(const FaceRange& face_range, const Mesh& mesh, Iterator out,
                           const NamedParameters& np)
 {
-  check_denormals();
   using Point_map = typename GetVertexPointMap<Mesh, NamedParameters>::const_type;
-  Mesh_triangles<Mesh, Point_map> triangles(
-    mesh, parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                       get_const_property_map(boost::vertex_point, mesh)));
-  triangles.read(face_range);
-  Limited_output<Iterator> output(
-    out, parameters::choose_parameter(parameters::get_parameter(np, internal_np::maximum_number),
-                                      (std::numeric_limits<std::size_t>::max)()));
-  triangles.remove_degenerate([&](const auto& face) { return output.write(face, face); });
-  if(!output.is_full()) {
-    const auto write = [&](std::size_t i, std::size_t j) {
-      return output.write(triangles[i].face, triangles[j].face);
-    };
-    auto progress = make_progress(np, triangles.size());
-    report_meeting_boxes<ConcurrencyTag>(triangles, One_set(), write, progress);
+  using Point = typename boost::property_traits<Point_map>::value_type;
+  if constexpr(!check_mesh_parameters<Point, NamedParameters>())
+    return out;
+  else {
+    check_denormals();
+    Mesh_triangles<Mesh, Point_map> triangles(
+      mesh, parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                         get_const_property_map(boost::vertex_point, mesh)));
+    triangles.read(face_range);
+    Limited_output<Iterator> output(
+      out, parameters::choose_parameter(parameters::get_parameter(np, internal_np::maximum_number),
+                                        (std::numeric_limits<std::size_t>::max)()));
+    triangles.remove_degenerate([&](const auto& face) { return output.write(face, face); });
+    if(!output.is_full()) {
+      const auto write = [&](std::size_t i, std::size_t j) {
+        return output.write(triangles[i].face, triangles[j].face);
+      };
+      auto progress = make_progress(np, triangles.size());
+      report_meeting_boxes<ConcurrencyTag>(triangles, One_set(), write, progress);
+    }
+    return output.iterator();
   }
-  return output.iterator();
 }
 
 } // namespace internal

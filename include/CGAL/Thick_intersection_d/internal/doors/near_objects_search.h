@@ -20,6 +20,7 @@
 #include <CGAL/Thick_intersection_d/internal/doors/box_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/doors/segment_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
+#include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/input/kinds.h>
 #include <CGAL/Thick_intersection_d/internal/input/scan_objects.h>
@@ -126,44 +127,74 @@ private:
   double reach_;
 };
 
-// Whether traits tell if objects are within a bound.
-template <class Traits, class = void>
-struct Has_distance_predicate : std::false_type {};
-template <class Traits>
-struct Has_distance_predicate<
-  Traits,
-  std::void_t<decltype(std::declval<const Traits&>().interval_d_object()),
-              decltype(std::declval<const Traits&>().is_within_distance_d_object())>>
+// Whether traits have intervals of objects of two types, and tell if two are within a bound.
+template <class Traits, class A, class B, class NT, class = void>
+struct Has_distances : std::false_type {};
+template <class Traits, class A, class B, class NT>
+struct Has_distances<
+  Traits, A, B, NT,
+  std::enable_if_t<
+    std::is_invocable_r_v<std::pair<double, double>,
+                          decltype(std::declval<const Traits&>().interval_d_object()), const A&,
+                          int>
+    && std::is_invocable_r_v<std::pair<double, double>,
+                             decltype(std::declval<const Traits&>().interval_d_object()), const B&,
+                             int>
+    && std::is_invocable_r_v<bool,
+                             decltype(std::declval<const Traits&>().is_within_distance_d_object()),
+                             const A&, const B&, const Distance_bound<NT>&>>>
   : std::true_type {};
+template <class Traits, class A, class B, class NT>
+struct Has_distances<Traits, One_of_two<A, B>, One_of_two<A, B>, NT>
+  : Has_distances<Traits, std::decay_t<A>, std::decay_t<B>, NT> {};
 
-// Checks the objects of a search for near ones, and the traits of the named parameters. Returns
-// whether the search can be compiled.
-template <class Object, class Traits>
-constexpr bool check_near_objects()
+// Checks the objects of a search for near ones without traits.
+template <class Object>
+constexpr bool check_known_objects()
 {
   constexpr bool has_weight = Kinds<Object>::template is_any<Is_weighted_point>;
+  constexpr bool has_no_index = check_no_index<Object>();
   constexpr bool are_known = Kinds<Object>::template are_all<Is_known_kind>;
-  constexpr bool has_predicate = Has_distance_predicate<Traits>::value;
   static_assert(!has_weight, "Weighted points have no distance here: pass a point_map to their "
                              "points, or make them balls: pairs of a center and a radius.");
-  static_assert(are_known || has_predicate || has_weight,
+  static_assert(are_known || !has_no_index || has_weight,
                 "The elements of the range are to be points or objects of a kernel of CGAL: pass a "
                 "property map to such elements as point_map, or a model of ThickDistanceTraits_d "
                 "as geom_traits.");
-  if constexpr(are_known && !has_weight && !has_predicate)
+  if constexpr(are_known && !has_weight)
     return check_one_dimension<Object>();
   else
-    return has_predicate;
+    return false;
+}
+
+// Checks the objects of a search for near ones, and the traits of the named parameters. Returns
+// whether the search can be compiled.
+template <class Object, class NT, class NamedParameters>
+constexpr bool check_near_objects()
+{
+  if constexpr(!has_traits_v<Object, NamedParameters>)
+    return check_known_objects<Object>();
+  else {
+    constexpr bool is_model = Has_distances<Given_traits<NamedParameters>, Object, Object,
+                                            NT>::value;
+    static_assert(is_model, "geom_traits is to be a model of ThickDistanceTraits_d whose functors "
+                            "take the elements of the range and the bound, or the kernel of "
+                            "points.");
+    return is_model;
+  }
 }
 
 // Checks the objects of such a search with a profile. The coordinates of others are not known.
-template <class Object, class Traits>
+template <class Object, class NamedParameters>
 constexpr bool check_profiled_near_objects()
 {
-  constexpr bool has_predicate = Has_distance_predicate<Traits>::value;
-  static_assert(!has_predicate,
+  constexpr bool has_traits = has_traits_v<Object, NamedParameters>;
+  static_assert(!has_traits,
                 "A Scene_profile is for points and objects of a kernel, without geom_traits.");
-  return check_near_objects<Object, Traits>() && !has_predicate;
+  if constexpr(has_traits)
+    return false;
+  else
+    return check_known_objects<Object>();
 }
 
 // Checks the objects, and makes their lazy coordinates final.
@@ -191,10 +222,6 @@ bool report_near_boxes(const Elements& objects, const Sets& sets, const Test& te
     return report_meeting_boxes<ConcurrencyTag>(boxes, sets, callback, progress);
 }
 
-template <class NamedParameters>
-using Given_traits = std::decay_t<decltype(parameters::get_parameter_reference(
-  std::declval<const NamedParameters&>(), internal_np::geom_traits))>;
-
 // Reports the near pairs of objects. Returns false iff the search was stopped.
 template <class ConcurrencyTag, class Elements, class Sets, class NT, class Callback,
           class NamedParameters>
@@ -202,12 +229,11 @@ bool report_near_objects(const Elements& objects, const Sets& sets, const Distan
                          Callback& callback, const NamedParameters& np)
 {
   using Object = typename Elements::value_type;
-  using Traits = Given_traits<NamedParameters>;
-  if constexpr(!check_near_objects<Object, Traits>())
+  if constexpr(!check_near_objects<Object, NT, NamedParameters>())
     return false;
-  else if constexpr(Has_distance_predicate<Traits>::value) {
+  else if constexpr(has_traits_v<Object, NamedParameters>) {
     const auto& traits = parameters::get_parameter_reference(np, internal_np::geom_traits);
-    const Are_near_by_traits<Object, Traits, NT> test(traits, bound);
+    const Are_near_by_traits<Object, Given_traits<NamedParameters>, NT> test(traits, bound);
     check_denormals();
     check_objects<ConcurrencyTag>(objects, traits);
     return report_near_boxes<ConcurrencyTag>(objects, sets, test, callback, np);
@@ -226,7 +252,7 @@ bool report_near_objects(const Elements& objects, const Sets& sets, const Distan
                          Callback& callback, Scene_profile& profile, const NamedParameters& np)
 {
   using Object = typename Elements::value_type;
-  if constexpr(!check_profiled_near_objects<Object, Given_traits<NamedParameters>>())
+  if constexpr(!check_profiled_near_objects<Object, NamedParameters>())
     return false;
   else {
     Shared_decision_counts counts;

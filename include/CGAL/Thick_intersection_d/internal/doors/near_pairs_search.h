@@ -230,7 +230,8 @@ bool report_near_pairs(const Elements& points, const Sets& sets,
                        const Distance_bound<NT>& bound, Callback& callback,
                        const NamedParameters& np)
 {
-  if constexpr(!Is_point<typename Elements::value_type>::value)
+  using Point = typename Elements::value_type;
+  if constexpr(!Is_point<Point>::value || has_traits_v<Point, NamedParameters>)
     return report_near_objects<ConcurrencyTag>(points, sets, bound, callback, np);
   else {
     if constexpr(takes_few_points<Elements, NT, Callback>)
@@ -250,7 +251,8 @@ bool report_near_pairs(const Elements& points, const Sets& sets,
                        const Distance_bound<NT>& bound, Callback& callback,
                        Scene_profile& profile, const NamedParameters& np)
 {
-  if constexpr(!Is_point<typename Elements::value_type>::value)
+  using Point = typename Elements::value_type;
+  if constexpr(!Is_point<Point>::value || has_traits_v<Point, NamedParameters>)
     return report_near_objects<ConcurrencyTag>(points, sets, bound, callback, profile, np);
   else {
     Near_pairs_search<ConcurrencyTag, Elements> search(points, bound, true);

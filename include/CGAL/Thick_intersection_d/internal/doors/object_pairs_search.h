@@ -55,10 +55,11 @@ template <class Object>
 constexpr bool check_kernel_objects()
 {
   constexpr bool has_weight = Kinds<Object>::template is_any<Is_weighted_point>;
+  constexpr bool has_no_index = check_no_index<Object>();
   constexpr bool are_kinds = Kinds<Object>::template are_all<Is_kind>;
   static_assert(!has_weight,
                 "A weighted point is no ball: make it a pair of a center and a radius.");
-  static_assert(are_kinds || has_weight,
+  static_assert(are_kinds || !has_no_index || has_weight,
                 "The elements of the range are to be objects with bbox() and do_intersect(): pass "
                 "a property map to such objects as point_map, or traits as geom_traits.");
   if constexpr(are_kinds && !has_weight)
@@ -107,18 +108,42 @@ constexpr bool check_traits_of_two_types()
   return takes_two;
 }
 
+// Whether the functors of traits take their objects.
+template <class Traits, class Object>
+constexpr bool do_functors_take_objects()
+{
+  if constexpr(!std::is_invocable_v<decltype(std::declval<const Traits&>().do_intersect_d_object()),
+                                    const Object&, const Object&>)
+    return false;
+  else if constexpr(Has_intervals<Traits>::value)
+    return std::is_invocable_r_v<std::pair<double, double>,
+                                 decltype(std::declval<const Traits&>().interval_d_object()),
+                                 const Object&, int>;
+  else
+    return std::is_invocable_v<
+      decltype(std::declval<const Traits&>().is_close_along_axis_d_object()), const Object&,
+      const Object&, int>;
+}
+
 template <class Traits, class Object>
 constexpr bool check_traits()
 {
   using Object_d = typename Object_of_traits<Traits>::type;
   constexpr bool is_model = !std::is_same_v<Object_d, No_objects>
                             && (Has_intervals<Traits>::value || Has_close_predicate<Traits>::value);
-  constexpr bool takes_objects = std::is_convertible_v<const Object&, const Object_d&> || !is_model;
   static_assert(is_model, "geom_traits is to be a model of ThickIntersectionIntervalTraits_d or of "
                           "ThickIntersectionTraits_d.");
-  static_assert(takes_objects, "The elements of the range are to be of the type Object_d of "
-                               "geom_traits: pass a property map to such objects as point_map.");
-  return is_model && takes_objects;
+  if constexpr(is_model) {
+    constexpr bool is_whole = do_functors_take_objects<Traits, Object_d>();
+    constexpr bool takes_objects = std::is_convertible_v<const Object&, const Object_d&>;
+    static_assert(is_whole, "The functors of geom_traits are to take its type Object_d.");
+    static_assert(takes_objects || !is_whole,
+                  "The elements of the range are to be of the type Object_d of geom_traits: pass "
+                  "a property map to such objects as point_map.");
+    return is_whole && takes_objects;
+  }
+  else
+    return false;
 }
 
 // Checks the traits of the named parameters. Without any, checks that the default traits will do.

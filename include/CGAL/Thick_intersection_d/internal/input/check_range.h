@@ -8,11 +8,14 @@
 // Checks the types of the user's ranges, when a program is compiled. A mistake gives one sentence:
 // a function that checks returns false as well, and then its caller compiles nothing else.
 
-#include <CGAL/Algebraic_structure_traits.h>
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/property_map.h>
 
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
+#include <CGAL/Thick_intersection_d/internal/input/kinds.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 
 #include <type_traits>
@@ -42,11 +45,21 @@ struct Maps_element<Map, Element,
                     std::void_t<decltype(get(std::declval<const Map&>(), std::declval<Element>()))>>
   : std::true_type {};
 
+// Refuses the map of another kind of input, which no function of ranges reads.
+template <class NamedParameters>
+constexpr bool check_map_of_range()
+{
+  constexpr bool has_no_other
+    = parameters::is_default_parameter<NamedParameters, internal_np::vertex_point_t>::value;
+  static_assert(has_no_other, "vertex_point_map is for meshes: pass the map as point_map.");
+  return has_no_other;
+}
+
 // `Range` is const if the range is.
 template <class ConcurrencyTag, class Range, class NamedParameters>
 constexpr bool check_range()
 {
-  if constexpr(!check_concurrency<ConcurrencyTag>())
+  if constexpr(!check_concurrency<ConcurrencyTag>() || !check_map_of_range<NamedParameters>())
     return false;
   else if constexpr(!Is_range<Range>::value) {
     static_assert(Is_range<Range>::value, "The argument is to be a range with forward iterators.");
@@ -62,7 +75,40 @@ constexpr bool check_range()
   }
 }
 
-template <class Elements>
+template <class NamedParameters>
+using Given_traits = std::decay_t<decltype(parameters::get_parameter_reference(
+  std::declval<const NamedParameters&>(), internal_np::geom_traits))>;
+
+// Whether traits are given that know something else than the type of the objects does: any but the
+// kernel of the objects, which other functions of CGAL take as geom_traits.
+template <class Object, class NamedParameters>
+inline constexpr bool has_traits_v
+  = !parameters::is_default_parameter<NamedParameters, internal_np::geom_traits_t>::value
+    && !std::is_same_v<Given_traits<NamedParameters>,
+                       typename Kernel_traits<typename Kinds<Object>::First>::Kernel>;
+
+// Refuses pairs that are balls to nobody who has read examples of CGAL.
+template <class Object>
+constexpr bool check_no_index()
+{
+  constexpr bool has_index = Kinds<Object>::template is_any<Is_point_with_index>;
+  static_assert(!has_index, "A pair of a point and an integer may be a point with an index: pass a "
+                            "property map to the points as point_map, or make the integer a number "
+                            "of the kernel if it is the radius of a ball.");
+  return !has_index;
+}
+
+// Refuses traits where distances are those of the kernel.
+template <class Point, class NamedParameters>
+constexpr bool check_no_traits()
+{
+  constexpr bool has_traits = has_traits_v<Point, NamedParameters>;
+  static_assert(!has_traits, "geom_traits is to be the kernel of the points, if it is given: this "
+                             "function asks no other traits.");
+  return !has_traits;
+}
+
+template <class Elements, class NamedParameters>
 constexpr bool check_points()
 {
   using Point = typename Elements::value_type;
@@ -72,7 +118,10 @@ constexpr bool check_points()
                              "points, or make them balls: pairs of a center and a radius.");
   static_assert(is_point, "The elements of the range are to be points of a kernel of CGAL: pass a "
                           "property map to such points as point_map.");
-  return is_point && !has_weight;
+  if constexpr(is_point && !has_weight)
+    return check_no_traits<Point, NamedParameters>();
+  else
+    return false;
 }
 
 template <class ConcurrencyTag, class Range, class NamedParameters>
@@ -81,14 +130,8 @@ constexpr bool check_range_of_points()
   if constexpr(!check_range<ConcurrencyTag, Range, NamedParameters>())
     return false;
   else
-    return check_points<Elements_of<Range, NamedParameters>>();
+    return check_points<Elements_of<Range, NamedParameters>, NamedParameters>();
 }
-
-// Whether a type is that of a number, which a bound is made of. A range is none.
-template <class T>
-inline constexpr bool is_number_v
-  = std::is_arithmetic_v<T>
-    || !std::is_same_v<typename Algebraic_structure_traits<T>::Algebraic_category, Null_tag>;
 
 template <class T>
 inline constexpr bool is_bound_v = false;

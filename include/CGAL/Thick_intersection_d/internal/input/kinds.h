@@ -5,8 +5,11 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_KINDS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_KINDS_H
 
-// Objects of several kinds in one search: variants, and objects of two ranges that differ in type.
+// Objects of several kinds in one search: variants, objects of two ranges that differ in type, and
+// objects of classes that derive from their kind.
 
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/input/base_kind.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
 
@@ -22,12 +25,33 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
+// Whether a type of numbers is that of the coordinates of points.
+template <class Point, class NT, class = void>
+struct Is_coordinate : std::false_type {};
+template <class Point, class NT>
+struct Is_coordinate<Point, NT, std::enable_if_t<Is_point<Point>::value>>
+  : std::is_same<NT, std::decay_t<decltype(std::declval<const Point&>().cartesian(0))>> {};
+
+// Whether an object is a pair of a point and an integer, which may be meant as an index.
+template <class Object, class = void>
+struct Is_point_with_index : std::false_type {};
+template <class Object>
+struct Is_point_with_index<Object, std::void_t<typename Object::second_type>>
+  : std::bool_constant<
+      Is_point<typename Object::first_type>::value
+      && std::is_integral_v<typename Object::second_type>
+      && !Is_coordinate<typename Object::first_type, typename Object::second_type>::value>
+{};
+
 // Whether an object is a closed ball: a pair of a center and a radius.
 template <class Object, class = void>
 struct Is_ball : std::false_type {};
 template <class Object>
 struct Is_ball<Object, std::void_t<typename Object::second_type>>
-  : Is_point<typename Object::first_type> {};
+  : std::bool_constant<Is_point<typename Object::first_type>::value
+                       && is_number_v<typename Object::second_type>
+                       && !Is_point_with_index<Object>::value>
+{};
 
 // Refers to an object that a range holds. Holds one that the range makes.
 template <class Reference>
@@ -67,7 +91,7 @@ private:
 template <class Object>
 struct Kinds_of
 {
-  using type = std::tuple<Object>;
+  using type = std::tuple<Kind_t<Object>>;
 };
 template <class... Kinds>
 struct Kinds_of<std::variant<Kinds...>>
@@ -107,9 +131,19 @@ struct Is_one_of_two : std::false_type {};
 template <class A, class B>
 struct Is_one_of_two<One_of_two<A, B>> : std::true_type {};
 
-// Whether only the object itself knows its kind.
+// Whether an object is one of those of a range, or of one of two ranges.
+template <class Given, class Object>
+struct Is_object_of : std::is_convertible<const Given&, const Object&> {};
+template <class Given, class A, class B>
+struct Is_object_of<Given, One_of_two<A, B>>
+  : std::disjunction<std::is_same<Given, std::decay_t<A>>, std::is_same<Given, std::decay_t<B>>>
+{};
+
+// Whether an object has another type than its kind: only the object itself knows its kind, or its
+// class derives from that of its kind.
 template <class Object>
-inline constexpr bool is_mixed_v = Is_variant<Object>::value || Is_one_of_two<Object>::value;
+inline constexpr bool is_mixed_v = Is_variant<Object>::value || Is_one_of_two<Object>::value
+                                   || !std::is_same_v<Kind_t<Object>, Object>;
 
 // Returns task(object) for an object of a range.
 template <class Object, class Task>
@@ -140,7 +174,7 @@ auto with_kind(const Object& object, const Task& task)
   else if constexpr(Is_one_of_two<Object>::value)
     return of_range(object, [&](const auto& x) { return with_kind(x, task); });
   else
-    return task(object);
+    return task(as_kind(object));
 }
 
 // Returns test(a, b) for what two objects of a range are, or one of each of two ranges.

@@ -10,6 +10,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/input/base_kind.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/input/kinds.h>
@@ -30,7 +31,7 @@ template <class Object>
 decltype(auto) skeleton(const Object& object)
 {
   if constexpr(Is_ball<Object>::value)
-    return (object.first);
+    return as_kind(object.first);
   else
     return (object);
 }
@@ -108,9 +109,21 @@ Hull_of<Object> hull_of(const Object& object)
   return hull;
 }
 
-// The number type of an object.
+// The number type of the coordinates of an object.
 template <class Object>
 using Hull_number_t = Vertex_number_t<Skeleton_t<Object>>;
+
+// That of its radius. An object that is no ball has the radius zero.
+template <class Object, bool = Is_ball<Object>::value>
+struct Radius_number
+{
+  using type = Hull_number_t<Object>;
+};
+template <class Object>
+struct Radius_number<Object, true>
+{
+  using type = typename Object::second_type;
+};
 
 // Returns a coordinate or radius in an exact type, which holds it.
 template <class Exact, class NT>

@@ -71,6 +71,11 @@ public:
 
   int dimension() const { return dimension_; }
 
+  static std::pair<double, double> interval(const Point& p, int axis)
+  {
+    return coordinate_bounds(p, axis);
+  }
+
   // An upper bound on the distance along an axis of points within the bound.
   double reach() const { return bound_.reach(); }
 

@@ -45,9 +45,12 @@ template <class First, class... Others>
 struct Common_exact_number<std::tuple<First, Others...>>
 {
   using Exact = Exact_number_t<Hull_number_t<First>>;
+  template <class Kind>
+  static constexpr bool has_it
+    = std::is_same_v<Exact, Exact_number_t<Hull_number_t<Kind>>>
+      && std::is_same_v<Exact, Exact_number_t<typename Radius_number<Kind>::type>>;
   using type
-    = std::conditional_t<(std::is_same_v<Exact, Exact_number_t<Hull_number_t<Others>>> && ...),
-                         Exact, Exact_rational>;
+    = std::conditional_t<has_it<First> && (has_it<Others> && ...), Exact, Exact_rational>;
 };
 
 template <class Object>

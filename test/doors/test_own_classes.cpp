@@ -1,0 +1,372 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// What users derive: objects with an id, which are what their base is, and traits with another
+// functor, which are asked.
+
+#include "support/pairs.h"
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Cartesian_converter.h>
+#include <CGAL/Dimension.h>
+#include <CGAL/Distance_bound.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Polygon_2.h>
+#include <CGAL/Polygon_with_holes_2.h>
+#include <CGAL/Scene_profile.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Thick_ball_traits_d.h>
+#include <CGAL/Thick_object_traits_d.h>
+#include <CGAL/Thick_point_traits_d.h>
+#include <CGAL/fixed_radius_near_neighbors.h>
+#include <CGAL/intersections.h>
+#include <CGAL/thick_feature_intersection_d.h>
+#include <CGAL/thick_intersection_d.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <stdexcept>
+#include <utility>
+#include <variant>
+#include <vector>
+
+using namespace test_support;
+using CGAL::within_distance;
+
+namespace plans {
+
+// Predicates of this kernel are those of rounded doubles.
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_2;
+using Segment = Kernel::Segment_2;
+using Triangle = Kernel::Triangle_3;
+
+template <class Base>
+struct With_id : Base
+{
+  With_id(const Base& base, int number) : Base(base), id(number) {}
+  int id;
+};
+
+// A wire that meets others only on its own layer.
+struct Wire : Segment
+{
+  Wire(const Segment& segment, int number) : Segment(segment), layer(number) {}
+  int layer;
+};
+
+bool do_intersect(const Wire& a, const Wire& b)
+{
+  return a.layer == b.layer && CGAL::do_intersect(Segment(a), Segment(b));
+}
+
+} // namespace plans
+
+namespace {
+
+using plans::Kernel;
+using plans::Point;
+using plans::Segment;
+using plans::Triangle;
+using plans::With_id;
+
+template <class Base>
+std::vector<With_id<Base>> with_ids(const std::vector<Base>& objects)
+{
+  std::vector<With_id<Base>> result;
+  for(const Base& object : objects)
+    result.emplace_back(object, static_cast<int>(result.size()));
+  return result;
+}
+
+template <class... Arguments>
+Pairs pairs_of(const Arguments&... arguments)
+{
+  Pairs pairs;
+  CGAL::thick_self_intersection_d(arguments..., Pair_collector{pairs});
+  return sorted(pairs);
+}
+
+template <class Objects>
+Pairs near_pairs_of(const Objects& objects, double bound)
+{
+  Pairs pairs;
+  CGAL::fixed_radius_near_neighbors(objects, within_distance(bound), Pair_collector{pairs});
+  return sorted(pairs);
+}
+
+// Long segments whose ends are off by a few units in the last place, and short ones that they touch
+// or miss.
+std::vector<Segment> nearly_touching_segments()
+{
+  std::vector<Segment> segments;
+  for(int i = 0; i < 40; ++i)
+    for(int j = 0; j < 4; ++j)
+      segments.emplace_back(Point(.5 + i * 0x1p-53, .5 + j * 0x1p-53), Point(24, 24));
+  for(int i = 0; i < 6; ++i)
+    segments.emplace_back(Point(12 + i, 12 + i), Point(12 + i, 20));
+  return segments;
+}
+
+// By rational numbers, which share no code with the package.
+Pairs exact_pairs(const std::vector<Segment>& segments)
+{
+  using Exact_kernel = CGAL::Simple_cartesian<CGAL::Exact_rational>;
+  const CGAL::Cartesian_converter<Kernel, Exact_kernel> exact;
+  std::vector<Exact_kernel::Segment_2> exact_segments;
+  for(const Segment& segment : segments)
+    exact_segments.push_back(exact(segment));
+  Pairs pairs;
+  for(std::size_t j = 0; j < segments.size(); ++j)
+    for(std::size_t i = 0; i < j; ++i)
+      if(CGAL::do_intersect(exact_segments[i], exact_segments[j]))
+        pairs.emplace_back(i, j);
+  return sorted(pairs);
+}
+
+// Two touch, one is flat, one is a point, one is apart.
+std::vector<Triangle> degenerate_triangles()
+{
+  using P = Kernel::Point_3;
+  return {{P(0, 0, 0), P(2, 0, 0), P(1, 0, 0)},   {P(1, -1, 0), P(1, 1, 0), P(1, 0, 0)},
+          {P(0, 0, 0), P(0, 0, 0), P(0, 0, 0)},   {P(-1, -1, 0), P(3, -1, 0), P(0, 3, 0)},
+          {P(0, 0, 9), P(1, 0, 9), P(0, 1, 9)}};
+}
+
+} // namespace
+
+// ---- objects ------------------------------------------------------------------------------------
+
+BOOST_AUTO_TEST_CASE(segment_with_an_id_is_decided_exactly)
+{
+  const std::vector<Segment> segments = nearly_touching_segments();
+  const auto objects = with_ids(segments);
+  const Pairs expected = exact_pairs(segments);
+  BOOST_REQUIRE(expected.size() > 100);
+  BOOST_CHECK(pairs_of(objects) == expected);
+  BOOST_CHECK(near_pairs_of(objects, 0) == expected);
+
+  // Its traits may be named, and derived from another type than the elements have.
+  using Object = With_id<Segment>;
+  Pairs pairs;
+  CGAL::thick_self_intersection_d(
+    objects, Pair_collector{pairs},
+    CGAL::parameters::geom_traits(CGAL::Thick_object_traits_d<Object>(objects)));
+  BOOST_CHECK(sorted(pairs) == expected);
+  pairs.clear();
+  CGAL::thick_self_intersection_d(
+    objects, Pair_collector{pairs},
+    CGAL::parameters::geom_traits(CGAL::Thick_object_traits_d<Segment>(segments)));
+  BOOST_CHECK(sorted(pairs) == expected);
+
+  // In a variant, and in one of two ranges.
+  const std::vector<std::variant<Point, Object>> variants(objects.begin(), objects.end());
+  BOOST_CHECK(pairs_of(variants) == expected);
+  pairs.clear();
+  CGAL::thick_intersection_d(objects, segments, Pair_collector{pairs});
+  BOOST_CHECK_EQUAL(pairs.size(), 2 * expected.size() + segments.size());
+
+  CGAL::Scene_profile profile;
+  pairs.clear();
+  CGAL::thick_self_intersection_d(objects, Pair_collector{pairs}, profile);
+  BOOST_CHECK(sorted(pairs) == expected);
+  BOOST_CHECK_EQUAL(profile.degree(), 2);
+}
+
+BOOST_AUTO_TEST_CASE(derived_objects_may_be_degenerate)
+{
+  const std::vector<Triangle> triangles = degenerate_triangles();
+  const Pairs expected = {{0, 1}, {0, 2}, {0, 3}, {1, 3}, {2, 3}};
+  BOOST_CHECK(pairs_of(triangles) == expected);
+  BOOST_CHECK(pairs_of(with_ids(triangles)) == expected);
+  BOOST_CHECK(near_pairs_of(with_ids(triangles), .5) == near_pairs_of(triangles, .5));
+  auto objects = with_ids(triangles);
+  objects.emplace_back(
+    Triangle({0, 0, 0}, {1, 0, 0}, {NAN, 0, 0}), 5);
+  BOOST_CHECK_THROW(pairs_of(objects), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(box_and_point_with_an_id_are_known)
+{
+  const auto boxes = with_ids<CGAL::Bbox_2>({{0, 0, 1, 1}, {1, 1, 2, 2}, {5, 5, 6, 6}});
+  BOOST_CHECK(pairs_of(boxes) == (Pairs{{0, 1}}));
+  BOOST_CHECK(near_pairs_of(boxes, 5) == (Pairs{{0, 1}, {1, 2}}));
+  const auto points = with_ids<Point>({{0, 0}, {0, 0}, {3, 4}});
+  BOOST_CHECK(pairs_of(points) == (Pairs{{0, 1}}));
+  BOOST_CHECK(near_pairs_of(points, 5) == (Pairs{{0, 1}, {0, 2}, {1, 2}}));
+  const std::vector<std::pair<With_id<Point>, double>> balls = {{points[0], 2}, {points[2], 3}};
+  BOOST_CHECK(pairs_of(balls) == (Pairs{{0, 1}}));
+  BOOST_CHECK(near_pairs_of(balls, 0) == (Pairs{{0, 1}}));
+}
+
+BOOST_AUTO_TEST_CASE(derived_object_with_a_test_of_its_own_is_asked)
+{
+  const Segment across({0, 0}, {2, 2}), other({0, 2}, {2, 0});
+  const std::vector<plans::Wire> wires = {{across, 1}, {other, 2}, {other, 1}, {across, 2}};
+  BOOST_CHECK(pairs_of(wires) == (Pairs{{0, 2}, {1, 3}}));
+}
+
+BOOST_AUTO_TEST_CASE(derived_features_are_what_their_base_is)
+{
+  using Polygon = CGAL::Polygon_2<Kernel>;
+  using Polygon_with_holes = CGAL::Polygon_with_holes_2<Kernel>;
+  const auto square = [](double low, double high) {
+    const Point corners[] = {{low, low}, {high, low}, {high, high}, {low, high}};
+    return Polygon(corners, corners + 4);
+  };
+  const auto pairs_of_features = [](const auto& features) {
+    Pairs pairs;
+    CGAL::thick_feature_self_intersection_d(features, Pair_collector{pairs});
+    return sorted(pairs);
+  };
+  // The second square is inside the first one: its boundary is not enough.
+  BOOST_CHECK(pairs_of_features(with_ids<Polygon>({square(0, 9), square(2, 3)}))
+              == (Pairs{{0, 1}}));
+  Polygon_with_holes ring(square(0, 9));
+  ring.add_hole(square(1, 8));
+  BOOST_CHECK(pairs_of_features(with_ids<Polygon_with_holes>(
+                {ring, Polygon_with_holes(square(2, 3)), Polygon_with_holes(square(0, 1))}))
+              == (Pairs{{0, 2}}));
+  const auto tracks = std::vector<std::vector<With_id<Point>>>{
+    with_ids<Point>({{0, 0}, {2, 2}}), with_ids<Point>({{0, 2}, {2, 0}}),
+    with_ids<Point>({{5, 5}})};
+  BOOST_CHECK(pairs_of_features(tracks) == (Pairs{{0, 1}}));
+  BOOST_CHECK(pairs_of_features(with_ids<Point>({{5, 5}, {5, 5}})) == (Pairs{{0, 1}}));
+}
+
+// ---- radii --------------------------------------------------------------------------------------
+
+BOOST_AUTO_TEST_CASE(radii_may_be_numbers_of_another_type)
+{
+  using Rational = CGAL::Exact_rational;
+  const Point origin(0, 0), other(1, 0), third(2, 0);
+  const Rational fraction = Rational(1) / 3;
+  const std::vector<std::pair<Point, Rational>> balls
+    = {{origin, fraction}, {other, 2 * fraction}, {third, fraction - Rational(1) / 1000000000}};
+  BOOST_CHECK(pairs_of(balls) == (Pairs{{0, 1}}));
+  BOOST_CHECK(near_pairs_of(balls, 0) == (Pairs{{0, 1}}));
+  BOOST_CHECK(near_pairs_of(balls, 1e-9) == (Pairs{{0, 1}, {1, 2}}));
+
+  // Of 62 bits, so that the rest is a number of this type as well, where it is wider than a double.
+  const long double part = std::ldexp(std::floor(std::ldexp(1.L / 3, 62)), -62);
+  const std::vector<std::pair<Point, long double>> long_balls
+    = {{origin, part}, {other, 1 - part}, {third, std::nextafter(part, 0.L)}};
+  BOOST_CHECK(pairs_of(long_balls) == (Pairs{{0, 1}}));
+  const std::vector<std::variant<std::pair<Point, float>, Segment>> kinds
+    = {std::pair(origin, .5f), Segment({.5, -1}, {.5, 1})};
+  BOOST_CHECK(pairs_of(kinds) == (Pairs{{0, 1}}));
+}
+
+// ---- traits -------------------------------------------------------------------------------------
+
+namespace {
+
+// Traits of the package with another question: do two objects meet, unless they are equal?
+template <class Traits>
+struct Different_traits : Traits
+{
+  using Traits::Traits;
+  using Object_d = typename Traits::Object_d;
+
+  struct Do_intersect_d
+  {
+    const Traits& traits;
+    bool operator()(const Object_d& a, const Object_d& b) const
+    {
+      return !(a == b) && traits.do_intersect_d_object()(a, b);
+    }
+  };
+
+  Do_intersect_d do_intersect_d_object() const { return {*this}; }
+};
+
+// Checks that derived traits leave out the pair of equal objects that their base reports.
+template <class Traits, class Object>
+void check_derived(const std::vector<Object>& objects, const Traits& traits, const Pairs& expected)
+{
+  Pairs pairs;
+  CGAL::thick_self_intersection_d(objects, Pair_collector{pairs},
+                                  CGAL::parameters::geom_traits(traits));
+  BOOST_CHECK(sorted(pairs) == expected);
+}
+
+struct Manhattan_distance
+{
+  int dimension() const { return 2; }
+  struct Interval_d
+  {
+    std::pair<double, double> operator()(const Point& p, int axis) const
+    {
+      return {p[axis], p[axis]};
+    }
+  };
+  struct Is_within_distance_d
+  {
+    template <class NT>
+    bool operator()(const Point& p, const Point& q, const CGAL::Distance_bound<NT>& bound) const
+    {
+      return std::abs(p.x() - q.x()) + std::abs(p.y() - q.y()) <= bound.value();
+    }
+  };
+  Interval_d interval_d_object() const { return {}; }
+  Is_within_distance_d is_within_distance_d_object() const { return {}; }
+};
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(traits_that_derive_from_those_of_the_package_are_asked)
+{
+  const Segment across({0, 0}, {2, 2}), other({0, 2}, {2, 0});
+  const std::vector<Segment> segments = {across, other, across};
+  check_derived(segments, Different_traits<CGAL::Thick_object_traits_d<Segment>>(segments),
+                {{0, 1}, {1, 2}});
+
+  // Boxes would decide by themselves.
+  const std::vector<CGAL::Bbox_2> boxes = {{0, 0, 1, 1}, {1, 1, 2, 2}, {0, 0, 1, 1}};
+  check_derived(boxes, Different_traits<CGAL::Thick_object_traits_d<CGAL::Bbox_2>>(boxes),
+                {{0, 1}, {1, 2}});
+
+  // Balls of one radius would be searched as points.
+  const std::vector<std::pair<Point, double>> balls
+    = {{Point(0, 0), 1}, {Point(2, 0), 1}, {Point(0, 0), 1}};
+  check_derived(balls, Different_traits<CGAL::Thick_ball_traits_d<Point>>(balls),
+                {{0, 1}, {1, 2}});
+
+  const std::vector<Point> points = {{0, 0}, {1, 0}, {0, 0}};
+  check_derived(points,
+                Different_traits<CGAL::Thick_point_traits_d<Point>>(within_distance(1)),
+                {{0, 1}, {1, 2}});
+}
+
+BOOST_AUTO_TEST_CASE(distance_of_the_traits_is_that_of_points)
+{
+  const std::vector<Point> points = {{0, 0}, {.75, .75}, {1, .5}, {9, 9}};
+  const auto np = CGAL::parameters::geom_traits(Manhattan_distance());
+  Pairs pairs;
+  CGAL::fixed_radius_near_neighbors(points, within_distance(1.25), Pair_collector{pairs}, np);
+  BOOST_CHECK(pairs == (Pairs{{1, 2}}));
+  BOOST_CHECK_EQUAL(CGAL::fixed_radius_neighbor_lists(points, within_distance(1.25), np)[0].size(),
+                    0);
+  pairs.clear();
+  CGAL::fixed_radius_near_neighbors(points, points, within_distance(1.5), Pair_collector{pairs},
+                                    np);
+  BOOST_CHECK_EQUAL(pairs.size(), 10);
+}
+
+BOOST_AUTO_TEST_CASE(kernel_of_the_points_says_what_their_type_says)
+{
+  const std::vector<Point> points = {{0, 0}, {3, 4}};
+  Pairs pairs;
+  CGAL::Scene_profile profile;
+  const auto np = CGAL::parameters::geom_traits(Kernel());
+  CGAL::fixed_radius_near_neighbors(points, within_distance(5), Pair_collector{pairs}, profile, np);
+  CGAL::fixed_radius_near_neighbors(with_ids(points), within_distance(5), Pair_collector{pairs},
+                                    np);
+  BOOST_CHECK_EQUAL(pairs.size(), 2);
+  CGAL::thick_feature_self_intersection_d(points, Pair_collector{pairs}, np);
+  BOOST_CHECK_EQUAL(pairs.size(), 2);
+}
