@@ -224,6 +224,21 @@ private:
   Scene_profile profile_;
 };
 
+// Reports the near pairs of points of a kernel, whatever traits are given.
+template <class ConcurrencyTag, class Elements, class Sets, class NT, class Callback,
+          class NamedParameters>
+bool report_near_points(const Elements& points, const Sets& sets, const Distance_bound<NT>& bound,
+                        Callback& callback, const NamedParameters& np)
+{
+  if constexpr(takes_few_points<Elements, NT, Callback>)
+    if(points.size() <= max_few_points)
+      if(const std::optional<bool> is_complete
+         = report_few_near_pairs(points, sets, bound, callback, np))
+        return *is_complete;
+  Near_pairs_search<ConcurrencyTag, Elements> search(points, bound, false);
+  return search.report(sets, callback, np, nullptr);
+}
+
 template <class ConcurrencyTag, class Elements, class Sets, class NT, class Callback,
           class NamedParameters>
 bool report_near_pairs(const Elements& points, const Sets& sets,
@@ -233,15 +248,8 @@ bool report_near_pairs(const Elements& points, const Sets& sets,
   using Point = typename Elements::value_type;
   if constexpr(!Is_point<Point>::value || has_traits_v<Point, NamedParameters>)
     return report_near_objects<ConcurrencyTag>(points, sets, bound, callback, np);
-  else {
-    if constexpr(takes_few_points<Elements, NT, Callback>)
-      if(points.size() <= max_few_points)
-        if(const std::optional<bool> is_complete
-           = report_few_near_pairs(points, sets, bound, callback, np))
-          return *is_complete;
-    Near_pairs_search<ConcurrencyTag, Elements> search(points, bound, false);
-    return search.report(sets, callback, np, nullptr);
-  }
+  else
+    return report_near_points<ConcurrencyTag>(points, sets, bound, callback, np);
 }
 
 // Takes the tier that is forced in `profile`, and sets `profile` to the profile of the scene.
