@@ -50,8 +50,8 @@ struct Object_route<Thick_ball_traits_d<Point>>
       return report_objects<ConcurrencyTag>(balls, sets, traits, callback, np);
     using Exact = Exact_number_t<std::decay_t<decltype(*radius)>>;
     const Exact diameter(Exact(2) * to_exact_number(*radius));
-    return report_near_points<ConcurrencyTag>(Ball_centers<Balls>(balls), sets,
-                                              within_distance(diameter), callback, np);
+    return report_pairs_of_points<ConcurrencyTag>(Ball_centers<Balls>(balls), sets,
+                                                  within_distance(diameter), callback, np);
   }
 };
 

@@ -158,7 +158,7 @@ bool report_pairs_here(const std::vector<Part_points<Carried>>& points, const Se
                        const Distance_bound<NT>& bound, Report& report, const NamedParameters& np)
 {
   const auto search = [&](const auto& elements, const auto& sets) {
-    return report_near_points<ConcurrencyTag>(elements, sets, bound, report, np);
+    return report_pairs_of_points<ConcurrencyTag>(elements, sets, bound, report, np);
   };
   using Elements = Numbered_elements<std::vector<Carried>>;
   if constexpr(Sets::are_two)

@@ -210,8 +210,8 @@ private:
     const Searched_points<Dimension> points(loaded_);
     const auto go_on = [&](double done) { return go_on_(start + share * done); };
     const Part_report<Dimension, Callback> report{points, callback_};
-    return report_near_points<ConcurrencyTag>(points, One_set(), bound_, report,
-                                             parameters::callback(go_on));
+    return report_pairs_of_points<ConcurrencyTag>(points, One_set(), bound_, report,
+                                                  parameters::callback(go_on));
   }
 
   Readable& range_;

@@ -227,8 +227,9 @@ private:
 // Reports the near pairs of points of a kernel, whatever traits are given.
 template <class ConcurrencyTag, class Elements, class Sets, class NT, class Callback,
           class NamedParameters>
-bool report_near_points(const Elements& points, const Sets& sets, const Distance_bound<NT>& bound,
-                        Callback& callback, const NamedParameters& np)
+bool report_pairs_of_points(const Elements& points, const Sets& sets,
+                            const Distance_bound<NT>& bound, Callback& callback,
+                            const NamedParameters& np)
 {
   if constexpr(takes_few_points<Elements, NT, Callback>)
     if(points.size() <= max_few_points)
@@ -249,7 +250,7 @@ bool report_near_pairs(const Elements& points, const Sets& sets,
   if constexpr(!Is_point<Point>::value || has_traits_v<Point, NamedParameters>)
     return report_near_objects<ConcurrencyTag>(points, sets, bound, callback, np);
   else
-    return report_near_points<ConcurrencyTag>(points, sets, bound, callback, np);
+    return report_pairs_of_points<ConcurrencyTag>(points, sets, bound, callback, np);
 }
 
 // Takes the tier that is forced in `profile`, and sets `profile` to the profile of the scene.
