@@ -56,6 +56,7 @@ Panel panel_of(const std::vector<std::vector<Feature>>& files)
   panel.high = {high.x + room, high.y + room};
   panel.x_scale = panel.y_scale = std::min(most_width / (high.x - low.x + 2 * room),
                                            most_height / (high.y - low.y + 2 * room));
+  check_window(panel);
   panel.left = std::max(margin, y_axis_width(panel));
   panel.top = top;
   return panel;

@@ -60,11 +60,9 @@ std::vector<std::string> short_names(const std::vector<std::string>& files)
 Picture::Picture(const Scene& scene, const Options& options, const std::string& distance)
   : scene_(scene), files_(short_names(options.files)),
     caption_("distance " + shortened(distance, longest_distance)), unit_(scene.unit),
-    geographic_(options.geographic), reach_(to_double(options.distance)),
+    geographic_(options.geographic), reach_(reach_of(options)),
     units_per_position_(1), first_size_(scene.first_size.value_or(scene.size()))
 {
-  if(options.squared)
-    reach_ = std::sqrt(reach_);
   if(geographic_) { // lengths are drawn along the surface, in degrees
     reach_ = 2 * std::asin(std::min(1., reach_ / (2 * earth_radius))) / degree;
     units_per_position_ = earth_radius * degree;
@@ -112,6 +110,7 @@ void Picture::place_main_panel()
   main_.high = {high.x + x_room / aspect, high.y + y_room};
   main_.y_scale = std::min(main_width / (width + 2 * x_room), main_height / (height + 2 * y_room));
   main_.x_scale = main_.y_scale * aspect;
+  check_window(main_);
   main_.left = std::max(main_left, y_axis_width(main_));
   main_.top = main_top;
 }

@@ -9,6 +9,8 @@
 
 #include "exact_number.h"
 
+#include <cmath>
+
 namespace near_pairs {
 
 struct Search_options
@@ -19,6 +21,13 @@ struct Search_options
   bool parallel = false;
   bool progress = false;
 };
+
+// The distance, rounded.
+inline double reach_of(const Search_options& options)
+{
+  const double distance = to_double(options.distance);
+  return options.squared ? std::sqrt(distance) : distance;
+}
 
 } // namespace near_pairs
 

@@ -5,6 +5,7 @@
 
 #include "svg.h"
 
+#include "error.h"
 #include "text.h"
 
 #include <algorithm>
@@ -69,6 +70,12 @@ void write_y_axis(std::ostream& svg, const Panel& panel, const std::string& name
 }
 
 } // namespace
+
+void check_window(const Panel& panel)
+{
+  if(!std::isfinite(panel.high.x - panel.low.x) || !std::isfinite(panel.high.y - panel.low.y))
+    throw Error("--picture: the extent of the scene is beyond all doubles");
+}
 
 std::string short_number(double value, int digits)
 {

@@ -38,6 +38,9 @@ struct Panel
   }
 };
 
+// Throws Error if doubles cannot tell how long the sides of the window are.
+void check_window(const Panel& panel);
+
 // A number in the fewest characters that tell it to `digits` digits.
 std::string short_number(double value, int digits = 10);
 
