@@ -47,6 +47,17 @@ void take_mark(std::string& line, const std::string& file)
     line.erase(0, mark.size());
 }
 
+// CR if that is the last letter of the lines at the beginning of a text, and LF otherwise.
+char end_of_lines(const Input& input)
+{
+  std::string begin(1 << 16, '\0');
+  const auto stream = input.open();
+  stream->read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  begin.resize(static_cast<std::size_t>(stream->gcount()));
+  return begin.find('\n') == std::string::npos && begin.find('\r') != std::string::npos ? '\r'
+                                                                                     : '\n';
+}
+
 } // namespace
 
 Input::Input(const std::string& name, bool shows_progress)
@@ -104,17 +115,28 @@ void Input::show_bytes(std::size_t bytes) const
     std::fprintf(stderr, "reading   %3zu %%  \r", 100 * std::min(bytes, size_) / (size_ + 1));
 }
 
+void Input::check_end(std::size_t bytes) const
+{
+  if(size_ != 0 && bytes != size_)
+    throw Error(name_, "has " + std::to_string(bytes) + " bytes, and had " + std::to_string(size_)
+                + " when it was opened");
+}
+
 Lines::Lines(const Input& input)
-  : input_(input), stream_(input.open())
+  : input_(input), stream_(input.open()), end_(end_of_lines(input))
 {}
 
 bool Lines::next(std::string& line)
 {
-  if(!get_line(line))
+  const std::size_t shown = bytes_ >> 20;
+  const bool is_read = get_line(line);
+  if(is_read)
+    bytes_ += line.size() + !stream_->eof();
+  if(stream_->eof()) // perhaps inside of a line
+    input_.check_end(bytes_);
+  if(!is_read)
     return false;
   ++number_;
-  const std::size_t shown = bytes_ >> 20;
-  bytes_ += line.size() + 1;
   if(number_ == 1 || bytes_ >> 20 != shown)
     input_.show_bytes(bytes_);
   if(number_ == 1)
@@ -129,7 +151,7 @@ bool Lines::get_line(std::string& line)
 {
   try {
     stream_->exceptions(std::ios::badbit);
-    const bool is_read = bool(std::getline(*stream_, line));
+    const bool is_read = bool(std::getline(*stream_, line, end_));
     stream_->exceptions(std::ios::goodbit);
     return is_read;
   }
@@ -141,11 +163,13 @@ bool Lines::get_line(std::string& line)
 bool Lines::read_bytes(std::string& bytes, std::size_t count)
 {
   bytes.resize(count);
+  bytes_ += count;
   return bool(stream_->read(bytes.data(), static_cast<std::streamsize>(count)));
 }
 
 bool Lines::skip_bytes(std::size_t count)
 {
+  bytes_ += count;
   stream_->ignore(static_cast<std::streamsize>(count));
   return static_cast<std::size_t>(stream_->gcount()) == count;
 }

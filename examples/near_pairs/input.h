@@ -25,6 +25,10 @@ public:
 
   const std::string& name() const { return name_; }
 
+  // Throws Error unless a stream that ends had so many bytes: another program may cut the file, or
+  // write to it, while it is read.
+  void check_end(std::size_t bytes) const;
+
   // Shows that so many bytes of the stream have been read, if that is wanted.
   void show_bytes(std::size_t bytes) const;
 
@@ -37,7 +41,8 @@ private:
   std::string bytes_; // what can be read only once, if is_kept_
 };
 
-// The lines of an input, with their numbers and without line ends.
+// The lines of an input, with their numbers and without line ends: LF, CR LF, or CR if the
+// beginning of the input has no LF.
 class Lines
 {
 public:
@@ -58,7 +63,8 @@ private:
   const Input& input_;
   std::unique_ptr<std::istream> stream_;
   std::size_t number_ = 0;
-  std::size_t bytes_ = 0; // of the lines, with their ends
+  std::size_t bytes_ = 0; // up to now
+  char end_; // of a line
 };
 
 } // namespace near_pairs

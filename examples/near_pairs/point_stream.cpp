@@ -90,6 +90,9 @@ bool Point_stream::fill()
     throw Error(input_.name(), "cannot be read to its end");
   block_size_ = static_cast<std::size_t>(bytes_->gcount());
   at_ = 0;
+  bytes_read_ += block_size_;
+  if(bytes_->eof())
+    input_.check_end(bytes_read_);
   if(block_size_ % bytes_per_point != 0)
     throw Error(input_.name(), "ends inside a point: three doubles have 24 bytes");
   return block_size_ != 0;

@@ -45,6 +45,7 @@ private:
   std::unique_ptr<std::istream> bytes_; // of binary points
   std::vector<char> block_;
   std::size_t block_size_ = 0;
+  std::size_t bytes_read_ = 0;
   std::size_t at_ = 0;     // in the block
   std::size_t number_ = 0; // of the next point
 };

@@ -1349,6 +1349,13 @@ run nan.bin --distance 1 --memory 1G
 verdict "a NaN" is_one_error "nan.bin: point 1: z is no finite number"
 run <(cat three.bin) --format bin --distance 1 --memory 1G
 verdict "a pipe" is_one_error "--memory is for a regular file"
+awk 'BEGIN { print "x,y"; for(i = 1000000; i < 4000000; ++i) print i ",0" }' > cut.csv
+"$binary" cut.csv --distance 0 --memory 1G > out 2> err &
+sleep 0.1
+truncate -s 1M cut.csv
+wait $!
+status=$?
+verdict "a file that is cut while it is read" is_one_error " bytes, and had 30000004 when it was opened"
 run many.csv --distance 1 --memory "$memory"
 verdict "a crowd beyond the memory" is_one_error "take a larger budget or a smaller bound"
 run many.csv --distance 0.005 --memory "$memory" --scratch no/such/place
