@@ -7,53 +7,15 @@
 
 #include "decimal.h"
 #include "error.h"
-#include "record.h"
 #include "row_numbers.h"
 #include "text.h"
 
 #include <algorithm>
 #include <cctype>
-#include <optional>
 #include <utility>
 
 namespace near_pairs {
 namespace {
-
-std::string lower_case(std::string text)
-{
-  for(char& letter : text)
-    letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  return text;
-}
-
-bool begins_with(const std::string& text, const std::string& prefix)
-{
-  return text.compare(0, prefix.size(), prefix) == 0;
-}
-
-// Whether a word of the text begins with the prefix: "le_latitude_deg" has one that begins with
-// "lat".
-bool has_word(const std::string& text, const std::string& prefix)
-{
-  const auto is_inside_word = [&](std::size_t at) {
-    return at != 0 && std::isalnum(static_cast<unsigned char>(text[at - 1]));
-  };
-  std::size_t at = text.find(prefix);
-  while(at != std::string::npos && is_inside_word(at))
-    at = text.find(prefix, at + 1);
-  return at != std::string::npos;
-}
-
-bool is_latitude(const std::string& name)
-{
-  return has_word(lower_case(name), "lat") || lower_case(name) == "y";
-}
-
-bool is_longitude(const std::string& name)
-{
-  return has_word(lower_case(name), "lon") || has_word(lower_case(name), "lng")
-         || lower_case(name) == "x";
-}
 
 // Whether the bytes may be those of a compressed file, or of a program.
 bool is_no_text(const std::string& bytes)
@@ -78,23 +40,23 @@ std::vector<std::string> in_utf8(std::vector<std::string> names)
   return names;
 }
 
-std::string joined(const std::vector<std::string>& names)
+std::string joined(const std::vector<std::string>& texts)
 {
   std::string list;
-  for(const std::string& name : names)
-    list += (list.empty() ? "" : ", ") + name;
+  for(const std::string& text : texts)
+    list += (list.empty() ? "" : ", ") + text;
   return list;
 }
 
 } // namespace
 
 Csv_reader::Csv_reader(const Input& input, const Read_options& options)
-  : lines_(input), separator_(options.separator), comma_numbers_(options.comma_numbers),
-    skip_missing_(options.skip_missing)
+  : records_(input, options.separator, options.comma_numbers),
+    comma_numbers_(options.comma_numbers), skip_missing_(options.skip_missing)
 {
   is_table = true;
-  if(!next_record(fields_))
-    throw Error(lines_.file(), "is empty");
+  if(!records_.next(fields_))
+    throw Error(records_.file(), "is empty");
   fields_per_row_ = fields_.size();
   is_first_row_ready_ = options.no_header || are_numbers(options.columns);
   if(!is_first_row_ready_)
@@ -105,137 +67,106 @@ Csv_reader::Csv_reader(const Input& input, const Read_options& options)
     choose_columns_by_number(options);
   check_columns_differ();
   dimension = static_cast<int>(columns_.size());
-  if(options.id.empty())
-    has_ids = find_column("id", id_column_);
-  else {
-    id_column_ = named_column(options.id);
-    has_ids = true;
-  }
+  id_column_ = options.id.empty() ? find_column("id") : named_column(options.id);
+  has_ids = id_column_.has_value();
 }
 
-bool Csv_reader::next(Row& row)
-{
-  do {
-    if(!is_first_row_ready_ && !next_record(fields_))
-      return false;
-    is_first_row_ready_ = false;
-    check_fields();
-    row.position = rows_++;
-    row.line = first_line_;
-  } while(skip_missing_ && is_coordinate_missing() && ++skipped);
-  for(int axis = 0; axis < dimension; ++axis)
-    row.coordinates[axis] = number_text(axis);
-  if(has_ids)
-    row.id = fields_[id_column_];
-  return true;
-}
+// ---- columns ------------------------------------------------------------------------------------
 
-void Csv_reader::check_fields() const
+Error Csv_reader::error(const std::string& what) const
 {
-  if(fields_.size() != fields_per_row_)
-    throw Error(lines_.file(), first_line_, plural(fields_.size(), "field") + ", but the "
-                + (header_.empty() ? "first row" : "header") + " has "
-                + std::to_string(fields_per_row_));
-}
-
-bool Csv_reader::is_coordinate_missing() const
-{
-  return std::any_of(columns_.begin(), columns_.end(),
-                     [&](std::size_t column) { return is_missing(fields_[column]); });
-}
-
-// A coordinate of the row in hand, with the decimal point that all formats have.
-std::string Csv_reader::number_text(int axis) const
-{
-  std::string text = fields_[columns_[axis]];
-  if(!comma_numbers_)
-    return text;
-  if(text.find('.') != std::string::npos && parse_decimal(text))
-    throw Error(lines_.file(), first_line_, names[axis] + ": '" + text + "' has a point, and "
-                "--comma-numbers is for commas");
-  if(has_decimal_comma(text))
-    text[text.find(',')] = '.';
-  return text;
-}
-
-// Reads the next record; a line end inside quotes is part of it.
-bool Csv_reader::next_record(std::vector<std::string>& fields)
-{
-  std::string record;
-  if(!next_text(record))
-    return false;
-  first_line_ = lines_.number();
-  // Each line is looked at once, so that a stray quote costs no more than any other letter.
-  bool is_open = has_odd_quotes(record);
-  for(std::string line; is_open; is_open ^= has_odd_quotes(line)) {
-    if(!lines_.next(line))
-      throw Error(lines_.file(), first_line_, "a quote is not closed");
-    record.append(1, '\n').append(line);
-  }
-  if(separator_ == 0)
-    separator_ = found_separator(record, comma_numbers_ ? "\t;" : "\t;,");
-  if(!split_record(record, separator_, fields))
-    throw Error(lines_.file(), first_line_, "a quoted field does not end at a separator");
-  return true;
-}
-
-// Reads the next line that is neither blank nor a comment.
-bool Csv_reader::next_text(std::string& record)
-{
-  comment_.clear();
-  while(lines_.next(record)) {
-    const std::string_view text = trimmed(record);
-    if(!text.empty() && text.front() != '#')
-      return true;
-    comment_ = text.empty() ? text : text.substr(1);
-  }
-  return false;
-}
-
-// Whether the first record has numbers in all columns, or in those wanted if they are given by
-// number.
-bool Csv_reader::are_numbers(const std::vector<std::string>& wanted) const
-{
-  const auto is_number = [&](const std::string& field) {
-    return parse_decimal(field) || (comma_numbers_ && has_decimal_comma(field));
-  };
-  if(wanted.empty())
-    return std::all_of(fields_.begin(), fields_.end(), is_number);
-  return std::all_of(wanted.begin(), wanted.end(), [&](const std::string& name) {
-    const std::optional<std::size_t> column = numbered_column(name, fields_.size());
-    return column && is_number(fields_[*column]);
-  });
-}
-
-bool Csv_reader::has_header_in_comment(const Read_options& options)
-{
-  if(options.no_header || !options.columns.empty() ||
-     !split_record(std::string(trimmed(comment_)), separator_, header_) ||
-     header_.size() != fields_per_row_ || !find_usual_columns(options))
-    header_.clear();
-  header_ = in_utf8(header_);
-  columns_.clear();
-  return !header_.empty();
+  return Error(records_.file(), records_.line(), what);
 }
 
 void Csv_reader::choose_columns(const Read_options& options)
 {
   for(const std::string& name : options.columns)
     columns_.push_back(named_column(name));
-  if(columns_.empty() && !find_usual_columns(options)) {
+  if(columns_.empty() && !take_guess(options)) {
     if(std::any_of(header_.begin(), header_.end(), is_no_text))
-      throw Error(lines_.file(), first_line_, "is no text, so it is no table");
-    const std::string wanted = options.geographic ? "lat* and lon*"
-                             : options.dimension == 3 ? "x, y, z" : "x, y or lat*, lon*";
+      throw error("is no text, so it is no table");
+    const std::string wanted = options.geographic ? "lat and lon"
+                             : options.dimension == 3 ? "x, y, z" : "x, y or lat, lon";
     const bool has_number = std::any_of(header_.begin(), header_.end(), parse_decimal);
-    throw Error(lines_.file(), first_line_, "no columns " + wanted + "; choose with --columns "
-                "among " + joined(header_)
+    throw error("no columns " + wanted + "; choose with --columns among " + joined(header_)
                 + (has_number ? ", and with --no-header if this is a point" : ""));
   }
   if(options.geographic)
     put_latitude_first();
   for(std::size_t axis = 0; axis < columns_.size(); ++axis)
     names[axis] = header_[columns_[axis]];
+  are_guessed = options.columns.empty();
+}
+
+// Without a header, the columns that are not given are the first two or three, if the file has no
+// others.
+void Csv_reader::choose_columns_by_number(const Read_options& options)
+{
+  for(const std::string& name : options.columns)
+    columns_.push_back(named_column(name));
+  if(options.geographic) {
+    names = {"latitude", "longitude", ""};
+    latitude_axis = 0;
+  }
+  if(!columns_.empty())
+    return;
+  const std::size_t wanted = options.dimension == 0 ? fields_per_row_ : options.dimension;
+  if(options.geographic || wanted < 2 || wanted > 3 || wanted > fields_per_row_)
+    throw error("no header, and " + plural(fields_per_row_, "field")
+                + "; choose the coordinates with --columns, by number from 1"
+                + (options.geographic ? ", the latitude first" : ""));
+  for(std::size_t column = 0; column < wanted; ++column)
+    columns_.push_back(column);
+}
+
+Column_guess Csv_reader::guess_in_header(const Read_options& options) const
+{
+  return guess_columns(header_, options.geographic, options.geographic ? 2 : options.dimension);
+}
+
+// Takes the columns that the names in the header tell; returns false if they do not tell.
+bool Csv_reader::take_guess(const Read_options& options)
+{
+  const Column_guess guess = guess_in_header(options);
+  if(!guess.rivals.empty()) {
+    std::vector<std::string> rivals;
+    for(std::size_t column : guess.rivals)
+      rivals.push_back(header_[column] + " (" + std::to_string(column + 1) + ")");
+    throw error("several columns may be the coordinates: " + joined(rivals)
+                + "; choose with --columns, by name or by number");
+  }
+  columns_ = guess.columns;
+  if(guess.are_degrees) {
+    unit = "deg";
+    latitude_axis = 1;
+  }
+  return !columns_.empty();
+}
+
+bool Csv_reader::has_header_in_comment(const Read_options& options)
+{
+  if(options.no_header || !options.columns.empty())
+    return false;
+  header_ = in_utf8(records_.fields_of(records_.comment()));
+  const bool is_header
+    = header_.size() == fields_per_row_ && !guess_in_header(options).columns.empty();
+  if(!is_header)
+    header_.clear();
+  return is_header;
+}
+
+// Whether the first record has numbers in all columns, or in those wanted if they are given by
+// number.
+bool Csv_reader::are_numbers(const std::vector<std::string>& wanted) const
+{
+  const auto is_number
+    = [&](const std::string& field) { return parse_decimal(number_text(field)).has_value(); };
+  if(wanted.empty())
+    return std::all_of(fields_.begin(), fields_.end(), is_number);
+  return std::all_of(wanted.begin(), wanted.end(), [&](const std::string& name) {
+    const std::optional<std::size_t> column = numbered_column(name, fields_.size());
+    return column && is_number(fields_[*column]);
+  });
 }
 
 // The names of two columns may tell which is the longitude, though it was given first.
@@ -245,114 +176,157 @@ void Csv_reader::put_latitude_first()
   const std::string& second = header_[columns_[1]];
   if((is_longitude(first) && !is_longitude(second)) || (is_latitude(second) && !is_latitude(first)))
     std::swap(columns_[0], columns_[1]);
+  latitude_axis = 0;
 }
 
 void Csv_reader::check_columns_differ() const
 {
   for(auto column = columns_.begin(); column != columns_.end(); ++column)
     if(std::find(columns_.begin(), column, *column) != column)
-      throw Error(lines_.file(), first_line_, "--columns takes column "
-                  + std::to_string(*column + 1) + " twice");
+      throw error("--columns takes column " + std::to_string(*column + 1) + " twice");
 }
 
-// Without a header, the columns that are not given are the first two or three, if the file has no
-// others.
-void Csv_reader::choose_columns_by_number(const Read_options& options)
+// Case matters only if nothing else tells two columns apart.
+std::optional<std::size_t> Csv_reader::find_column(const std::string& name) const
 {
-  for(const std::string& name : options.columns)
-    columns_.push_back(named_column(name));
-  if(options.geographic)
-    names = {"latitude", "longitude", ""};
-  if(!columns_.empty())
-    return;
-  const std::size_t wanted = options.dimension == 0 ? fields_per_row_ : options.dimension;
-  if(options.geographic || wanted < 2 || wanted > 3 || wanted > fields_per_row_)
-    throw Error(lines_.file(), first_line_, "no header, and " + plural(fields_per_row_, "field")
-                + "; choose the coordinates with --columns, by number from 1"
-                + (options.geographic ? ", the latitude first" : ""));
-  for(std::size_t column = 0; column < wanted; ++column)
-    columns_.push_back(column);
-}
-
-bool Csv_reader::find_usual_columns(const Read_options& options)
-{
-  return options.geographic ? find_degree_columns(true)
-                            : find_plane_columns(options.dimension) ||
-                              (options.dimension != 3 && find_degree_columns(false));
+  const auto find = [&](auto is_wanted) -> std::optional<std::size_t> {
+    const auto first = std::find_if(header_.begin(), header_.end(), is_wanted);
+    if(first == header_.end())
+      return std::nullopt;
+    const auto second = std::find_if(first + 1, header_.end(), is_wanted);
+    if(second != header_.end())
+      throw error("columns " + std::to_string(first - header_.begin() + 1) + " and "
+                  + std::to_string(second - header_.begin() + 1) + " are both named " + *second
+                  + "; choose one by its number");
+    return first - header_.begin();
+  };
+  const std::string wanted = utf8(name), in_lower_case = lower_case(wanted);
+  const auto exact = find([&](const std::string& other) { return other == wanted; });
+  return exact ? exact : find([&](const std::string& other) {
+    return lower_case(other) == in_lower_case;
+  });
 }
 
 std::size_t Csv_reader::named_column(const std::string& name) const
 {
-  std::size_t column = 0;
-  if(find_column(name, column))
-    return column;
+  if(const std::optional<std::size_t> column = find_column(name))
+    return *column;
   if(const std::optional<std::size_t> number = numbered_column(name, fields_per_row_))
     return *number;
-  throw Error(lines_.file(), first_line_, "no column '" + name + "' among "
+  throw error("no column '" + name + "' among "
               + (header_.empty() ? "1 to " + std::to_string(fields_per_row_) + ", without a header"
                                  : joined(header_)));
 }
 
-// Case matters only if nothing else tells two columns apart.
-bool Csv_reader::find_column(const std::string& name, std::size_t& column) const
-{
-  const std::string wanted = utf8(name);
-  const auto is_exact = [&](const std::string& other) { return other == wanted; };
-  const auto is_it = [&](const std::string& other) {
-    return lower_case(other) == lower_case(wanted);
-  };
-  const auto find = [&](auto is_wanted) {
-    const auto first = std::find_if(header_.begin(), header_.end(), is_wanted);
-    const auto second = first == header_.end() ? first : std::find_if(first + 1, header_.end(),
-                                                                      is_wanted);
-    if(second != header_.end())
-      throw Error(lines_.file(), first_line_, "columns "
-                  + std::to_string(first - header_.begin() + 1) + " and "
-                  + std::to_string(second - header_.begin() + 1) + " are both named " + *second
-                  + "; choose one by its number");
-    column = first - header_.begin();
-    return first != header_.end();
-  };
-  return find(is_exact) || find(is_it);
-}
+// ---- rows ---------------------------------------------------------------------------------------
 
-bool Csv_reader::find_column_where(bool (*is_it)(const std::string&, const std::string&),
-                                   const std::string& prefix, std::size_t& column) const
+bool Csv_reader::next(Row& row)
 {
-  const auto is_this = [&](const std::string& name) { return is_it(lower_case(name), prefix); };
-  const auto first = std::find_if(header_.begin(), header_.end(), is_this);
-  return first != header_.end() && find_column(*first, column);
-}
-
-// Takes x, y and, if it exists and is wanted (0: yes), z.
-bool Csv_reader::find_plane_columns(int wanted)
-{
-  std::size_t x = 0, y = 0, z = 0;
-  if(!find_column("x", x) || !find_column("y", y))
-    return false;
-  columns_ = {x, y};
-  if(wanted != 2 && find_column("z", z))
-    columns_.push_back(z);
-  return wanted != 3 || columns_.size() == 3;
-}
-
-// Names that begin with the prefixes come before names that have them later. In the plane,
-// longitude comes first: it is the one that runs to the right.
-bool Csv_reader::find_degree_columns(bool latitude_first)
-{
-  std::size_t latitude = 0, longitude = 0;
-  const auto find = [&](auto is_it) {
-    return find_column_where(is_it, "lat", latitude)
-           && (find_column_where(is_it, "lon", longitude)
-               || find_column_where(is_it, "lng", longitude));
-  };
-  if((!find(begins_with) && !find(has_word)) || latitude == longitude)
-    return false;
-  columns_ = {latitude, longitude};
-  if(!latitude_first)
-    std::swap(columns_[0], columns_[1]);
-  unit = "deg";
+  do {
+    if(!next_row())
+      return false;
+    row.position = rows_++;
+    row.line = records_.line();
+  } while(skip_missing_ && is_coordinate_missing() && ++skipped);
+  for(int axis = 0; axis < dimension; ++axis)
+    row.coordinates[axis] = coordinate(axis);
+  if(id_column_)
+    row.id = fields_[*id_column_];
   return true;
+}
+
+// Reads the next row. Empty rows count if another one follows: spreadsheets write them behind
+// tables.
+bool Csv_reader::next_row()
+{
+  std::size_t empty_rows = 0, first_empty_line = 0;
+  while(next_record()) {
+    check_fields();
+    const bool is_empty = std::all_of(fields_.begin(), fields_.end(),
+                                      [](const std::string& field) { return field.empty(); });
+    if(is_empty && empty_rows++ == 0)
+      first_empty_line = records_.line();
+    if(is_empty)
+      continue;
+    if(empty_rows != 0 && !skip_missing_)
+      throw Error(records_.file(), first_empty_line, "the row is empty; --skip-missing leaves such "
+                  "rows out");
+    rows_ += empty_rows;
+    skipped += empty_rows;
+    return true;
+  }
+  return false;
+}
+
+bool Csv_reader::next_record()
+{
+  if(std::exchange(is_first_row_ready_, false))
+    return true;
+  do
+    if(!records_.next(fields_))
+      return false;
+  while(records_.begins_with_hash() && is_comment());
+  return true;
+}
+
+// Inside a table, what begins with # may be a name. It is none where a number is to stand, or if it
+// is not one of as many fields as rows have.
+bool Csv_reader::is_comment() const
+{
+  return fields_.size() != fields_per_row_ || (records_.has_blanks_between() && fields_[0] == "#")
+         || std::count(columns_.begin(), columns_.end(), 0u) != 0;
+}
+
+// Some programs end all rows with a separator, but not the header.
+void Csv_reader::check_fields()
+{
+  if(rows_ == 0 && fields_.size() == header_.size() + 1 && fields_.back().empty())
+    ++fields_per_row_;
+  if(fields_.size() != fields_per_row_)
+    throw error(plural(fields_.size(), "field") + ", but the "
+                + (fields_per_row_ == header_.size() ? "header" : "first row") + " has "
+                + std::to_string(fields_per_row_));
+}
+
+// A latitude of 91 says that there is none, in messages of ships (ITU-R M.1371).
+bool Csv_reader::is_coordinate_missing() const
+{
+  if(latitude_axis != -1) {
+    const auto latitude = parse_decimal(number_text(fields_[columns_[latitude_axis]]));
+    if(latitude && latitude->digits == "91" && latitude->exponent == 0 && !latitude->negative)
+      return true;
+  }
+  return std::any_of(columns_.begin(), columns_.end(),
+                     [&](std::size_t column) { return is_missing(fields_[column]); });
+}
+
+// The text of a number as all formats have it, with a point, a minus of ASCII, and no D before an
+// exponent; of what is no number, the text as it is.
+std::string Csv_reader::number_text(const std::string& field) const
+{
+  const auto is_usual = [](char letter) {
+    return (letter >= '0' && letter <= '9') || letter == '.' || letter == '-' || letter == 'e';
+  };
+  if(std::all_of(field.begin(), field.end(), is_usual)) // nearly always
+    return field;
+  const std::string text(trimmed(field)); // there may be blanks inside quotes
+  const std::string minus = "\u2212";
+  std::string number = text;
+  for(std::size_t at = 0; (at = number.find(minus, at)) != std::string::npos; )
+    number.replace(at, minus.size(), "-");
+  std::replace(number.begin(), number.end(), 'D', 'e');
+  std::replace(number.begin(), number.end(), 'd', 'e');
+  if(comma_numbers_ && number.find('.') == std::string::npos)
+    std::replace(number.begin(), number.end(), ',', '.');
+  return parse_decimal(number) ? number : text;
+}
+
+std::string Csv_reader::coordinate(int axis) const
+{
+  const std::string& field = fields_[columns_[axis]];
+  if(comma_numbers_ && field.find('.') != std::string::npos && parse_decimal(number_text(field)))
+    throw error(names[axis] + ": '" + field + "' has a point, and --comma-numbers is for commas");
+  return number_text(field);
 }
 
 } // namespace near_pairs

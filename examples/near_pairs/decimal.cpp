@@ -34,7 +34,7 @@ bool take_sign(std::string_view& text)
   return negative;
 }
 
-// Reads what follows the "e"; a value beyond 6 digits is out of range anyway.
+// Reads what follows the "e"; a value beyond 9 digits is out of range anyway.
 std::optional<int> parse_exponent(std::string_view text)
 {
   const bool negative = take_sign(text);
@@ -42,11 +42,13 @@ std::optional<int> parse_exponent(std::string_view text)
   if(take_digits(text, digits) == 0 || !text.empty())
     return std::nullopt;
   digits.erase(0, digits.find_first_not_of('0'));
-  if(digits.size() > 6)
+  if(digits.size() > 9)
     return std::nullopt;
   const int value = std::atoi(digits.c_str());
   return negative ? -value : value;
 }
+
+constexpr std::int64_t most_decimals = 1000000000; // so that exponents are integers
 
 // Strips the zeros at both ends of the digits, so that the number has one form only. Returns
 // nothing if the exponent is out of range.
@@ -56,10 +58,11 @@ std::optional<Decimal> normalized(bool negative, std::string digits, std::int64_
   if(last == std::string::npos)
     return Decimal();
   exponent += static_cast<std::int64_t>(digits.size() - 1 - last);
-  if(exponent < -largest_exponent || exponent > largest_exponent)
-    return std::nullopt;
   digits.erase(last + 1);
   digits.erase(0, digits.find_first_not_of('0'));
+  const std::int64_t of_first = exponent + static_cast<std::int64_t>(digits.size()) - 1;
+  if(of_first < -largest_exponent || of_first > largest_exponent || exponent < -most_decimals)
+    return std::nullopt;
   return Decimal{negative, std::move(digits), static_cast<int>(exponent)};
 }
 

@@ -23,8 +23,9 @@ struct Decimal
   int exponent = 0;
 };
 
-// Exponents of Decimal stay within +- this bound, which is far outside the range of double. It
-// keeps "1e999999999" from asking for a gigabyte of zeros.
+// The first digit of a Decimal, and each zero behind the last one, stand for at most this power of
+// ten, and for at least its inverse, which is far outside the range of double. It keeps
+// "1e999999999" from asking for a gigabyte of zeros.
 constexpr int largest_exponent = 1000;
 
 // Reads [+-]digits[.digits][e[+-]digits], where one side of the point may be missing.

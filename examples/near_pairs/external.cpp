@@ -46,6 +46,7 @@ void check_input(const std::string& name)
 void print_summary(std::ostream& out, const Options& options, const External_result& result)
 {
   print_name(out, "points") << result.points << '\n';
+  print_guessed(out, {result.guessed});
   print_name(out, "pairs") << result.pairs << '\n';
   print_name(out, "distance")
     << distance_in_words(options, options.geographic ? "m" : "") << '\n';

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <string>
 
 namespace near_pairs {
 
@@ -18,6 +19,7 @@ struct External_result
 {
   std::uint64_t points = 0;
   std::uint64_t pairs = 0;
+  std::string guessed; // the columns of a table, if names told them
   double seconds = 0; // from reading the file to the last pair
 };
 

@@ -26,7 +26,7 @@ std::vector<Feature> read_points(const Input& input, const Read_options& options
   for(Row row; reader->next(row); ) {
     const Place place = {input, *reader, row};
     Feature point;
-    point.lines = {{{read_double(place, 0), read_double(place, 1)}}};
+    point.lines = {{{read_number(place, 0).value, read_number(place, 1).value}}};
     point.id = row.id;
     features.push_back(std::move(point));
   }

@@ -112,11 +112,13 @@ std::string of_each_file(const Files& files, Value value)
   return files.size() == 1 ? first : first + " and " + std::to_string(value(1));
 }
 
-void print_summary(std::ostream& out, const Files& files, const Options& options,
+void print_summary(std::ostream& out, const Files& files,
+                   const std::vector<std::string>& guessed, const Options& options,
                    const In_pairs& in_pairs, std::size_t pairs, double seconds)
 {
   print_name(out, "features")
     << of_each_file(files, [&](std::size_t file) { return files[file].size(); }) << '\n';
+  print_guessed(out, guessed);
   print_name(out, "pairs") << pairs << '\n';
   const auto count_in_pairs = [&](std::size_t file) {
     return std::count(in_pairs()[file].begin(), in_pairs()[file].end(), true);
@@ -141,9 +143,14 @@ void run_features(const Options& options)
 {
   refuse_options_for_points(options);
   Files files;
-  for(std::size_t file = 0; file < options.files.size(); ++file)
-    files.push_back(read_features(Input(options.files[file], options.progress),
-                                  options.readings[file]));
+  std::vector<std::string> guessed;
+  for(std::size_t file = 0; file < options.files.size(); ++file) {
+    const Input input(options.files[file], options.progress);
+    const Read_options& reading = options.readings[file];
+    files.push_back(read_features(input, reading));
+    if(!has_features(input.name(), reading))
+      guessed.push_back(guessed_columns(*open_rows(input, reading)));
+  }
   catch_signals();
   const std::unique_ptr<Output_file> table_file = open_output(options.pairs, options.files);
   const std::unique_ptr<Output_file> picture_file = open_output(options.picture, options.files);
@@ -168,7 +175,7 @@ void run_features(const Options& options)
     if(file)
       file->commit();
   std::ostream& out = options.pairs == "-" || options.picture == "-" ? std::cerr : std::cout;
-  print_summary(out, files, options, in_pairs, pairs, seconds.count());
+  print_summary(out, files, guessed, options, in_pairs, pairs, seconds.count());
   finish(out, "the summary");
 }
 

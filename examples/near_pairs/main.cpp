@@ -57,6 +57,7 @@ void print_points(std::ostream& out, const Scene& scene)
   if(scene.first_size)
     out << *scene.first_size << " and ";
   out << scene.size() - scene.first_size.value_or(0) << '\n';
+  print_guessed(out, scene.guessed);
   if(scene.rows.empty())
     return;
   print_name(out, "skipped") << scene.skipped.front();

@@ -67,13 +67,13 @@ void add_reading_options(po::options_description& all, Options& options)
      "of a table; also tab, blanks (default: found)")
     ("no-header", po::bool_switch(&options.no_header), "the first row of a table is a point")
     ("columns", po::value<Texts>()->value_name("A,B[,C]"),
-     "names or numbers (default: x,y[,z] or lat*,lon*) (1)")
+     "names or numbers (default: x,y[,z] or lat,lon) (1)")
     ("id", po::value<Texts>()->value_name("COLUMN"),
      "names the points (default: id) (1)")
     ("comma-numbers", po::bool_switch(&options.comma_numbers),
      "numbers in a table have a comma, as 3,14")
     ("skip-missing", po::bool_switch(&options.skip_missing),
-     "leave out rows with an empty or NA coordinate")
+     "leave out rows without coordinates: empty, NA, 91 N")
     ("dimension", po::value<int>(&options.dimension)->value_name("2|3"),
      "use so many coordinates (default: all)")
     ("geographic", po::bool_switch(&options.geographic),

@@ -64,7 +64,7 @@ private:
       const auto reader = open_rows(input, options_.readings[file]);
       for(Row row; reader->next(row); )
         for(int axis = 0; axis < reader->dimension; ++axis)
-          scale = std::max(scale, -read_decimal({input, *reader, row}, axis).exponent);
+          scale = std::max(scale, -read_number({input, *reader, row}, axis).decimal.exponent);
     }
     return scale;
   }
@@ -93,6 +93,7 @@ private:
       }
     }
     scene_.skipped.push_back(reader->skipped);
+    scene_.guessed.push_back(guessed_columns(*reader));
     if(options_.is_periodic && !options_.cell)
       take_cell(input, *reader);
   }
@@ -159,9 +160,10 @@ private:
   void add_double(const Place& place, int axis)
   {
     const std::size_t short_digits = 15; // more of them may be a double that was printed
-    const Decimal decimal = read_decimal(place, axis);
-    scene_.doubles.push_back(finite_double(place, axis));
-    scene_.has_short_decimals |= decimal.exponent < 0 && decimal.digits.size() <= short_digits;
+    const Number number = read_number(place, axis);
+    scene_.doubles.push_back(number.value);
+    scene_.has_short_decimals
+      |= number.decimal.exponent < 0 && number.decimal.digits.size() <= short_digits;
   }
 
   void add_on_sphere(const Place& place)
@@ -172,13 +174,12 @@ private:
 
   void add_decimal(const Place& place, int axis)
   {
-    const Decimal decimal = read_decimal(place, axis);
+    const Decimal decimal = read_number(place, axis).decimal;
     const std::optional<double> value = scaled_to_double(decimal, scene_.scale);
     if(scene_.exact.empty() && value) {
       scene_.doubles.push_back(*value);
       return;
     }
-    finite_double(place, axis); // the search of numbers that no double encloses takes all pairs
     if(options_.kernel != "exact")
       throw Error(place.input.name(), place.row.line, "--decimal: " + place.row.coordinates[axis]
                   + " times 10^" + std::to_string(scene_.scale)

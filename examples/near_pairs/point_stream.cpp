@@ -62,7 +62,7 @@ bool Point_stream::next_row(std::array<double, 3>& point)
   else {
     point = {0, 0, 0};
     for(int axis = 0; axis < dimension_; ++axis)
-      point[axis] = read_double(place, axis);
+      point[axis] = read_number(place, axis).value;
   }
   return true;
 }

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <istream>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace near_pairs {
@@ -29,6 +30,9 @@ public:
   bool next(std::array<double, 3>& point);
 
   int dimension() const { return dimension_; }
+
+  // The columns that were guessed, for a summary.
+  std::string guessed() const { return reader_ ? guessed_columns(*reader_) : ""; }
 
 private:
   bool next_row(std::array<double, 3>& point);

@@ -7,51 +7,75 @@
 
 #include "error.h"
 #include "scene.h"
+#include "text.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <initializer_list>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace near_pairs {
 namespace {
 
-// Says what is wrong with coordinate `axis` of a row.
-Error bad_coordinate(const Place& place, int axis)
+// Whether commas part the thousands of a number, as in 1,234,567.8 or 1,234.
+bool has_thousands(std::string text)
 {
-  const std::string name = place.reader.names[axis];
-  const std::string& text = place.row.coordinates[axis];
-  const bool has_comma = has_decimal_comma(text);
-  const std::string what = text.empty() ? name + " is empty" : name + ": '" + text + "'"
-    + (has_comma ? " has a comma in the place of the decimal point" : " is no finite number");
-  const std::string advice = !place.reader.is_table ? ""
-    : has_comma ? "; --comma-numbers takes it"
-    : is_missing(text) ? "; --skip-missing leaves such rows out" : "";
-  return Error(place.input.name(), place.row.line, what + advice);
+  const std::size_t first = text.find(',');
+  for(std::size_t comma; (comma = text.find(',')) != std::string::npos; text.erase(comma, 1)) {
+    const std::size_t end = text.find_first_not_of("0123456789", comma + 1);
+    if(std::min(end, text.size()) != comma + 4)
+      return false;
+  }
+  return first != std::string::npos && parse_decimal(text).has_value();
 }
 
-// Reads degrees of at most so many in both directions.
-double read_degrees(const Place& place, int axis, const char* what, int most)
+// What is wrong with the text of a coordinate, and what to do.
+std::string fault_of(const std::string& text, bool is_table)
 {
-  const double degrees = read_double(place, axis);
+  const std::string word = text.empty() ? " is empty" : ": '" + text + "'";
+  if(has_thousands(text))
+    return word + " has a comma between thousands"
+           + (is_table && has_decimal_comma(text)
+                ? ", or in the place of the decimal point, where --comma-numbers takes it" : "");
+  if(has_decimal_comma(text))
+    return word + " has a comma in the place of the decimal point"
+           + (is_table ? "; --comma-numbers takes it" : "");
+  return word + (text.empty() ? "" : " is no finite number")
+         + (is_table && is_missing(text) ? "; --skip-missing leaves such rows out" : "");
+}
+
+Error bad_coordinate(const Place& place, int axis, const std::string& fault)
+{
+  return Error(place.input.name(), place.row.line, place.reader.names[axis] + fault);
+}
+
+// Checks one of the degrees of a row.
+void check_degrees(const Place& place, int axis, double degrees)
+{
+  const bool is_latitude = axis == place.reader.latitude_axis;
+  const int most = is_latitude ? 90 : 360;
   if(std::abs(degrees) <= most)
-    return degrees;
+    return;
+  const std::string& text = place.row.coordinates[axis];
   const std::string range = std::to_string(most);
-  throw Error(place.input.name(), place.row.line, place.reader.names[axis] + ": " + what + " "
-              + place.row.coordinates[axis] + " is outside [-" + range + ", " + range + "]");
+  throw bad_coordinate(place, axis, (is_latitude ? ": latitude " : ": longitude ") + text
+                       + " is outside [-" + range + ", " + range + "]"
+                       + (is_latitude && degrees == 91 ? "; --skip-missing leaves such rows out"
+                          : place.reader.latitude_axis == 1 ? "; --columns takes any numbers"
+                                                            : ""));
 }
 
 } // namespace
 
 bool is_missing(const std::string& text)
 {
-  std::string letters;
-  for(char letter : text)
-    letters += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  const std::initializer_list<const char*> names = {"", "na", "n/a", "#n/a", "nan", "null", "none"};
-  return std::find(names.begin(), names.end(), letters) != names.end();
+  const std::string word = lower_case(std::string(trimmed(text)));
+  const std::initializer_list<const char*> words
+    = {"", "na", "n/a", "#n/a", "<na>", "nan", "null", "(null)", "\\n", "none", "nil", "-", "--",
+       ".", "?"};
+  return std::find(words.begin(), words.end(), word) != words.end();
 }
 
 bool has_decimal_comma(const std::string& text)
@@ -61,33 +85,23 @@ bool has_decimal_comma(const std::string& text)
          && parse_decimal(std::string(text).replace(comma, 1, 1, '.')).has_value();
 }
 
-Decimal read_decimal(const Place& place, int axis)
+Number read_number(const Place& place, int axis)
 {
-  const std::optional<Decimal> decimal = parse_decimal(place.row.coordinates[axis]);
-  if(!decimal)
-    throw bad_coordinate(place, axis);
-  return *decimal;
-}
-
-double finite_double(const Place& place, int axis)
-{
-  const double value = nearest_double(place.row.coordinates[axis]);
-  if(!std::isfinite(value))
-    throw bad_coordinate(place, axis);
-  return value;
-}
-
-double read_double(const Place& place, int axis)
-{
-  read_decimal(place, axis);
-  return finite_double(place, axis);
+  const std::string& text = place.row.coordinates[axis];
+  std::optional<Decimal> decimal = parse_decimal(text);
+  const double value = decimal ? nearest_double(text) : 0;
+  if(!decimal || !std::isfinite(value))
+    throw bad_coordinate(place, axis, fault_of(text, place.reader.is_table));
+  if(place.reader.latitude_axis != -1 && axis < 2)
+    check_degrees(place, axis, value);
+  return {std::move(*decimal), value};
 }
 
 std::array<double, 3> place_on_sphere(const Place& place)
 {
   const double radian = std::acos(-1.) / 180;
-  const double latitude = read_degrees(place, 0, "latitude", 90);
-  const double longitude = read_degrees(place, 1, "longitude", 360);
+  const double latitude = read_number(place, 0).value;
+  const double longitude = read_number(place, 1).value;
   const double ring = earth_radius * std::cos(latitude * radian);
   return {ring * std::cos(longitude * radian), ring * std::sin(longitude * radian),
           earth_radius * std::sin(latitude * radian)};

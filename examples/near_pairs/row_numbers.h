@@ -22,20 +22,23 @@ struct Place
   const Row& row;
 };
 
-// Whether the text of a number says that there is none: it is empty, NA, NaN, null or the like.
+// Whether the text of a number says that there is none: it is empty, NA, NaN, null, - or the like.
 bool is_missing(const std::string& text);
 
 // Whether the text is a number with a comma in the place of the decimal point.
 bool has_decimal_comma(const std::string& text);
 
-// A coordinate of a row. They throw Error if it is no finite number.
-Decimal read_decimal(const Place& place, int axis);
-double read_double(const Place& place, int axis);
+// A coordinate of a row, as it is written and as the nearest double, which is finite.
+struct Number
+{
+  Decimal decimal;
+  double value;
+};
 
-// Of a coordinate that is a decimal.
-double finite_double(const Place& place, int axis);
+// Throws Error if the text is no finite number, or if it is no degree where degrees are to be.
+Number read_number(const Place& place, int axis);
 
-// The place in space that latitude and longitude name. Throws Error if they name none.
+// The place in space that latitude and longitude name. Throws Error if they are none.
 std::array<double, 3> place_on_sphere(const Place& place);
 
 } // namespace near_pairs

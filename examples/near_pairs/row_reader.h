@@ -46,14 +46,21 @@ public:
   std::array<std::string, 3> names = {"x", "y", "z"};
   std::string unit;
 
+  // If the coordinates are degrees, the axis of the latitude, and otherwise -1.
+  int latitude_axis = -1;
+
   bool has_ids = false;
   bool is_table = false;
+  bool are_guessed = false; // the columns of a table, by their names
   std::size_t skipped = 0; // rows that were left out, up to now
 };
 
 // Reads the input by options.format or, if that is empty, by its extension.
 // With --geographic the coordinates of a row are latitude and longitude, in this order.
 std::unique_ptr<Row_reader> open_rows(const Input& input, const Read_options& options);
+
+// The names of the columns that were guessed, for a summary, or an empty text.
+std::string guessed_columns(const Row_reader& reader);
 
 // The format that a file is read by: an extension, without its point.
 std::string format_of(const std::string& file, const Read_options& options);

@@ -45,6 +45,9 @@ struct Scene
   // Whether doubles hold decimals of few digits, perhaps rounded: --decimal would not round them.
   bool has_short_decimals = false;
 
+  // The columns of each file that were guessed by their names, for the summary; none: empty.
+  std::vector<std::string> guessed;
+
   std::size_t size() const;
 
   // Of a point among the rows of its file.

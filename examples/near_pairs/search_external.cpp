@@ -138,6 +138,7 @@ External_result search_external(const Options& options, std::size_t bytes,
     = options.scratch.empty() ? CGAL::Memory_budget(bytes)
                               : CGAL::Memory_budget(bytes, options.scratch);
   External_result result;
+  result.guessed = Point_stream(input, options.readings.front()).guessed();
   const Streamed_points points(input, options.readings.front(), result.points);
   const auto start = std::chrono::steady_clock::now();
 #ifdef CGAL_LINKED_WITH_TBB

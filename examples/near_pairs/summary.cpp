@@ -39,6 +39,16 @@ std::ostream& print_name(std::ostream& out, const char* name)
   return out << std::left << std::setw(13) << name;
 }
 
+void print_guessed(std::ostream& out, const std::vector<std::string>& columns_of_files)
+{
+  std::string list;
+  for(const std::string& columns : columns_of_files)
+    if(!columns.empty())
+      list += (list.empty() ? "" : " and ") + columns;
+  if(!list.empty())
+    print_name(out, "columns") << list << " (guessed)\n";
+}
+
 void print_kernel(std::ostream& out, const Options& options)
 {
   print_name(out, "kernel") << options.kernel << (options.parallel ? ", parallel" : "") << '\n';

@@ -10,6 +10,7 @@
 
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace near_pairs {
 
@@ -21,6 +22,9 @@ std::string distance_in_words(const Options& options, const std::string& unit);
 
 // Prints the name of a line of the summary.
 std::ostream& print_name(std::ostream& out, const char* name);
+
+// Prints the columns of each file that were guessed by their names, if some were.
+void print_guessed(std::ostream& out, const std::vector<std::string>& columns_of_files);
 
 void print_kernel(std::ostream& out, const Options& options);
 void print_costs(std::ostream& out, double seconds, const char* of_what);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 
 namespace near_pairs {
@@ -70,6 +71,13 @@ std::string utf8(const std::string& text)
       result.append({static_cast<char>(0xC0 | byte >> 6), static_cast<char>(0x80 | (byte & 0x3F))});
   }
   return result;
+}
+
+std::string lower_case(std::string text)
+{
+  for(char& letter : text)
+    letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  return text;
 }
 
 std::size_t letters(const std::string& text)

@@ -18,6 +18,9 @@ std::string readable(const std::string& text);
 // The text in UTF-8, which it is in already, or else in Latin-1.
 std::string utf8(const std::string& text);
 
+// The text with small letters in the place of the capitals of ASCII.
+std::string lower_case(std::string text);
+
 // How many letters a text of UTF-8 has.
 std::size_t letters(const std::string& text);
 

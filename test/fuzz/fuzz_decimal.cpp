@@ -33,7 +33,8 @@ void check_decimal(const std::string& text)
   const std::string& digits = decimal->digits;
   require(digits.empty() ? decimal->exponent == 0 && !decimal->negative
                          : digits.front() != '0' && digits.back() != '0');
-  require(std::abs(decimal->exponent) <= near_pairs::largest_exponent);
+  const int exponent_of_first = decimal->exponent + static_cast<int>(digits.size()) - 1;
+  require(digits.empty() || std::abs(exponent_of_first) <= near_pairs::largest_exponent);
 
   const CGAL::Exact_rational exact = near_pairs::to_rational(*decimal);
   const double nearest = near_pairs::nearest_double(text);
