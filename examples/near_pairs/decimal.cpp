@@ -113,6 +113,18 @@ double nearest_double(std::string_view text)
   return std::strtod(std::string(text).c_str(), nullptr); // the locale is "C": nobody sets another
 }
 
+bool is_rounded(const Decimal& decimal)
+{
+  const std::size_t few_digits = 15;
+  if(decimal.exponent >= 0 || decimal.digits.size() > few_digits)
+    return false;
+  std::uint64_t digits = std::strtoull(decimal.digits.c_str(), nullptr, 10);
+  for(int power = decimal.exponent; power != 0; ++power, digits /= 5)
+    if(digits % 5 != 0)
+      return true;
+  return false;
+}
+
 std::string_view trimmed(std::string_view text)
 {
   const std::size_t first = text.find_first_not_of(" \t\r");

@@ -38,6 +38,10 @@ std::optional<double> scaled_to_double(const Decimal& decimal, int scale);
 // Returns the double nearest to the number that parse_decimal() accepted; infinite on overflow.
 double nearest_double(std::string_view text);
 
+// Whether a decimal of few digits is not the double next to it: it is a fraction of a power of ten,
+// and not one of a power of two. One of more digits may be a double that was printed.
+bool is_rounded(const Decimal& decimal);
+
 std::string_view trimmed(std::string_view text);
 
 } // namespace near_pairs

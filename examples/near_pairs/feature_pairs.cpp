@@ -177,6 +177,9 @@ void run_features(const Options& options)
   std::ostream& out = options.pairs == "-" || options.picture == "-" ? std::cerr : std::cout;
   print_summary(out, files, guessed, options, in_pairs, pairs, seconds.count());
   finish(out, "the summary");
+  if(has_lost_ties(files, options, pairs))
+    std::cerr << "near_pairs: hint: pairs beyond the distance may be at it but for rounding of "
+                 "decimals to doubles; a distance that is a little longer finds them\n";
 }
 
 } // namespace near_pairs

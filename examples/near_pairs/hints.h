@@ -9,34 +9,43 @@
 #include "options.h"
 #include "scene.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <ostream>
 
 namespace near_pairs {
 
 // Counts the pairs whose distance is the bound but for the rounding of their coordinates to
-// doubles. Those that are at exactly the bound count as well.
+// doubles.
 class Tie_watch
 {
 public:
   Tie_watch(const Scene& scene, const Options& options);
 
-  void add_pair(std::size_t i, std::size_t j, const Offset& offset);
+  // Those that are at exactly the bound count as well.
+  void add_found(std::size_t i, std::size_t j, const Offset& offset);
 
-  // How many of the pairs only rounding keeps from being at exactly the bound, where some are.
-  std::size_t rounded(std::size_t exact_ties) const { return is_on_ ? count_ - exact_ties : 0; }
+  // Of a pair that is beyond the bound.
+  void add_lost(std::size_t i, std::size_t j, const Offset& offset);
+
+  // How many of the pairs that were found only rounding keeps from being at exactly the bound,
+  // where some are.
+  std::size_t found(std::size_t exact_ties) const { return found_ - std::min(found_, exact_ties); }
+  std::size_t lost() const { return lost_; }
 
 private:
+  bool is_tie(std::size_t i, std::size_t j, const Offset& offset) const;
+
   const Scene& scene_;
   double reach_;
   bool is_on_; // whether --decimal could see other ties
-  std::size_t count_ = 0;
+  std::size_t found_ = 0, lost_ = 0;
 };
 
-// Prints a line for each hint. `rounded_ties` are the pairs that only rounding keeps from being at
-// the bound.
+// Prints a line for each hint. Of ties that rounding moved to one of the sides of the bound, some
+// were found, and some lost.
 void print_hints(std::ostream& out, const Scene& scene, const Options& options,
-                 std::size_t rounded_ties);
+                 std::size_t found_ties, std::size_t lost_ties);
 
 } // namespace near_pairs
 

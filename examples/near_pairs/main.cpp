@@ -33,13 +33,14 @@
 namespace near_pairs {
 namespace {
 
-Search_result search(const Scene& scene, const Options& options, const Pair_sink& sink)
+Search_result search(const Scene& scene, const Options& options, const Pair_sink& sink,
+                     const Pair_sink& lost)
 {
   if(scene.cell)
-    return search_periodic(scene, options, sink);
+    return search_periodic(scene, options, sink, lost);
   if(options.kernel == "exact")
-    return search_exact(scene, options, sink);
-  return search_epick(scene, options, sink);
+    return search_exact(scene, options, sink, lost);
+  return search_epick(scene, options, sink, lost);
 }
 
 Closest_result find_closest(const Scene& scene, const Options& options)
@@ -211,7 +212,7 @@ void run_closest(const Options& options, const Scene& scene, Outputs& outputs)
   std::ostream& out = outputs.summary();
   print_summary(out, scene, options, closest);
   finish(out, "the summary");
-  print_hints(std::cerr, scene, options, 0);
+  print_hints(std::cerr, scene, options, 0, 0);
 }
 
 // The search gives points of the plane a third coordinate of 0, which is not in the user's file.
@@ -233,11 +234,14 @@ void run_search(const Options& options, const Scene& scene, Outputs& outputs)
 {
   outputs.begin(options);
   Tie_watch ties(scene, options);
-  const Search_result result = search(scene, options, [&](std::size_t i, std::size_t j,
-                                                          const Offset& offset) {
-    ties.add_pair(i, j, offset);
+  const auto add_pair = [&](std::size_t i, std::size_t j, const Offset& offset) {
+    ties.add_found(i, j, offset);
     outputs.add_pair(i, j, offset);
-  });
+  };
+  const auto add_lost = [&](std::size_t i, std::size_t j, const Offset& offset) {
+    ties.add_lost(i, j, offset);
+  };
+  const Search_result result = search(scene, options, add_pair, add_lost);
   outputs.finish();
   std::ostream& out = outputs.summary();
   if(options.explain)
@@ -245,7 +249,7 @@ void run_search(const Options& options, const Scene& scene, Outputs& outputs)
   print_summary(out, scene, options, result);
   outputs.print_components(out);
   finish(out, "the summary");
-  print_hints(std::cerr, scene, options, ties.rounded(result.on_boundary));
+  print_hints(std::cerr, scene, options, ties.found(result.on_boundary), ties.lost());
 }
 
 void run(const Options& options)

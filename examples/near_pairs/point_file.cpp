@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -49,10 +50,20 @@ public:
     if(!scene_.ids.empty())
       scene_.ids.resize(scene_.size());
     check_cell();
+    if(has_rounded_decimals_)
+      scene_.rounding = rounding_of(largest_coordinate());
     return std::move(scene_);
   }
 
 private:
+  double largest_coordinate() const
+  {
+    double largest = 0;
+    for(double coordinate : scene_.doubles)
+      largest = std::max(largest, std::abs(coordinate));
+    return largest;
+  }
+
   // The least scale at which every coordinate is an integer.
   int common_scale() const
   {
@@ -159,11 +170,9 @@ private:
 
   void add_double(const Place& place, int axis)
   {
-    const std::size_t short_digits = 15; // more of them may be a double that was printed
     const Number number = read_number(place, axis);
     scene_.doubles.push_back(number.value);
-    scene_.has_short_decimals
-      |= number.decimal.exponent < 0 && number.decimal.digits.size() <= short_digits;
+    has_rounded_decimals_ = has_rounded_decimals_ || is_rounded(number.decimal);
   }
 
   void add_on_sphere(const Place& place)
@@ -202,6 +211,7 @@ private:
   const Options& options_;
   std::vector<Input> inputs_;
   int inputs_dimension_ = 0; // coordinates per row
+  bool has_rounded_decimals_ = false;
   Scene scene_;
 };
 

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,8 +43,9 @@ struct Scene
   bool is_geographic = false; // coordinates are computed, in meters from the center of a sphere
   std::string unit; // of the distance; empty if the file does not tell
 
-  // Whether doubles hold decimals of few digits, perhaps rounded: --decimal would not round them.
-  bool has_short_decimals = false;
+  // What a distance may be wrong by because decimals of few digits are rounded to doubles; 0 if
+  // none are, as with --decimal.
+  double rounding = 0;
 
   // The columns of each file that were guessed by their names, for the summary; none: empty.
   std::vector<std::string> guessed;
@@ -70,6 +72,14 @@ struct Scene
   // Longitude and latitude. The scene must be geographic, or have them as x and y.
   std::array<double, 2> degrees(std::size_t point) const;
 };
+
+// What the distance of two points, with coordinates of up to this one, may be wrong by if the
+// decimals of their coordinates and of the distance are rounded to doubles: each by half a unit in
+// the last place, so that a distance of up to three dimensions is wrong by less than two units.
+constexpr double rounding_of(double largest_coordinate)
+{
+  return 4 * std::numeric_limits<double>::epsilon() * largest_coordinate;
+}
 
 // The radius of the sphere of --geographic, in meters.
 constexpr double earth_radius = 6371008.8;

@@ -42,12 +42,14 @@ struct Closest_result
 // at once.
 using Pair_sink = std::function<void(std::size_t i, std::size_t j, const Offset& offset)>;
 
+// Where the scene has rounded decimals, `lost` receives pairs that are beyond the distance by so
+// little that rounding may be the reason.
 Search_result search_epick(const Scene& scene, const Search_options& options,
-                           const Pair_sink& sink);
+                           const Pair_sink& sink, const Pair_sink& lost);
 Search_result search_exact(const Scene& scene, const Search_options& options,
-                           const Pair_sink& sink);
+                           const Pair_sink& sink, const Pair_sink& lost);
 Search_result search_periodic(const Scene& scene, const Search_options& options,
-                              const Pair_sink& sink);
+                              const Pair_sink& sink, const Pair_sink& lost);
 
 // The closest pair, or that of a point of each of two files; the first one of those at the same
 // distance. Throws std::invalid_argument if there are fewer than two points, or Error if a file has

@@ -13,9 +13,9 @@ namespace near_pairs {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 Search_result search_epick(const Scene& scene, const Search_options& options,
-                           const Pair_sink& sink)
+                           const Pair_sink& sink, const Pair_sink& lost)
 {
-  return search_with_kernel<Kernel>(scene, options, sink);
+  return search_with_kernel<Kernel>(scene, options, sink, lost);
 }
 
 Closest_result closest_epick(const Scene& scene, const Search_options& options)

@@ -14,9 +14,9 @@ namespace near_pairs {
 using Kernel = CGAL::Simple_cartesian<CGAL::Exact_rational>;
 
 Search_result search_exact(const Scene& scene, const Search_options& options,
-                           const Pair_sink& sink)
+                           const Pair_sink& sink, const Pair_sink& lost)
 {
-  return search_with_kernel<Kernel>(scene, options, sink);
+  return search_with_kernel<Kernel>(scene, options, sink, lost);
 }
 
 Closest_result closest_exact(const Scene& scene, const Search_options& options)

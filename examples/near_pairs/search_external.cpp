@@ -5,15 +5,13 @@
 
 #include "external.h"
 
+#include "bound.h"
 #include "error.h"
 #include "input.h"
 #include "point_stream.h"
 #include "progress.h"
-#include "rational.h"
 #include "stop.h"
 
-#include <CGAL/Distance_bound.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Memory_budget.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/external_fixed_radius_near_neighbors.h>
@@ -96,13 +94,6 @@ private:
   const Read_options& options_;
   std::uint64_t& count_;
 };
-
-CGAL::Distance_bound<CGAL::Exact_rational> bound_of(const Search_options& options)
-{
-  const auto bound = options.squared ? CGAL::within_squared_distance(options.distance->value)
-                                     : CGAL::within_distance(options.distance->value);
-  return options.open ? bound.open() : bound;
-}
 
 // Returns false iff the search was stopped.
 template <class ConcurrencyTag>

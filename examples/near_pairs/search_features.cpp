@@ -5,18 +5,22 @@
 
 #include "feature_pairs.h"
 
+#include "bound.h"
+#include "decimal.h"
 #include "error.h"
-#include "rational.h"
 #include "stop.h"
+#include "text.h"
 
-#include <CGAL/Distance_bound.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2.h>
 #include <CGAL/Polygon_with_holes_2.h>
 #include <CGAL/tags.h>
 #include <CGAL/thick_feature_intersection_d.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <functional>
 #include <mutex>
 #include <utility>
 #include <variant>
@@ -66,16 +70,17 @@ std::vector<Parts> parts_of(const std::vector<Feature>& features)
   return all;
 }
 
-// Returns false iff the search was stopped.
-template <class ConcurrencyTag, class Bound>
-bool report_pairs(const std::vector<std::vector<Feature>>& files, const Bound& bound,
-                  const Feature_pair_sink& sink)
+// Receives each pair, and returns whether the search is to go on.
+using Pair_functor = std::function<bool(std::size_t, std::size_t)>;
+
+template <class ConcurrencyTag>
+bool report_pairs_by(const std::vector<std::vector<Feature>>& files, const Exact_bound& bound,
+                     const Pair_functor& functor)
 {
   std::mutex mutex; // several threads may call
   const auto callback = [&](std::size_t i, std::size_t j) {
     const std::lock_guard<std::mutex> lock(mutex);
-    sink(i, j);
-    return !stop_requested;
+    return functor(i, j);
   };
   const std::vector<Parts> first = parts_of(files.front());
   if(files.size() == 1)
@@ -84,25 +89,61 @@ bool report_pairs(const std::vector<std::vector<Feature>>& files, const Bound& b
                                                           callback);
 }
 
+// Returns false iff the search was stopped.
+bool report_pairs(const std::vector<std::vector<Feature>>& files, const Exact_bound& bound,
+                  const Options& options, const Pair_functor& functor)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if(options.parallel)
+    return report_pairs_by<CGAL::Parallel_tag>(files, bound, functor);
+#endif
+  return report_pairs_by<CGAL::Sequential_tag>(files, bound, functor);
+}
+
+// What a distance of features may be wrong by because decimals are rounded to doubles.
+double rounding_in(const std::vector<std::vector<Feature>>& files)
+{
+  double largest = 0;
+  bool has_rounded = false;
+  const auto look_at = [&](const Vertices& vertices) {
+    for(const Vertex& vertex : vertices)
+      for(double coordinate : vertex) {
+        largest = std::max(largest, std::abs(coordinate));
+        has_rounded = has_rounded || is_rounded(*parse_decimal(shortest_text(coordinate)));
+      }
+  };
+  for(const std::vector<Feature>& features : files)
+    for(const Feature& feature : features) {
+      std::for_each(feature.lines.begin(), feature.lines.end(), look_at);
+      for(const std::vector<Vertices>& rings : feature.polygons)
+        std::for_each(rings.begin(), rings.end(), look_at);
+    }
+  return has_rounded ? rounding_of(largest) : 0;
+}
+
 } // namespace
 
 void search_features(const std::vector<std::vector<Feature>>& files, const Options& options,
                      const Feature_pair_sink& sink)
 {
-  const CGAL::Exact_rational& distance = options.distance->value;
-  auto bound = options.squared ? CGAL::within_squared_distance(distance)
-                               : CGAL::within_distance(distance);
-  if(options.open)
-    bound = bound.open();
-#ifdef CGAL_LINKED_WITH_TBB
-  const bool is_complete = options.parallel
-    ? report_pairs<CGAL::Parallel_tag>(files, bound, sink)
-    : report_pairs<CGAL::Sequential_tag>(files, bound, sink);
-#else
-  const bool is_complete = report_pairs<CGAL::Sequential_tag>(files, bound, sink);
-#endif
-  if(!is_complete)
+  const auto add_pair = [&](std::size_t i, std::size_t j) {
+    sink(i, j);
+    return !stop_requested;
+  };
+  if(!report_pairs(files, bound_of(options), options, add_pair))
     throw Error("stopped");
+}
+
+bool has_lost_ties(const std::vector<std::vector<Feature>>& files, const Options& options,
+                   std::size_t pairs)
+{
+  const double excess = excess_of_longer_bound(options, rounding_in(files));
+  std::size_t count = 0;
+  const auto is_no_tie
+    = [&](std::size_t, std::size_t) { return ++count <= pairs && !stop_requested; };
+  return excess != 0
+         && !report_pairs(files, longer_bound_of(options, excess), options, is_no_tie)
+         && !stop_requested;
 }
 
 } // namespace near_pairs

@@ -22,7 +22,6 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Points = std::vector<Kernel::Point_3>;
-using Bound = CGAL::Distance_bound<CGAL::Exact_rational>;
 using Vector = CGAL::Simple_cartesian<CGAL::Exact_rational>::Vector_3;
 using Lattice = CGAL::Periodic_lattice_d<Vector>;
 using Clock = std::chrono::steady_clock;
@@ -53,7 +52,7 @@ public:
   {}
 
   // Describes the scene in `profile`, unless there are two sets. Throws Error if it is stopped.
-  void report(const Bound& bound, const Pair_sink& sink, CGAL::Scene_profile& profile,
+  void report(const Exact_bound& bound, const Pair_sink& sink, CGAL::Scene_profile& profile,
               bool shows_progress) const
   {
     std::mutex mutex; // the library may call from several threads
@@ -85,7 +84,7 @@ public:
 
 private:
   template <class ConcurrencyTag, class Callback, class Go_on>
-  bool report_by(const Bound& bound, const Callback& callback, CGAL::Scene_profile& profile,
+  bool report_by(const Exact_bound& bound, const Callback& callback, CGAL::Scene_profile& profile,
                  const Go_on& go_on) const
   {
     const auto parameters = CGAL::parameters::callback(go_on);
@@ -105,23 +104,32 @@ private:
 
 } // namespace
 
-// The pairs that the closed bound has, and the open one has not, are those at the distance.
+// The pairs that the closed bound has, and the open one has not, are those at the distance. Of
+// those that the longer bound has, most are so close that doubles can tell.
 Search_result search_periodic(const Scene& scene, const Search_options& options,
-                              const Pair_sink& sink)
+                              const Pair_sink& sink, const Pair_sink& lost)
 {
   const Periodic_search search(scene, options);
-  const Bound bound = bound_of(scene, options);
+  const Exact_bound typed_bound = bound_of(options, scene.scale);
+  const double excess = excess_of_longer_bound(options, scene.rounding);
+  const Exact_bound bound = excess == 0 ? typed_bound : longer_bound_of(options, excess);
+  const double clearly_near = 0.999 * reach_of(options);
   Search_result result;
   CGAL::Scene_profile profile, ignored;
   const auto start = Clock::now();
   search.report(bound, [&](std::size_t i, std::size_t j, const Offset& offset) {
+    if(excess != 0 && scene.distance(i, j, offset) > clearly_near
+       && is_beyond(scene, options, i, j, offset)) {
+      lost(i, j, offset);
+      return;
+    }
     ++result.pairs;
     result.crossing += offset != Offset{};
     sink(i, j, offset);
   }, profile, options.progress);
   if(!options.open) {
     result.on_boundary = result.pairs;
-    search.report(bound.open(), [&](std::size_t, std::size_t, const Offset&) {
+    search.report(typed_bound.open(), [&](std::size_t, std::size_t, const Offset&) {
       --result.on_boundary;
     }, ignored, false);
   }

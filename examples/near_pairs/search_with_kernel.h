@@ -6,13 +6,13 @@
 #ifndef NEAR_PAIRS_SEARCH_WITH_KERNEL_H
 #define NEAR_PAIRS_SEARCH_WITH_KERNEL_H
 
+#include "bound.h"
 #include "error.h"
 #include "progress.h"
 #include "rational.h"
 #include "search.h"
 #include "stop.h"
 
-#include <CGAL/Distance_bound.h>
 #include <CGAL/Iterator_range.h>
 #include <CGAL/Scene_profile.h>
 #include <CGAL/Thick_point_traits_d.h>
@@ -56,15 +56,18 @@ std::vector<typename Kernel::Point_3> points_of(const Scene& scene)
   return points;
 }
 
-// The bound that the user typed, in the unit of the coordinates of the scene.
-inline CGAL::Distance_bound<CGAL::Exact_rational> bound_of(const Scene& scene,
-                                                           const Search_options& options)
+// Whether a pair is beyond the bound that the user typed. The scene has doubles.
+inline bool is_beyond(const Scene& scene, const Search_options& options, std::size_t i,
+                      std::size_t j, const Offset& offset)
 {
-  const int exponent = options.squared ? 2 * scene.scale : scene.scale;
-  const CGAL::Exact_rational value = options.distance->value * power_of_ten(exponent);
-  const auto bound = options.squared ? CGAL::within_squared_distance(value)
-                                     : CGAL::within_distance(value);
-  return options.open ? bound.open() : bound;
+  CGAL::Exact_rational squared(0);
+  for(int axis = 0; axis < scene.dimension; ++axis) {
+    const Exact_number difference = scene.exact_difference(i, j, offset, axis);
+    squared += difference->value * difference->value;
+  }
+  const CGAL::Exact_rational& typed = options.distance->value;
+  const CGAL::Exact_rational bound = options.squared ? typed : CGAL::Exact_rational(typed * typed);
+  return options.open ? squared >= bound : squared > bound;
 }
 
 // The points of each of two files.
@@ -128,19 +131,26 @@ inline void describe(const CGAL::Scene_profile& profile, Search_result& result)
 
 template <class Point>
 Search_result search_points(const std::vector<Point>& points, const Scene& scene,
-                            const Search_options& options, const Pair_sink& sink)
+                            const Search_options& options, const Pair_sink& sink,
+                            const Pair_sink& lost)
 {
   Search_result result;
-  const auto bound = bound_of(scene, options);
-  const CGAL::Thick_point_traits_d<Point> strict_traits(bound.open());
+  const Exact_bound typed_bound = bound_of(options, scene.scale);
+  const double excess = excess_of_longer_bound(options, scene.rounding);
+  const Exact_bound bound = excess == 0 ? typed_bound : longer_bound_of(options, excess);
+  const CGAL::Thick_point_traits_d<Point> strict_traits(typed_bound.open());
   const auto is_closer = strict_traits.do_intersect_d_object();
   std::mutex mutex; // the library may call from several threads
   auto callback = [&, offset = scene.first_size.value_or(0)](std::size_t i, std::size_t j) {
     j += offset;
-    const bool is_on_boundary = !options.open && !is_closer(points[i], points[j]);
+    const bool is_far
+      = (excess != 0 || !options.open) && !is_closer(points[i], points[j]);
+    const bool is_lost = is_far && excess != 0 && is_beyond(scene, options, i, j, {});
     const std::lock_guard<std::mutex> lock(mutex);
+    if(is_lost)
+      return lost(i, j, {});
     ++result.pairs;
-    result.on_boundary += is_on_boundary;
+    result.on_boundary += is_far;
     sink(i, j, {});
   };
 
@@ -156,9 +166,9 @@ Search_result search_points(const std::vector<Point>& points, const Scene& scene
 
 template <class Kernel>
 Search_result search_with_kernel(const Scene& scene, const Search_options& options,
-                                 const Pair_sink& sink)
+                                 const Pair_sink& sink, const Pair_sink& lost)
 {
-  return search_points(points_of<Kernel>(scene), scene, options, sink);
+  return search_points(points_of<Kernel>(scene), scene, options, sink, lost);
 }
 
 } // namespace near_pairs
