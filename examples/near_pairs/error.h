@@ -36,6 +36,11 @@ public:
   Error(const std::string& file, std::size_t line, const std::string& message)
     : Error(file + ":" + std::to_string(line) + ": " + message)
   {}
+
+  // The column is that of a byte, from 1.
+  Error(const std::string& file, std::size_t line, std::size_t column, const std::string& message)
+    : Error(file + ":" + std::to_string(line), column, message)
+  {}
 };
 
 } // namespace near_pairs

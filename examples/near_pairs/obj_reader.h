@@ -11,7 +11,9 @@
 
 namespace near_pairs {
 
-// The first three numbers of each line that begins with the word v. Other lines are not looked at.
+// The first three numbers of each line that begins with the word v; behind them may be a weight,
+// and three numbers of a color. Other lines are not looked at. A line goes on in the next one if a
+// backslash ends it, and a comment begins with #.
 class Obj_reader : public Row_reader
 {
 public:
@@ -20,6 +22,8 @@ public:
   bool next(Row& row) override;
 
 private:
+  bool next_line(std::string& line);
+
   Lines lines_;
   bool has_vertices_ = false;
 };

@@ -1,22 +1,19 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The vertices of a mesh in the format OFF, as text.
+// The vertices of a mesh in the format OFF of Geomview, as text or in binary.
 
 #ifndef NEAR_PAIRS_OFF_READER_H
 #define NEAR_PAIRS_OFF_READER_H
 
-#include "input.h"
+#include "numbers.h"
 #include "row_reader.h"
 
 namespace near_pairs {
 
-// The word OFF, perhaps after ST, C and N (textures, colors and normals follow the coordinates
-// then, and are skipped), and the numbers of vertices, faces and edges; then a vertex on each line.
-// A comment begins with #. Faces are not looked at.
-//
-// CGAL's reader is not used: it trusts the counts and the numbers of a file, also as sizes and as
-// places in memory. To check a file for it takes more than to read the vertices.
+// Numbers may stand on any lines, apart from two places where the format looks at line ends: behind
+// the counts, and at the colors of faces. Faces are read so that nothing is left over: a file with
+// more numbers than its head promises has vertices in other places.
 class Off_reader : public Row_reader
 {
 public:
@@ -25,12 +22,18 @@ public:
   bool next(Row& row) override;
 
 private:
-  void read_head();
-  bool next_words(std::vector<std::string>& texts, std::size_t most);
+  void read_keyword();
+  void read_counts();
+  std::size_t take_count();
+  void read_faces();
+  void read_color();
 
-  Lines lines_;
-  std::size_t promised_ = 0;
-  std::size_t count_ = 0;
+  Numbers numbers_;
+  bool has_normals_ = false, has_colors_ = false, has_textures_ = false;
+  std::size_t coordinates_ = 3; // of a vertex in the file
+  std::size_t colors_ = 0;      // numbers of the color of a vertex; 0: not known yet
+  std::size_t vertices_ = 0, faces_ = 0;
+  std::size_t count_ = 0; // of the vertices read
 };
 
 } // namespace near_pairs

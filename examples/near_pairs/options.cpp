@@ -73,7 +73,7 @@ void add_reading_options(po::options_description& all, Options& options)
     ("comma-numbers", po::bool_switch(&options.comma_numbers),
      "numbers in a table have a comma, as 3,14")
     ("skip-missing", po::bool_switch(&options.skip_missing),
-     "leave out rows without coordinates: empty, NA, 91 N")
+     "leave out points without coordinates: empty, NA, 91 N")
     ("dimension", po::value<int>(&options.dimension)->value_name("2|3"),
      "use so many coordinates (default: all)")
     ("geographic", po::bool_switch(&options.geographic),
@@ -239,6 +239,8 @@ void read_readings(const po::variables_map& map, Options& options)
       reading.take_no_table();
     if(has_features(options.files[file], options))
       reading.id = id; // a property
+    else if(format_of(options.files[file], options) != "bin")
+      reading.skip_missing = options.skip_missing;
     options.readings.push_back(reading);
   }
 }

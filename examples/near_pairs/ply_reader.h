@@ -6,18 +6,21 @@
 #ifndef NEAR_PAIRS_PLY_READER_H
 #define NEAR_PAIRS_PLY_READER_H
 
-#include "input.h"
+#include "numbers.h"
 #include "row_reader.h"
+
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace near_pairs {
 
-struct Ply_type; // a type of numbers
-
 struct Ply_property
 {
-  std::string name;
-  const Ply_type* type;
-  const Ply_type* count_type; // of a list: the type of its length; otherwise null
+  std::string name; // in lower case
+  Number_type type;
+  std::optional<Number_type> count_type; // of a list: the type of its length
+  int axis = -1;                         // of a coordinate
 };
 
 struct Ply_element
@@ -27,11 +30,9 @@ struct Ply_element
   std::vector<Ply_property> properties;
 };
 
-// The properties x, y and, if it is there, z of the element "vertex". What stands before that
-// element is skipped, what stands behind it is not looked at.
-//
-// CGAL's reader is not used: it trusts the header, and takes the lengths of lists and the types of
-// the coordinates for granted. To check a file for it takes more than to read the vertices.
+// The properties x, y and, if it is there, z of the element "vertex". Numbers may stand on any
+// lines. All elements are read, so that nothing is left over: a file with more numbers than its
+// head promises has vertices in other places.
 class Ply_reader : public Row_reader
 {
 public:
@@ -40,28 +41,20 @@ public:
   bool next(Row& row) override;
 
 private:
-  enum class Format { ASCII, BINARY_LITTLE_ENDIAN, BINARY_BIG_ENDIAN };
-
-  void read_header();
-  Format format_named(const std::string& name) const;
+  void read_head();
+  void read_format(const std::string& name);
   Ply_property property_of(const std::vector<std::string>& texts) const;
-  const Ply_type& type_named(const std::string& name) const;
-  void skip_to_vertices();
-  void skip_item(const Ply_element& element);
+  Number_type type_named(const std::string& name) const;
+  Error wrong_line(const std::string& what) const;
   void choose_coordinates(int wanted);
-  void read_text(Row& row);
-  void read_binary(Row& row);
-  double number_at(std::size_t offset, const Ply_type& type) const;
-  void cut_off() const;
+  void skip_items(const Ply_element& element);
+  void read_item(const Ply_element& element, Row* row);
 
-  Lines lines_;
-  Format format_ = Format::ASCII;
-  std::vector<Ply_element> elements_; // after skip_to_vertices(), the first one has the vertices
-  std::size_t columns_[3];            // of the coordinates among the properties
-  std::size_t offsets_[3];            // of the coordinates among the bytes of a vertex
-  std::size_t bytes_per_vertex_ = 0;
-  std::size_t count_ = 0;
-  std::string bytes_;                 // of the vertex in hand, or of a number
+  const std::string file_;
+  Numbers numbers_;
+  std::vector<Ply_element> elements_;
+  std::size_t vertices_ = 0; // the element that has them
+  std::size_t count_ = 0;    // of those read
 };
 
 } // namespace near_pairs

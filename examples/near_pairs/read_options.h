@@ -19,7 +19,7 @@ struct Read_options
   char separator = 0;             // of a table; 0: to be found, ' ': any number of blanks and tabs
   bool no_header = false;
   bool comma_numbers = false;     // decimals have a comma where others have a point
-  bool skip_missing = false;      // leave out rows of a table without a coordinate
+  bool skip_missing = false;      // leave out rows without a coordinate
   std::vector<std::string> columns;
   std::string id;                 // the column of names; empty: the one that is called so
   bool decimal = false;

@@ -43,7 +43,7 @@ std::string fault_of(const std::string& text, bool is_table)
     return word + " has a comma in the place of the decimal point"
            + (is_table ? "; --comma-numbers takes it" : "");
   return word + (text.empty() ? "" : " is no finite number")
-         + (is_table && is_missing(text) ? "; --skip-missing leaves such rows out" : "");
+         + (is_missing(text) ? "; --skip-missing leaves such rows out" : "");
 }
 
 Error bad_coordinate(const Place& place, int axis, const std::string& fault)
@@ -73,7 +73,7 @@ bool is_missing(const std::string& text)
 {
   const std::string word = lower_case(std::string(trimmed(text)));
   const std::initializer_list<const char*> words
-    = {"", "na", "n/a", "#n/a", "<na>", "nan", "null", "(null)", "\\n", "none", "nil", "-", "--",
+    = {"", "na", "n/a", "#n/a", "<na>", "nan", "-nan", "null", "(null)", "\\n", "none", "nil", "-", "--",
        ".", "?"};
   return std::find(words.begin(), words.end(), word) != words.end();
 }

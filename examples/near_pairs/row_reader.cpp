@@ -12,6 +12,7 @@
 #include "off_reader.h"
 #include "pdb_reader.h"
 #include "ply_reader.h"
+#include "present_rows.h"
 #include "text.h"
 #include "tsp_reader.h"
 #include "xyz_reader.h"
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <initializer_list>
+#include <utility>
 
 namespace near_pairs {
 std::string format_of(const std::string& file, const Read_options& options)
@@ -43,7 +45,6 @@ std::string option_for_tables(const Read_options& options)
          : !options.id.empty() ? "--id"
          : options.no_header ? "--no-header"
          : options.comma_numbers ? "--comma-numbers"
-         : options.skip_missing ? "--skip-missing"
          : options.separator != 0 ? "--separator" : "";
 }
 
@@ -73,17 +74,15 @@ std::string advice_on(const std::string& format)
                                             : "";
 }
 
-// Nodes of .tsp may be in degrees, too.
-void refuse_options_for_tables(const Input& input, const Read_options& options,
-                               bool are_degrees = false)
+} // namespace
+
+void refuse_options_for_tables(const Input& input, const Read_options& options, bool are_degrees)
 {
   const std::string option
     = options.geographic && !are_degrees ? "--geographic" : option_for_tables(options);
   if(!option.empty())
     throw Error(input.name(), option + " needs a table, such as a .csv file");
 }
-
-} // namespace
 
 std::unique_ptr<Row_reader> open_rows(const Input& input, const Read_options& options)
 {
@@ -95,6 +94,8 @@ std::unique_ptr<Row_reader> open_rows(const Input& input, const Read_options& op
     throw Error(input.name(), "unknown format; name one of csv (for any table), xyz, off, ply, "
                 "obj, pdb, tsp, bin, wkt and geojson by --format" + advice_on(format));
   refuse_options_for_tables(input, options, reader->latitude_axis != -1);
+  if(options.skip_missing)
+    return std::make_unique<Present_rows>(std::move(reader));
   return reader;
 }
 
@@ -118,6 +119,8 @@ bool is_binary(const Input& input, const Read_options& options)
   if(format_of(input.name(), options) != "bin")
     return false;
   refuse_options_for_tables(input, options);
+  if(options.skip_missing)
+    throw Error(input.name(), "--skip-missing needs numbers that are text, or a mesh");
   return true;
 }
 

@@ -68,6 +68,10 @@ std::string format_of(const std::string& file, const Read_options& options);
 // Whether the file is a table: the options of these are for no others.
 bool is_table(const std::string& file, const Read_options& options);
 
+// Throws Error if there is one of them. Nodes of .tsp may be in degrees, too.
+void refuse_options_for_tables(const Input& input, const Read_options& options,
+                               bool are_degrees = false);
+
 // Whether the input is no text, but three doubles for each point (.bin).
 bool is_binary(const Input& input, const Read_options& options);
 

@@ -1216,8 +1216,9 @@ printf 'x,y\n1e999999999,0\n' > exponent.csv
 { printf '0 0 0 '; head -c 5000000 /dev/zero | tr '\0' ' '; rows 1000000 a | tr '\n' ' '
   printf '\n1 0 0'; } > label.xyz
 printf 'DIMENSION : 99999999999999999999\nNODE_COORD_SECTION\n1 0 0\n' > promise.tsp
-printf 'COFF\n3 1 0\n0 0 0 255\n0.5 0 0 0 0 255 255 9 9 # near\n5 5 5\n3 0 1 2\n' > colors.off
-printf 'STOFF\r\n2 0 0\r\n0 0 0\r\n0.5 0 0' > textures.off
+printf 'COFF\n3 1 0\n0 0 0 255 0 0 # red\n0.5 0 0 0 0 255\n5 5 5 0 0 0\n3 0 1 2 .5 .5 .5\n' > colors.off
+printf 'STOFF\r\n2 0 0\r\n0 0 0 .1 .2\r\n0.5 0 0 .3 .4' > textures.off
+printf 'STOFF\r\n2 0 0\r\n0 0 0\r\n0.5 0 0' > no_textures.off
 printf 'OFF\n1000000000 1000000000 0\n0 0 0\n' > promise.off
 printf 'OFF\n-1 0 0\n' > negative.off
 printf 'OFF BINARY\n\0\0\0\1\0\0\0\0\0\0\0\0' > binary.off
@@ -1260,21 +1261,22 @@ expect_error "exponent of nine digits" "exponent.csv:2: x: '1e999999999'" expone
 expect_error "the same, exactly" "exponent.csv:2: x: '1e9" exponent.csv --distance 1 --decimal --kernel exact
 expect_pairs "a label of 10^6 words" 1 label.xyz --distance 1
 expect_error ".tsp promises more" "promise.tsp:1: DIMENSION: '99999999999999999999' is no count" promise.tsp --distance 1
-expect_pairs ".off with colors, some cut" 1 colors.off --distance 0.5
+expect_pairs ".off with colors" 1 colors.off --distance 0.5
 expect_pairs "  as decimals" 1 colors.off --distance 0.5 --decimal
-expect_pairs ".off with textures, but none there" 1 textures.off --distance 0.5
+expect_pairs ".off with textures" 1 textures.off --distance 0.5
+expect_error "  but none there" "no_textures.off:4: the file ends after vertex 1 of 2" no_textures.off --distance 1
 expect_error ".off promises 10^9 vertices" "the file ends after vertex 1 of 1000000000" promise.off --distance 1
-expect_error ".off with fewer than none" "negative.off:2: OFF is not followed by" negative.off --distance 1
-expect_error "binary .off" "binary.off:2: OFF is not followed by" binary.off --distance 1
-expect_error ".off in projective space" "does not begin with OFF" homogeneous.off --distance 1
+expect_error ".off with fewer than none" "negative.off:2:1: '-1' is no count" negative.off --distance 1
+expect_error "binary .off, cut" "binary.off:1: the file ends after vertex 0 of 1" binary.off --distance 1
+expect_error ".off in projective space" "homogeneous.off:1:1: vertices with four" homogeneous.off --distance 1
 expect_pairs ".ply of integers, with colors" 1 colors.ply --distance 0.5
 expect_pairs "binary .ply, behind a list" 1 binary.ply --distance 0.5
-expect_error "binary .ply, a byte less" "cut.ply: the file ends before the vertices do" cut.ply --distance 1
+expect_error "binary .ply, a byte less" "cut.ply:10: the file ends after vertex 1 of 2" cut.ply --distance 1
 expect_error "binary .ply, as decimals" "--decimal needs" binary.ply --distance 1 --decimal
-expect_error "binary .ply, NaN" "vertex 0 (from 0) is not finite" nan.ply --distance 1
-expect_error ".ply promises 10^9 vertices" "the file ends before the vertices do" promise.ply --distance 1
+expect_error "binary .ply, NaN" "nan.ply: vertex 0 (from 0) has a coordinate that is no" nan.ply --distance 1
+expect_error ".ply promises 10^9 vertices" "the file ends after vertex 1 of 1000000000" promise.ply --distance 1
 expect_pairs ".ply promises 10^15 times nothing" 0 nothing.ply --distance 1
-expect_error ".ply promises a long list" "the file ends before the vertices do" list.ply --distance 1
+expect_error ".ply promises a long list" "the file ends after l 0 of 9" list.ply --distance 1
 expect_error ".ply with a property of nothing" "first.ply:3: no line of a header" first.ply --distance 1
 expect_error ".ply with a type of 64 bits" "type.ply:4: unknown type 'int64'" type.ply --distance 1
 expect_error ".ply on a line" "the vertices have no property y" line.ply --distance 1
