@@ -10,7 +10,10 @@
 #include "row_numbers.h"
 #include "row_reader.h"
 
+#include <algorithm>
+#include <initializer_list>
 #include <memory>
+#include <utility>
 
 namespace near_pairs {
 namespace {
@@ -37,25 +40,49 @@ std::vector<Feature> read_points(const Input& input, const Read_options& options
 
 bool has_features(const std::string& file, const Read_options& options)
 {
-  const std::string format = format_of(file, options);
-  return format == "wkt" || format == "geojson" || format == "json";
+  const std::initializer_list<const char*> formats
+    = {"wkt", "geojson", "json", "geojsonl", "geojsons", "ndjson"};
+  return std::find(formats.begin(), formats.end(), format_of(file, options)) != formats.end();
 }
 
 std::vector<Feature> read_features(const Input& input, const Read_options& options)
 {
   if(!has_features(input.name(), options))
     return read_points(input, options);
+  Read_options for_tables = options;
+  for_tables.id.clear(); // a property of GeoJSON, and the files may be of two formats
+  refuse_options_for_tables(input, for_tables);
+  if(options.skip_missing)
+    throw Error(input.name(), "--skip-missing is for points: features may be empty");
   return format_of(input.name(), options) == "wkt" ? read_wkt(input)
                                                    : read_geojson(input, options);
 }
 
-std::string open_ring(Vertices& ring)
+std::string add_line(Feature& feature, Vertices vertices)
 {
-  if(ring.size() < 4)
-    return "a ring has fewer than four positions";
-  if(ring.front() != ring.back())
-    return "a ring does not end where it begins";
-  ring.pop_back();
+  if(vertices.size() == 1)
+    return "a line has fewer than two positions";
+  if(!vertices.empty())
+    feature.lines.push_back(std::move(vertices));
+  return "";
+}
+
+std::string add_polygon(Feature& feature, std::vector<Vertices> rings)
+{
+  const auto is_empty = [](const Vertices& ring) { return ring.empty(); };
+  const bool is_outer_empty = !rings.empty() && rings.front().empty();
+  rings.erase(std::remove_if(rings.begin(), rings.end(), is_empty), rings.end());
+  if(is_outer_empty && !rings.empty())
+    return "a polygon has holes and no outer ring";
+  for(Vertices& ring : rings) {
+    if(ring.size() < 4)
+      return "a ring has fewer than four positions";
+    if(ring.front() != ring.back())
+      return "a ring does not end where it begins";
+    ring.pop_back();
+  }
+  if(!rings.empty())
+    feature.polygons.push_back(std::move(rings));
   return "";
 }
 

@@ -33,17 +33,18 @@ struct Feature
 bool has_features(const std::string& file, const Read_options& options);
 
 // Reads the features of such a file, or the points of any other one. Throws Error, with the line or
-// the number of the feature, if anything in the file cannot be taken at its word.
+// the member, if anything in the file cannot be taken at its word.
 std::vector<Feature> read_features(const Input& input, const Read_options& options);
 
-// Readers of one format. A line of WKT is a feature; blank lines and those that begin with # are
-// skipped.
+// Readers of one format. A geometry of WKT is a feature, and begins on a line of its own; a line
+// that begins with # is a comment.
 std::vector<Feature> read_wkt(const Input& input);
 std::vector<Feature> read_geojson(const Input& input, const Read_options& options);
 
-// Opens a ring of a file, which ends where it begins. Returns what is wrong with it, or an empty
-// text.
-std::string open_ring(Vertices& ring);
+// Add a part to a feature, which has no such part if there are no vertices. They return what is
+// wrong with the part, or an empty text. The rings of a file end where they begin.
+std::string add_line(Feature& feature, Vertices vertices);
+std::string add_polygon(Feature& feature, std::vector<Vertices> rings);
 
 // Geometries may be nested so deep, which no file needs.
 constexpr int deepest_geometry = 20;

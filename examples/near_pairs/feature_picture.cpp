@@ -5,6 +5,7 @@
 
 #include "feature_picture.h"
 
+#include "error.h"
 #include "summary.h"
 #include "svg.h"
 #include "text.h"

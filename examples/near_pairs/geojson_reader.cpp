@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// GeoJSON (RFC 7946): a collection of features, a feature or a geometry.
+// GeoJSON (RFC 7946): a collection of features, a feature or a geometry. A file may have several
+// such texts, each behind a record separator (RFC 8142) or on a line of its own.
 
 #include "feature.h"
 
@@ -9,7 +10,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <ios>
+#include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace near_pairs {
@@ -17,26 +19,45 @@ namespace {
 
 using nlohmann::json;
 
-// What is wrong is thrown as std::string.
-[[noreturn]] void refuse(const std::string& what)
+// What is wrong, and with which value of the text.
+struct Wrong
 {
-  throw what;
+  const json& value;
+  std::string what;
+};
+
+// The way from a value to one inside it, as in JSON pointers (RFC 6901).
+std::optional<std::string> way(const json& from, const json& to, int most_steps = 100)
+{
+  if(&from == &to)
+    return "";
+  if(most_steps != 0 && from.is_structured())
+    for(const auto& [step, part] : from.items())
+      if(const auto rest = way(part, to, most_steps - 1))
+        return "/" + step + *rest;
+  return std::nullopt;
 }
 
-// The member of an object, or null.
-const json& member(const json& object, const char* name)
+const json& member_or_null(const json& object, const std::string& name)
 {
   static const json none;
-  if(!object.is_object())
-    refuse("an object is missing");
   const auto found = object.find(name);
   return found == object.end() ? none : *found;
+}
+
+const json& member(const json& value, const std::string& name)
+{
+  if(!value.is_object())
+    throw Wrong{value, "is no object"};
+  if(!value.contains(name))
+    throw Wrong{value, "has no member '" + name + "'"};
+  return value[name];
 }
 
 const json& list(const json& value)
 {
   if(!value.is_array())
-    refuse("coordinates are no list");
+    throw Wrong{value, "is no list"};
   return value;
 }
 
@@ -44,7 +65,7 @@ const json& list(const json& value)
 Vertex position(const json& value)
 {
   if(list(value).size() < 2 || !value[0].is_number() || !value[1].is_number())
-    refuse("a position is no list of two numbers");
+    throw Wrong{value, "is no list of two numbers"};
   return {value[0].get<double>(), value[1].get<double>()};
 }
 
@@ -56,66 +77,65 @@ Vertices positions(const json& value)
   return vertices;
 }
 
-void add_line(const json& value, Feature& feature)
+void read_point(const json& value, Feature& feature)
 {
-  feature.lines.push_back(positions(value));
-  if(feature.lines.back().size() < 2)
-    refuse("a line has fewer than two positions");
+  if(!list(value).empty())
+    feature.lines.push_back({position(value)});
 }
 
-void add_polygon(const json& value, Feature& feature)
+void check(const json& value, const std::string& wrong)
+{
+  if(!wrong.empty())
+    throw Wrong{value, "is wrong: " + wrong};
+}
+
+void read_line(const json& value, Feature& feature)
+{
+  check(value, add_line(feature, positions(value)));
+}
+
+void read_polygon(const json& value, Feature& feature)
 {
   std::vector<Vertices> rings;
-  for(const json& ring : list(value)) {
+  for(const json& ring : list(value))
     rings.push_back(positions(ring));
-    if(const std::string wrong = open_ring(rings.back()); !wrong.empty())
-      refuse(wrong);
-  }
-  if(!rings.empty())
-    feature.polygons.push_back(std::move(rings));
+  check(value, add_polygon(feature, std::move(rings)));
 }
 
-void add_geometry(const json& geometry, Feature& feature, int depth = 0)
+void read_geometry(const json& geometry, Feature& feature, int depth = 0)
 {
   if(geometry.is_null())
     return;
   const json& type = member(geometry, "type");
-  const json& coordinates = member(geometry, "coordinates");
   if(depth > deepest_geometry)
-    refuse("collections are nested too deep");
+    throw Wrong{type, "is nested too deep"};
   if(type == "GeometryCollection") {
     for(const json& part : list(member(geometry, "geometries")))
-      add_geometry(part, feature, depth + 1);
+      read_geometry(part, feature, depth + 1);
+    return;
   }
-  else if(type == "Point")
-    feature.lines.push_back({position(coordinates)});
-  else if(type == "MultiPoint") {
-    for(const json& point : list(coordinates))
-      feature.lines.push_back({position(point)});
-  }
-  else if(type == "LineString")
-    add_line(coordinates, feature);
-  else if(type == "MultiLineString") {
-    for(const json& line : list(coordinates))
-      add_line(line, feature);
-  }
-  else if(type == "Polygon")
-    add_polygon(coordinates, feature);
-  else if(type == "MultiPolygon") {
-    for(const json& polygon : list(coordinates))
-      add_polygon(polygon, feature);
-  }
+  const bool is_multiple = type.is_string() && type.get<std::string>().compare(0, 5, "Multi") == 0;
+  const std::string kind = type.is_string() ? type.get<std::string>().substr(is_multiple * 5) : "";
+  const auto read = kind == "Point" ? read_point : kind == "LineString" ? read_line
+                    : kind == "Polygon" ? read_polygon : nullptr;
+  if(read == nullptr)
+    throw Wrong{type, type.dump() + " is no kind of geometry"};
+  const json& coordinates = member(geometry, "coordinates");
+  if(!is_multiple)
+    read(coordinates, feature);
   else
-    refuse("type " + type.dump() + " is no kind of geometry");
+    for(const json& part : list(coordinates))
+      read(part, feature);
 }
 
 // The id of a feature, or the property that is to name it.
 std::string id_of(const json& object, const std::string& property)
 {
-  const json& properties = member(object, "properties");
-  const json& own = member(object, "id");
-  const json& value = property.empty() && !own.is_null() ? own
-    : properties.is_object() ? member(properties, property.empty() ? "id" : property.c_str()) : own;
+  const json& properties = member_or_null(object, "properties");
+  const json& own = member_or_null(object, "id");
+  const bool has_own = !properties.is_object() || (property.empty() && !own.is_null());
+  const json& value
+    = has_own ? own : member_or_null(properties, property.empty() ? "id" : property);
   return value.is_null() ? "" : value.is_string() ? value.get<std::string>() : value.dump();
 }
 
@@ -123,48 +143,107 @@ Feature feature_of(const json& object, const std::string& id_property)
 {
   Feature feature;
   if(member(object, "type") != "Feature") {
-    add_geometry(object, feature);
+    read_geometry(object, feature);
     return feature;
   }
-  add_geometry(member(object, "geometry"), feature);
+  read_geometry(member(object, "geometry"), feature);
   feature.id = id_of(object, id_property);
-  const json& properties = member(object, "properties");
+  const json& properties = member_or_null(object, "properties");
   if(properties.is_object() && !properties.empty())
     feature.properties = properties.dump();
   return feature;
 }
 
-// The library begins its messages with names of its own, in brackets.
-std::string message_of(const json::exception& error)
+// Throws std::string.
+void read_text(const json& text, const std::string& id_property, std::vector<Feature>& features)
 {
+  try {
+    if(member(text, "type") != "FeatureCollection")
+      features.push_back(feature_of(text, id_property));
+    else
+      for(const json& object : list(member(text, "features")))
+        features.push_back(feature_of(object, id_property));
+  }
+  catch(const Wrong& wrong) {
+    const std::string place = way(text, wrong.value).value_or("");
+    throw (place.empty() ? "the text" : place) + " " + wrong.what;
+  }
+}
+
+// The place of the next text, or the end.
+std::size_t find_text(const std::string& bytes, std::size_t at)
+{
+  return std::min(bytes.find_first_not_of(" \t\r\n\x1E", at), bytes.size());
+}
+
+// The end of the text that begins at a place: behind its last bracket, or before the separator of
+// the next one.
+std::size_t end_of_text(const std::string& bytes, std::size_t at)
+{
+  std::size_t depth = 0;
+  for(bool is_quoted = false; at < bytes.size() && bytes[at] != '\x1E'; ++at) {
+    const char byte = bytes[at];
+    if(byte == '"')
+      is_quoted = !is_quoted;
+    else if(is_quoted)
+      at += byte == '\\';
+    else if(byte == '{' || byte == '[')
+      ++depth;
+    else if(byte == '}' || byte == ']') {
+      if(depth <= 1)
+        return at + 1;
+      --depth;
+    }
+  }
+  return std::min(at, bytes.size());
+}
+
+std::size_t line_of(const std::string& bytes, std::size_t at)
+{
+  return 1 + std::count(bytes.begin(), bytes.begin() + at, '\n');
+}
+
+// The library begins its messages with names of its own, in brackets, and with the place in the
+// text.
+Error syntax_error(const Input& input, const std::string& bytes, std::size_t begin,
+                   const json::parse_error& error)
+{
+  const std::size_t at = std::min(begin + std::max<std::size_t>(error.byte, 1) - 1, bytes.size());
+  const std::size_t line_begin = at == 0 ? 0 : bytes.rfind('\n', at - 1) + 1;
   const std::string message = error.what();
-  const std::size_t end = message.find("] ");
-  return end == std::string::npos ? message : message.substr(end + 2);
+  return Error(input.name(), line_of(bytes, at), at - line_begin + 1,
+               message.substr(message.find(": ") + 2));
 }
 
 } // namespace
 
 std::vector<Feature> read_geojson(const Input& input, const Read_options& options)
 {
+  const std::string bytes = input.text();
   std::vector<Feature> features;
-  try {
-    const json file = json::parse(*input.open());
-    const bool is_collection = file.is_object() && member(file, "type") == "FeatureCollection";
-    const json& objects = is_collection ? member(file, "features") : file;
-    if(!is_collection)
-      features.push_back(feature_of(file, options.id));
-    else
-      for(const json& object : list(objects))
-        features.push_back(feature_of(object, options.id));
-  }
-  catch(const json::exception& error) {
-    throw Error(input.name(), message_of(error));
-  }
-  catch(const std::ios::failure&) { // the parser reads past the stream, which catches it
-    throw Error(input.name(), "cannot be read to its end");
-  }
-  catch(const std::string& wrong) {
-    throw Error(input.name(), "feature " + std::to_string(features.size()) + " (from 0): " + wrong);
+  const std::size_t first = find_text(bytes, 0);
+  if(first == bytes.size())
+    throw Error(input.name(), "has no text of JSON");
+  for(std::size_t begin = first, end; begin < bytes.size(); begin = find_text(bytes, end)) {
+    end = end_of_text(bytes, begin);
+    const bool is_alone = begin == first && find_text(bytes, end) == bytes.size();
+    const auto wrong = [&](const std::string& what) {
+      return is_alone ? Error(input.name(), what)
+                      : Error(input.name(), line_of(bytes, begin), what);
+    };
+    try {
+      read_text(json::parse(bytes.begin() + begin, bytes.begin() + end), options.id, features);
+    }
+    catch(const json::parse_error& error) {
+      throw syntax_error(input, bytes, begin, error);
+    }
+    catch(const json::exception& error) { // a number beyond doubles
+      const std::string message = error.what();
+      throw wrong(message.substr(message.find("] ") + 2));
+    }
+    catch(const std::string& what) {
+      throw wrong(what);
+    }
   }
   return features;
 }

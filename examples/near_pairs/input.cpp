@@ -104,6 +104,21 @@ std::unique_ptr<std::istream> Input::open() const
   return std::make_unique<std::ifstream>(name_, std::ios::binary);
 }
 
+std::string Input::text() const
+{
+  std::string text;
+  try {
+    const std::unique_ptr<std::istream> stream = open();
+    stream->exceptions(std::ios::badbit);
+    text.assign(std::istreambuf_iterator<char>(*stream), {});
+  }
+  catch(const std::ios::failure&) {
+    throw Error(name_, "cannot be read to its end");
+  }
+  take_mark(text, name_);
+  return text;
+}
+
 void Input::show_bytes(std::size_t bytes) const
 {
   if(!shows_progress_)

@@ -23,6 +23,9 @@ public:
   // file. The stream must not outlive this object.
   std::unique_ptr<std::istream> open() const;
 
+  // All these bytes, without a mark of UTF-8 before them.
+  std::string text() const;
+
   const std::string& name() const { return name_; }
 
   // Throws Error unless a stream that ends had so many bytes: another program may cut the file, or

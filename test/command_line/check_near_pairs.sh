@@ -706,29 +706,29 @@ fi
 
 expect_wkt_error() { # MESSAGE TEXT
   printf '\n%s\n' "$2" > wrong.wkt
-  expect_error "WKT ${2:0:40}" "wrong.wkt:2: $1" wrong.wkt --distance 1
+  expect_error "WKT ${2:0:40}" "wrong.wkt:2:$1" wrong.wkt --distance 1
 }
-expect_wkt_error "'CIRCLE' is no kind of geometry" "CIRCLE(0 0)"
-expect_wkt_error "'nan' is no finite number" "POINT(0 nan)"
-expect_wkt_error "')' is no finite number" "POINT(0)"
-expect_wkt_error "')' is missing" "POINT(0 0"
-expect_wkt_error "'x' is behind the geometry" "POINT(0 0) x"
-expect_wkt_error "a line has fewer than two" "LINESTRING(0 0)"
-expect_wkt_error "a ring has fewer than four" "POLYGON((0 0,1 1,0 0))"
-expect_wkt_error "a ring does not end where it begins" "POLYGON((0 0,1 0,1 1,0 1))"
-expect_wkt_error "collections are nested too deep" \
+expect_wkt_error "1: 'CIRCLE' is no kind of geometry" "CIRCLE(0 0)"
+expect_wkt_error "9: 'nan' is no finite number" "POINT(0 nan)"
+expect_wkt_error "8: ')' is no finite number" "POINT(0)"
+expect_wkt_error "10: ')' is missing" "POINT(0 0"
+expect_wkt_error "12: 'x' is behind the geometry" "POINT(0 0) x"
+expect_wkt_error "15: a line has fewer than two" "LINESTRING(0 0)"
+expect_wkt_error "22: a ring has fewer than four" "POLYGON((0 0,1 1,0 0))"
+expect_wkt_error "26: a ring does not end where it begins" "POLYGON((0 0,1 0,1 1,0 1))"
+expect_wkt_error "400: collections are nested too deep" \
                  "$(yes 'GEOMETRYCOLLECTION(' | head -n 100000 | tr -d '\n')"
 expect_json_error() { # MESSAGE TEXT
   printf '%s' "$2" > wrong.geojson
-  expect_error "GeoJSON ${2:0:40}" "wrong.geojson: $1" wrong.geojson --distance 1
+  expect_error "GeoJSON ${2:0:40}" "wrong.geojson:$1" wrong.geojson --distance 1
 }
-expect_json_error "parse error at line 1, column 2" "{"
-expect_json_error "feature 0 (from 0): an object is missing" "[]"
-expect_json_error 'feature 0 (from 0): type "Circle" is no kind' '{"type":"Circle","coordinates":[0,0]}'
-expect_json_error 'feature 0 (from 0): a position is no list of two' '{"type":"Point","coordinates":[0]}'
-expect_json_error 'feature 0 (from 0): a ring does not end' \
+expect_json_error "1:2: syntax error" "{"
+expect_json_error " the text is no object" "[]"
+expect_json_error ' /type "Circle" is no kind' '{"type":"Circle","coordinates":[0,0]}'
+expect_json_error ' /coordinates is no list of two' '{"type":"Point","coordinates":[0]}'
+expect_json_error ' /coordinates is wrong: a ring does not end' \
                   '{"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1],[0,1]]]}'
-expect_json_error "number overflow" '{"type":"Point","coordinates":[1e999,0]}'
+expect_json_error " number overflow" '{"type":"Point","coordinates":[1e999,0]}'
 for option in "--closest" "--distance 1 --decimal" "--distance 1 --geographic" \
               "--distance 1 --components" "--distance 1 --kernel exact" \
               "--distance 1 --points points.csv"; do
