@@ -14,13 +14,13 @@ namespace {
 
 constexpr Number_type integer = {4, Number_type::SIGNED}, real = {4, Number_type::FLOATING};
 
-// Removes letters from the front of a word if it begins with them.
+// Removes letters from a word if it has them.
 bool take_letters(std::string& word, const std::string& letters)
 {
-  if(word.compare(0, letters.size(), letters) != 0)
-    return false;
-  word.erase(0, letters.size());
-  return true;
+  const std::size_t place = word.find(letters);
+  if(place != std::string::npos)
+    word.erase(place, letters.size());
+  return place != std::string::npos;
 }
 
 } // namespace
@@ -35,7 +35,8 @@ Off_reader::Off_reader(const Input& input, const Read_options& options)
   dimension = options.dimension == 0 ? static_cast<int>(coordinates_) : options.dimension;
 }
 
-// The keyword is [ST][C][N][4][n]OFF. It may be missing, and the first count may follow at once.
+// The keyword is [ST][C][N][4][n]OFF; MeshLab has the letters in another order. It may be missing,
+// and the first count may follow at once.
 void Off_reader::read_keyword()
 {
   numbers_.next_word();

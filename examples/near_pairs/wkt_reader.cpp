@@ -210,6 +210,13 @@ private:
 
   void line() { check(add_line(feature_, positions())); }
 
+  void ring()
+  {
+    const Vertices vertices = positions();
+    const bool is_open = !vertices.empty() && vertices.front() != vertices.back();
+    check(is_open ? "a ring does not end where it begins" : add_line(feature_, vertices));
+  }
+
   void polygon()
   {
     std::vector<Vertices> rings;
@@ -238,8 +245,10 @@ private:
     const std::string kind = take_kind();
     if(kind == "POINT")
       point();
-    else if(kind == "LINESTRING" || kind == "LINEARRING")
+    else if(kind == "LINESTRING")
       line();
+    else if(kind == "LINEARRING")
+      ring();
     else if(kind == "POLYGON" || kind == "TRIANGLE")
       polygon();
     else if(kind == "MULTIPOINT")

@@ -92,6 +92,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   options.dimension = 2;
   read(options, most_points);
   options.dimension = 0;
+  options.skip_missing = true;
+  read(options, most_points);
+  options.skip_missing = false;
   options.decimal = true;
   read(options, most_points);
   options.kernel = "exact";
