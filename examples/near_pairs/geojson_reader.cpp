@@ -176,43 +176,41 @@ std::size_t find_text(const std::string& bytes, std::size_t at)
   return std::min(bytes.find_first_not_of(" \t\r\n\x1E", at), bytes.size());
 }
 
-// The end of the text that begins at a place: behind its last bracket, or before the separator of
-// the next one.
-std::size_t end_of_text(const std::string& bytes, std::size_t at)
+// Says what is wrong at a byte.
+Error error_at(const Input& input, const std::string& bytes, std::size_t at,
+               const std::string& what)
 {
-  std::size_t depth = 0;
+  const auto here = bytes.begin() + static_cast<std::ptrdiff_t>(at);
+  const std::size_t line = 1 + std::count(bytes.begin(), here, '\n');
+  const std::size_t line_begin = at == 0 ? 0 : bytes.rfind('\n', at - 1) + 1;
+  return Error(input.name(), line, at - line_begin + 1, what);
+}
+
+// The end of the text that begins at a place: behind its last bracket, or before the separator of
+// the next one. The library writes properties by a function that calls itself, so there is a limit.
+std::size_t end_of_text(const Input& input, const std::string& bytes, std::size_t at)
+{
+  const int most_brackets = 1000;
+  int depth = 0;
   for(bool is_quoted = false; at < bytes.size() && bytes[at] != '\x1E'; ++at) {
     const char byte = bytes[at];
     if(byte == '"')
       is_quoted = !is_quoted;
     else if(is_quoted)
       at += byte == '\\';
-    else if(byte == '{' || byte == '[')
-      ++depth;
-    else if(byte == '}' || byte == ']') {
-      if(depth <= 1)
-        return at + 1;
-      --depth;
-    }
+    else if((byte == '{' || byte == '[') && ++depth > most_brackets)
+      throw error_at(input, bytes, at, "brackets are nested too deep");
+    else if((byte == '}' || byte == ']') && --depth == 0)
+      return at + 1;
   }
   return std::min(at, bytes.size());
 }
 
-std::size_t line_of(const std::string& bytes, std::size_t at)
+// The library begins its messages with names of its own, and with the place in the text.
+std::string message_of(const json::exception& error, const std::string& end_of_names)
 {
-  return 1 + std::count(bytes.begin(), bytes.begin() + at, '\n');
-}
-
-// The library begins its messages with names of its own, in brackets, and with the place in the
-// text.
-Error syntax_error(const Input& input, const std::string& bytes, std::size_t begin,
-                   const json::parse_error& error)
-{
-  const std::size_t at = std::min(begin + std::max<std::size_t>(error.byte, 1) - 1, bytes.size());
-  const std::size_t line_begin = at == 0 ? 0 : bytes.rfind('\n', at - 1) + 1;
   const std::string message = error.what();
-  return Error(input.name(), line_of(bytes, at), at - line_begin + 1,
-               message.substr(message.find(": ") + 2));
+  return message.substr(message.find(end_of_names) + end_of_names.size());
 }
 
 } // namespace
@@ -225,21 +223,20 @@ std::vector<Feature> read_geojson(const Input& input, const Read_options& option
   if(first == bytes.size())
     throw Error(input.name(), "has no text of JSON");
   for(std::size_t begin = first, end; begin < bytes.size(); begin = find_text(bytes, end)) {
-    end = end_of_text(bytes, begin);
+    end = end_of_text(input, bytes, begin);
     const bool is_alone = begin == first && find_text(bytes, end) == bytes.size();
     const auto wrong = [&](const std::string& what) {
-      return is_alone ? Error(input.name(), what)
-                      : Error(input.name(), line_of(bytes, begin), what);
+      return is_alone ? Error(input.name(), what) : error_at(input, bytes, begin, what);
     };
     try {
       read_text(json::parse(bytes.begin() + begin, bytes.begin() + end), options.id, features);
     }
     catch(const json::parse_error& error) {
-      throw syntax_error(input, bytes, begin, error);
+      throw error_at(input, bytes, std::min(begin + error.byte - 1, bytes.size()),
+                     message_of(error, ": "));
     }
     catch(const json::exception& error) { // a number beyond doubles
-      const std::string message = error.what();
-      throw wrong(message.substr(message.find("] ") + 2));
+      throw wrong(message_of(error, "] "));
     }
     catch(const std::string& what) {
       throw wrong(what);

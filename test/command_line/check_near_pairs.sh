@@ -728,6 +728,8 @@ expect_json_error ' /type "Circle" is no kind' '{"type":"Circle","coordinates":[
 expect_json_error ' /coordinates is no list of two' '{"type":"Point","coordinates":[0]}'
 expect_json_error ' /coordinates is wrong: a ring does not end' \
                   '{"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1],[0,1]]]}'
+expect_json_error "1:1051: brackets are nested too deep" \
+  "{\"type\":\"Feature\",\"geometry\":null,\"properties\":{\"a\":$(yes '[' | head -n 300000 | tr -d '\n')"
 expect_json_error " number overflow" '{"type":"Point","coordinates":[1e999,0]}'
 for option in "--closest" "--distance 1 --decimal" "--distance 1 --geographic" \
               "--distance 1 --components" "--distance 1 --kernel exact" \
