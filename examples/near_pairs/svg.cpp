@@ -73,8 +73,10 @@ void write_y_axis(std::ostream& svg, const Panel& panel, const std::string& name
 
 void check_window(const Panel& panel)
 {
-  if(!std::isfinite(panel.high.x - panel.low.x) || !std::isfinite(panel.high.y - panel.low.y))
-    throw Error("--picture: the extent of the scene is beyond all doubles");
+  const double most_scale = 1e300; // and a little more is beyond doubles
+  for(double scale : {panel.x_scale, panel.y_scale})
+    if(!(scale < most_scale && scale > 1 / most_scale))
+      throw Error("--picture: the scene is too wide or too narrow to be drawn");
 }
 
 std::string short_number(double value, int digits)
