@@ -12,6 +12,7 @@
 #   Program_options   Boost.Program_options
 #   Iostreams         Boost.Iostreams, with its filters for gzip
 #   JSON              nlohmann's library of JSON, which has headers only
+#   Gemmi             the library gemmi of molecules, of which only headers are taken
 #   Unit_test         Boost.Test, linked dynamically, with a main function
 #
 # When one of them is missing the target is not made, and the reason is printed; with
@@ -62,6 +63,17 @@ endif()
 find_package(nlohmann_json QUIET)
 if(TARGET nlohmann_json::nlohmann_json)
   thick_provide_support(JSON nlohmann_json::nlohmann_json)
+endif()
+# The headers of gemmi need those of PEGTL, which Debian has apart, and others among them.
+find_path(THICK_GEMMI_INCLUDE_DIR gemmi/cif.hpp)
+find_path(THICK_PEGTL_INCLUDE_DIR tao/pegtl.hpp
+  HINTS ${THICK_GEMMI_INCLUDE_DIR}/gemmi/third_party)
+mark_as_advanced(THICK_GEMMI_INCLUDE_DIR THICK_PEGTL_INCLUDE_DIR)
+if(THICK_GEMMI_INCLUDE_DIR AND THICK_PEGTL_INCLUDE_DIR)
+  add_library(thick_gemmi INTERFACE)
+  target_include_directories(thick_gemmi SYSTEM INTERFACE
+    ${THICK_GEMMI_INCLUDE_DIR} ${THICK_PEGTL_INCLUDE_DIR})
+  thick_provide_support(Gemmi thick_gemmi)
 endif()
 if(TARGET Boost::unit_test_framework)
   add_library(thick_test_main STATIC EXCLUDE_FROM_ALL

@@ -8,7 +8,6 @@
 #include "decimal.h"
 #include "error.h"
 #include "rational.h"
-#include "row_reader.h"
 #include "text.h"
 
 #include <CGAL/number_utils.h> // abs
@@ -17,7 +16,6 @@
 #include <cmath>
 #include <cstddef>
 #include <sstream>
-#include <string_view>
 
 namespace near_pairs {
 namespace {
@@ -52,6 +50,15 @@ Cell cell_of_sides(const std::vector<Exact_number>& sides, const std::string& wh
     numbers[k * (dimension + 1)] = sides[k];
   }
   return cell_of_vectors(numbers, dimension);
+}
+
+bool truth_of(const std::string& word)
+{
+  const std::string lower = lower_case(word);
+  const bool is_true = lower == "t" || lower == "true" || lower == "1";
+  if(!is_true && lower != "f" && lower != "false" && lower != "0")
+    throw Error("pbc: '" + word + "' is neither T nor F");
+  return is_true;
 }
 
 // Rounds unless the factor is that of a right angle.
@@ -109,48 +116,36 @@ Cell parse_cell(const std::string& text)
   }
 }
 
-Cell lattice_cell(const std::string& lattice, const std::string& pbc)
+Cell lattice_cell(const std::vector<std::string>& lattice, const std::vector<std::string>& pbc)
 {
   std::vector<Exact_number> numbers;
-  for(const std::string& word : words(lattice, 10))
+  for(const std::string& word : lattice)
     numbers.push_back(number_of(word, "Lattice"));
-  if(numbers.size() != 9)
-    throw Error("Lattice: a cell has nine numbers");
-  Cell cell = cell_of_vectors(numbers, 3);
+  if(numbers.size() != 3 && numbers.size() != 9)
+    throw Error("Lattice: a cell has nine numbers, or three sides");
+  Cell cell = numbers.size() == 3 ? cell_of_sides(numbers, "Lattice") : cell_of_vectors(numbers, 3);
   if(pbc.empty())
     return cell;
-  const std::vector<std::string> letters = words(pbc, 4);
-  if(letters.size() != 3)
+  if(pbc.size() != 1 && pbc.size() != 3)
     throw Error("pbc: three axes repeat or not, as T T F");
-  for(std::size_t k = 0; k < 3; ++k) {
-    cell.repeats[k] = letters[k] == "T";
-    if(!cell.repeats[k] && letters[k] != "F")
-      throw Error("pbc: '" + letters[k] + "' is neither T nor F");
-  }
+  for(std::size_t k = 0; k < 3; ++k)
+    cell.repeats[k] = truth_of(pbc[pbc.size() == 1 ? 0 : k]);
   return cell;
 }
 
-Cell crystal_cell(const std::string& line)
+Cell crystal_cell(const Crystal& crystal, const std::string& what)
 {
-  const std::string what = "CRYST1";
-  const std::size_t begin = 6, length_width = 9, angle_width = 7; // columns, from 0
-  const std::size_t begin_of_angles = begin + 3 * length_width;
-  const std::size_t group = begin_of_angles + 3 * angle_width + 1, group_width = 11;
-  if(line.size() < group - 1)
-    throw Error(what + ": the line ends before column 54, and its angles do not");
   std::vector<Exact_number> sides, degrees;
   for(std::size_t k = 0; k < 3; ++k) {
-    sides.push_back(number_of(line.substr(begin + k * length_width, length_width), what));
-    degrees.push_back(number_of(line.substr(begin_of_angles + k * angle_width, angle_width), what));
+    sides.push_back(number_of(crystal.sides[k], what));
+    degrees.push_back(number_of(crystal.degrees[k], what));
   }
   const auto is_one = [](const Exact_number& side) { return side->value == 1; };
   if(std::all_of(sides.begin(), sides.end(), is_one))
     throw Error(what + ": the sides 1, 1, 1 stand for no cell");
   Cell cell = cell_of_angles(sides, degrees, what);
-  if(line.size() > group)
-    cell.space_group = trimmed(std::string_view(line).substr(group, group_width));
-  if(cell.space_group == "P 1")
-    cell.space_group.clear();
+  if(crystal.space_group != "P 1")
+    cell.space_group = crystal.space_group;
   return cell;
 }
 

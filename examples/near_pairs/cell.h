@@ -28,11 +28,19 @@ struct Cell
 // Reads two or three sides, or the four or nine numbers of vectors.
 Cell parse_cell(const std::string& text);
 
-// Reads the nine numbers of Lattice, and the three letters of pbc unless they are empty.
-Cell lattice_cell(const std::string& lattice, const std::string& pbc);
+// Reads the nine numbers of Lattice, or the three sides of a box, and the words of pbc: one for
+// each axis or one for all; without them, all axes repeat.
+Cell lattice_cell(const std::vector<std::string>& lattice, const std::vector<std::string>& pbc);
 
-// Reads the line CRYST1 of the format PDB. The vectors are exact if all angles are right.
-Cell crystal_cell(const std::string& line);
+// The cell of a crystal as text, as in the files of PDB.
+struct Crystal
+{
+  std::array<std::string, 3> sides, degrees;
+  std::string space_group;
+};
+
+// `what` is what the file calls the cell. The vectors are exact if all angles are right.
+Cell crystal_cell(const Crystal& crystal, const std::string& what);
 
 // Sides if the cell is a box, or else vectors.
 std::string cell_in_words(const Cell& cell);

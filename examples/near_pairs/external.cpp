@@ -47,6 +47,7 @@ void print_summary(std::ostream& out, const Options& options, const External_res
 {
   print_name(out, "points") << result.points << '\n';
   print_guessed(out, {result.guessed});
+  print_frames(out, {result.frame});
   print_name(out, "pairs") << result.pairs << '\n';
   print_name(out, "distance")
     << distance_in_words(options, options.geographic ? "m" : "") << '\n';

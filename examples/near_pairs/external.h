@@ -6,6 +6,7 @@
 #ifndef NEAR_PAIRS_EXTERNAL_H
 #define NEAR_PAIRS_EXTERNAL_H
 
+#include "frame.h"
 #include "options.h"
 
 #include <cstddef>
@@ -20,6 +21,7 @@ struct External_result
   std::uint64_t points = 0;
   std::uint64_t pairs = 0;
   std::string guessed; // the columns of a table, if names told them
+  Frame frame;
   double seconds = 0; // from reading the file to the last pair
 };
 

@@ -59,6 +59,7 @@ void print_points(std::ostream& out, const Scene& scene)
     out << *scene.first_size << " and ";
   out << scene.size() - scene.first_size.value_or(0) << '\n';
   print_guessed(out, scene.guessed);
+  print_frames(out, scene.frames);
   if(scene.rows.empty())
     return;
   print_name(out, "skipped") << scene.skipped.front();

@@ -62,7 +62,7 @@ void add_reading_options(po::options_description& all, Options& options)
   po::options_description points = group("How a file is read");
   points.add_options()
     ("format", po::value<std::string>(&options.format)->value_name("NAME"),
-     "csv, xyz, off, ply, obj, pdb, tsp, bin, wkt, geojson")
+     "csv xyz off ply obj pdb cif tsp bin wkt geojson")
     ("separator", po::value<std::string>()->value_name("CHAR"),
      "of a table; also tab, blanks (default: found)")
     ("no-header", po::bool_switch(&options.no_header), "the first row of a table is a point")
@@ -74,6 +74,8 @@ void add_reading_options(po::options_description& all, Options& options)
      "numbers in a table have a comma, as 3,14")
     ("skip-missing", po::bool_switch(&options.skip_missing),
      "leave out points without coordinates: empty, NA, 91 N")
+    ("frame", po::value<Texts>()->value_name("N"),
+     "frame or model to read (default: 1, the first) (1)")
     ("dimension", po::value<int>(&options.dimension)->value_name("2|3"),
      "use so many coordinates (default: all)")
     ("geographic", po::bool_switch(&options.geographic),
@@ -219,11 +221,26 @@ std::string text_for_file(const po::variables_map& map, const std::string& optio
   return texts.size() == 1 ? texts.front() : texts[file];
 }
 
+// The number of the frame of file `file`. It is for the files that may have frames.
+std::size_t frame_for_file(const po::variables_map& map, const Options& options, std::size_t file)
+{
+  const auto may = [&](const std::string& name) { return has_frames(name, options); };
+  if(map.count("frame") && std::none_of(options.files.begin(), options.files.end(), may))
+    throw Error("--frame is for .xyz, .pdb and .cif files");
+  const std::string text = text_for_file(map, "frame", file);
+  if(text.empty() || !may(options.files[file]))
+    return 1;
+  const auto number = parse_count(text);
+  if(!number || *number == 0)
+    throw Error("--frame: '" + text + "' is no number of a frame, the first of which is 1");
+  return *number;
+}
+
 // The options of tables are for the tables among the files. If there is none, the readers refuse
 // them.
 void read_readings(const po::variables_map& map, Options& options)
 {
-  for(const char* option : {"columns", "id"})
+  for(const char* option : {"columns", "id", "frame"})
     if(map.count(option) && map[option].as<Texts>().size() > options.files.size())
       throw Error(std::string("--") + option + " is given once, or once for each file");
   const auto is_one = [&](const std::string& file) { return is_table(file, options); };
@@ -231,6 +248,7 @@ void read_readings(const po::variables_map& map, Options& options)
   for(std::size_t file = 0; file < options.files.size(); ++file) {
     Read_options reading = options;
     reading.id = text_for_file(map, "id", file);
+    reading.frame = frame_for_file(map, options, file);
     const std::string columns = text_for_file(map, "columns", file);
     if(!columns.empty())
       reading.columns = parse_columns(columns, options);
@@ -365,6 +383,8 @@ void read_memory(const po::variables_map& map, Options& options)
   options.memory = parse_size(map["memory"].as<std::string>());
   if(options.files.size() != 1 || options.files.front() == "-")
     throw Error("--memory is for one file, and the standard input is kept in memory");
+  if(is_cif(format_of(options.files.front(), options)))
+    throw Error("--memory reads no .cif file, which is kept in memory as a whole");
   if(options.kernel == "exact" || options.decimal)
     throw Error("--memory holds coordinates as doubles");
   if(extension(options.pairs) == ".geojson")
@@ -417,9 +437,8 @@ std::string help_text()
 {
   const char* const notes
     = "\n(1) Given twice, it is for the first file and for the second one.\n"
-      "(2) 0.1 is a tenth, not the double beside it: no tie is lost, and the search of\n"
-      "    short decimals takes half the time.\n"
-      "(3) Or vectors of four or nine numbers; or file: Lattice of .xyz, CRYST1 of .pdb\n";
+      "(2) 0.1 is a tenth, not the double beside it: no tie is lost, and often faster.\n"
+      "(3) Or vectors of four or nine numbers; or file: the cell of .xyz, .pdb or .cif\n";
   Options ignored;
   po::options_description visible(columns, columns_of_descriptions);
   add_scene_options(visible, ignored);
@@ -428,7 +447,7 @@ std::string help_text()
   std::ostringstream text;
   text << "near_pairs [options] FILE [FILE]\n"
           "reports every pair of points of FILE, or between two files, within a distance.\n"
-          "FILE is a table (.csv), .xyz, .off, .ply, .obj, .pdb or .tsp, also .gz, or -,\n"
+          "FILE is a table (.csv), .xyz, .off, .ply, .obj, .pdb, .cif, .tsp, also .gz or -,\n"
           "or three doubles per point, least byte first (.bin). Points, lines and polygons\n"
           "of .wkt and .geojson are near if some of their points are: --distance 0 to meet.\n"
        << visible << notes << "\nExit status: 0, or 2 with one line on the standard error.\n";

@@ -10,13 +10,16 @@
 #include "input.h"
 #include "row_reader.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
 namespace near_pairs {
 
-// The records ATOM and HETATM, up to the end of the first model. The serial number of an atom is
-// its id. CRYST1 is the cell. Matrices that make copies of the molecule are not looked at.
+// The records ATOM and HETATM of a model, which ends at ENDMDL or END. The serial number of an atom
+// is its id. CRYST1 is the cell. Matrices that make copies of the molecule are not looked at. This
+// is not left to the library gemmi, which reads other things at once, but takes a coordinate that
+// is no number as 0, and one that is not in its columns by those of its digits that are.
 class Pdb_reader : public Row_reader
 {
 public:
@@ -26,8 +29,12 @@ public:
   std::optional<Cell> cell() const override;
 
 private:
+  bool takes_atom();
+  void read_atom(Row& row) const;
+
   Lines lines_;
-  bool has_atoms_ = false;
+  std::string line_;
+  bool is_in_model_ = false;
   std::string crystal_; // the line of the cell
 };
 

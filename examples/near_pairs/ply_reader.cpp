@@ -6,6 +6,7 @@
 #include "ply_reader.h"
 
 #include "error.h"
+#include "text.h"
 
 #include <algorithm>
 #include <cctype>
@@ -26,13 +27,6 @@ const Named_type types[] = {
   {"uint", "uint32", {4, Number_type::UNSIGNED}}, {"int", "int32", {4, Number_type::SIGNED}},
   {"float", "float32", {4, Number_type::FLOATING}},
   {"double", "float64", {8, Number_type::FLOATING}}};
-
-std::string in_lower_case(std::string text)
-{
-  for(char& letter : text)
-    letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  return text;
-}
 
 } // namespace
 
@@ -103,13 +97,13 @@ void Ply_reader::read_format(const std::string& name)
 Ply_property Ply_reader::property_of(const std::vector<std::string>& texts) const
 {
   if(texts.size() == 3)
-    return {in_lower_case(texts[2]), type_named(texts[1]), {}};
+    return {lower_case(texts[2]), type_named(texts[1]), {}};
   if(texts.size() != 5 || texts[1] != "list")
     throw wrong_line("a property has a type and a name");
   const Number_type count_type = type_named(texts[2]);
   if(count_type.kind == Number_type::FLOATING)
     throw wrong_line("the length of a list is no integer");
-  return {in_lower_case(texts[4]), type_named(texts[3]), count_type};
+  return {lower_case(texts[4]), type_named(texts[3]), count_type};
 }
 
 Number_type Ply_reader::type_named(const std::string& name) const

@@ -105,6 +105,7 @@ private:
     }
     scene_.skipped.push_back(reader->skipped);
     scene_.guessed.push_back(guessed_columns(*reader));
+    scene_.frames.push_back(reader->frame);
     if(options_.is_periodic && !options_.cell)
       take_cell(input, *reader);
   }
@@ -120,15 +121,15 @@ private:
         scene_.cell = cell;
     }
     catch(const Error& error) {
-      throw Error(input.name(), error.what());
+      throw Error(input.name(), reader.line_of_cell, error.what());
     }
   }
 
   void check_cell() const
   {
     if(options_.is_periodic && !scene_.cell)
-      throw Error(inputs_.front().name(), "no cell, which is Lattice in .xyz or CRYST1 in .pdb; "
-                  "give sides, as --periodic 1,1,1");
+      throw Error(inputs_.front().name(), "no cell, which is Lattice in .xyz, CRYST1 in .pdb or "
+                  "_cell in .cif; give sides, as --periodic 1,1,1");
     if(scene_.cell && scene_.cell->vectors.size() != std::size_t(scene_.dimension))
       throw Error("--periodic: the cell has " + std::to_string(scene_.cell->vectors.size())
                   + " dimensions, and points have " + plural(scene_.dimension, "coordinate"));
@@ -138,6 +139,7 @@ private:
   {
     Point_stream points(input, reading);
     begin(input, points.dimension());
+    scene_.frames.push_back(points.frame());
     scene_.names = {"x", "y", "z"};
     for(std::array<double, 3> point; points.next(point); )
       scene_.doubles.insert(scene_.doubles.end(), point.begin(),

@@ -34,6 +34,9 @@ public:
   // The columns that were guessed, for a summary.
   std::string guessed() const { return reader_ ? guessed_columns(*reader_) : ""; }
 
+  // Known from the end of the points.
+  Frame frame() const { return reader_ ? reader_->frame : Frame(); }
+
 private:
   bool next_row(std::array<double, 3>& point);
   bool next_binary(std::array<double, 3>& point);

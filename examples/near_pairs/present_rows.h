@@ -32,6 +32,7 @@ public:
         return true;
       ++skipped;
     }
+    frame = reader_->frame;
     return false;
   }
 

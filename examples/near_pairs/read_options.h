@@ -6,6 +6,7 @@
 #ifndef NEAR_PAIRS_READ_OPTIONS_H
 #define NEAR_PAIRS_READ_OPTIONS_H
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct Read_options
   std::vector<std::string> columns;
   std::string id;                 // the column of names; empty: the one that is called so
   bool decimal = false;
+  std::size_t frame = 1;          // which one is read, if the file may have several
 
   // Forgets what is for tables only.
   void take_no_table()

@@ -5,6 +5,7 @@
 
 #include "row_reader.h"
 
+#include "cif_reader.h"
 #include "csv_reader.h"
 #include "decimal.h"
 #include "error.h"
@@ -23,6 +24,13 @@
 #include <utility>
 
 namespace near_pairs {
+void Row_reader::require_frame(const std::string& file) const
+{
+  if(frame.number > frame.count)
+    throw Error(file, "no frame " + std::to_string(frame.number) + ": the file has "
+                + plural(frame.count, "frame"));
+}
+
 std::string format_of(const std::string& file, const Read_options& options)
 {
   if(!options.format.empty())
@@ -64,6 +72,8 @@ std::unique_ptr<Row_reader> reader_of(const std::string& format, const Input& in
     return std::make_unique<Obj_reader>(input, options);
   if(format == "pdb" || format == "ent")
     return std::make_unique<Pdb_reader>(input, options);
+  if(is_cif(format))
+    return std::make_unique<Cif_reader>(input, options);
   return nullptr;
 }
 
@@ -92,7 +102,7 @@ std::unique_ptr<Row_reader> open_rows(const Input& input, const Read_options& op
   auto reader = reader_of(format, input, options);
   if(!reader)
     throw Error(input.name(), "unknown format; name one of csv (for any table), xyz, off, ply, "
-                "obj, pdb, tsp, bin, wkt and geojson by --format" + advice_on(format));
+                "obj, pdb, cif, tsp, bin, wkt and geojson by --format" + advice_on(format));
   refuse_options_for_tables(input, options, reader->latitude_axis != -1);
   if(options.skip_missing)
     return std::make_unique<Present_rows>(std::move(reader));
@@ -112,6 +122,17 @@ bool is_table(const std::string& file, const Read_options& options)
 {
   const std::initializer_list<const char*> tables = {"csv", "tsv", "txt", "dat"};
   return std::find(tables.begin(), tables.end(), format_of(file, options)) != tables.end();
+}
+
+bool is_cif(const std::string& format)
+{
+  return format == "cif" || format == "mmcif";
+}
+
+bool has_frames(const std::string& file, const Read_options& options)
+{
+  const std::string format = format_of(file, options);
+  return format == "xyz" || format == "pdb" || format == "ent" || is_cif(format);
 }
 
 bool is_binary(const Input& input, const Read_options& options)

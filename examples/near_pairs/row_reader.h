@@ -8,6 +8,7 @@
 #define NEAR_PAIRS_ROW_READER_H
 
 #include "cell.h"
+#include "frame.h"
 #include "input.h"
 #include "read_options.h"
 
@@ -38,6 +39,7 @@ public:
 
   // The cell that the file tells, known from the end of the rows. Throws Error if it is none.
   virtual std::optional<Cell> cell() const { return std::nullopt; }
+  std::size_t line_of_cell = 0;
 
   // Coordinates per row, known from the beginning.
   int dimension = 0;
@@ -53,6 +55,13 @@ public:
   bool is_table = false;
   bool are_guessed = false; // the columns of a table, by their names
   std::size_t skipped = 0; // rows that were left out, up to now
+
+  // The one that is read; the count is known from the end of the rows.
+  Frame frame;
+
+protected:
+  // Throws Error if the file has no such frame.
+  void require_frame(const std::string& file) const;
 };
 
 // Reads the input by options.format or, if that is empty, by its extension.
@@ -71,6 +80,12 @@ bool is_table(const std::string& file, const Read_options& options);
 // Throws Error if there is one of them. Nodes of .tsp may be in degrees, too.
 void refuse_options_for_tables(const Input& input, const Read_options& options,
                                bool are_degrees = false);
+
+// Whether a format is CIF, which is read into memory as a whole.
+bool is_cif(const std::string& format);
+
+// Whether the file may have several frames, or models of a molecule.
+bool has_frames(const std::string& file, const Read_options& options);
 
 // Whether the input is no text, but three doubles for each point (.bin).
 bool is_binary(const Input& input, const Read_options& options);

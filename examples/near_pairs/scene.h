@@ -8,6 +8,7 @@
 
 #include "cell.h"
 #include "exact_number.h"
+#include "frame.h"
 
 #include <array>
 #include <cstddef>
@@ -37,6 +38,8 @@ struct Scene
   // Of the points in their files, if rows may have been skipped.
   std::vector<std::size_t> rows;
   std::vector<std::size_t> skipped; // how many, in each file
+
+  std::vector<Frame> frames; // that were read, of each file
 
   std::vector<std::string> ids; // of the points, if pairs are to be named and a file has ids
   std::array<std::string, 3> names;

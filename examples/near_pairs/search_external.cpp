@@ -46,10 +46,10 @@ public:
     using reference = Point;
 
     Iterator() = default;
-    Iterator(std::shared_ptr<Point_stream> stream, std::uint64_t& count)
-      : stream_(std::move(stream)), count_(&count)
+    Iterator(std::shared_ptr<Point_stream> stream, External_result& result)
+      : stream_(std::move(stream)), result_(&result)
     {
-      count = 0;
+      result.points = 0;
       read();
     }
 
@@ -67,32 +67,34 @@ public:
   private:
     void read()
     {
-      if(stream_->next(x_))
-        ++*count_;
-      else
-        stream_.reset();
+      if(stream_->next(x_)) {
+        ++result_->points;
+        return;
+      }
+      result_->frame = stream_->frame();
+      stream_.reset();
     }
 
     std::shared_ptr<Point_stream> stream_; // none at the end
-    std::uint64_t* count_ = nullptr;
+    External_result* result_ = nullptr;
     std::array<double, 3> x_ = {};
   };
 
-  // Counts the points of the last pass in `count`.
-  Streamed_points(const Input& input, const Read_options& options, std::uint64_t& count)
-    : input_(input), options_(options), count_(count)
+  // Counts the points of the last pass in `result`.
+  Streamed_points(const Input& input, const Read_options& options, External_result& result)
+    : input_(input), options_(options), result_(result)
   {}
 
   Iterator begin() const
   {
-    return Iterator(std::make_shared<Point_stream>(input_, options_), count_);
+    return Iterator(std::make_shared<Point_stream>(input_, options_), result_);
   }
   Iterator end() const { return Iterator(); }
 
 private:
   const Input& input_;
   const Read_options& options_;
-  std::uint64_t& count_;
+  External_result& result_;
 };
 
 // Returns false iff the search was stopped.
@@ -130,7 +132,7 @@ External_result search_external(const Options& options, std::size_t bytes,
                               : CGAL::Memory_budget(bytes, options.scratch);
   External_result result;
   result.guessed = Point_stream(input, options.readings.front()).guessed();
-  const Streamed_points points(input, options.readings.front(), result.points);
+  const Streamed_points points(input, options.readings.front(), result);
   const auto start = std::chrono::steady_clock::now();
 #ifdef CGAL_LINKED_WITH_TBB
   const bool is_complete

@@ -7,6 +7,7 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iomanip>
 #include <string>
@@ -47,6 +48,17 @@ void print_guessed(std::ostream& out, const std::vector<std::string>& columns_of
       list += (list.empty() ? "" : " and ") + columns;
   if(!list.empty())
     print_name(out, "columns") << list << " (guessed)\n";
+}
+
+void print_frames(std::ostream& out, const std::vector<Frame>& frames)
+{
+  const auto is_one = [](const Frame& frame) { return frame.count == 1; };
+  if(std::all_of(frames.begin(), frames.end(), is_one))
+    return;
+  print_name(out, "frame");
+  for(const Frame& frame : frames)
+    out << (&frame == &frames.front() ? "" : " and ") << frame.number << " of " << frame.count;
+  out << '\n';
 }
 
 void print_kernel(std::ostream& out, const Options& options)

@@ -6,6 +6,7 @@
 #ifndef NEAR_PAIRS_SUMMARY_H
 #define NEAR_PAIRS_SUMMARY_H
 
+#include "frame.h"
 #include "options.h"
 
 #include <ostream>
@@ -25,6 +26,9 @@ std::ostream& print_name(std::ostream& out, const char* name);
 
 // Prints the columns of each file that were guessed by their names, if some were.
 void print_guessed(std::ostream& out, const std::vector<std::string>& columns_of_files);
+
+// Tells which frames of the files were read, if one of these has several.
+void print_frames(std::ostream& out, const std::vector<Frame>& frames);
 
 void print_kernel(std::ostream& out, const Options& options);
 void print_costs(std::ostream& out, double seconds, const char* of_what);

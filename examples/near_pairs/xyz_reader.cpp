@@ -5,37 +5,41 @@
 
 #include "xyz_reader.h"
 
+#include "decimal.h"
 #include "error.h"
 
 #include <algorithm>
-#include <array>
+#include <iterator>
 #include <sstream>
 #include <vector>
 
 namespace near_pairs {
 namespace {
 
-const char* const blank_letters = " \t";
-
-// The value of a key among words key=value, where a value may have quotes around it. It is empty if
-// there is no such key.
-std::string value_of(const std::string& comment, const std::string& wanted)
+// Fortran writes 1.0D-3, which extended XYZ allows.
+std::string without_fortran(const std::string& word)
 {
-  for(std::size_t end = 0; ; ) {
-    const std::size_t begin = comment.find_first_not_of(blank_letters, end);
-    if(begin == std::string::npos)
-      return "";
-    end = std::min(comment.find_first_of(" \t=", begin), comment.size());
-    const std::string key = comment.substr(begin, end - begin);
-    if(end == comment.size() || comment[end] != '=')
-      continue;
-    std::size_t value = end + 1;
-    const bool is_quoted = value < comment.size() && comment[value] == '"';
-    value += is_quoted;
-    end = std::min(comment.find_first_of(is_quoted ? "\"" : blank_letters, value), comment.size());
-    if(key == wanted)
-      return comment.substr(value, end - value);
-    end = std::min(end + 1, comment.size());
+  const std::size_t letter = word.find_first_of("dD");
+  if(letter == std::string::npos)
+    return word;
+  const std::string number = std::string(word).replace(letter, 1, 1, 'e');
+  return parse_decimal(number) ? number : word;
+}
+
+// The words of the value of a key, which is a list or a square of lists.
+std::vector<std::string> words_of(const std::string& key, const std::string& value)
+{
+  try {
+    std::vector<std::string> result;
+    const std::vector<std::vector<std::string>> rows = rows_of(value);
+    if(rows.size() != 1 && rows.size() != rows.front().size())
+      throw Error("there are not as many lists as words in each of them");
+    for(const std::vector<std::string>& row : rows)
+      std::transform(row.begin(), row.end(), std::back_inserter(result), without_fortran);
+    return result;
+  }
+  catch(const Error& error) {
+    throw Error(key + ": " + error.what());
   }
 }
 
@@ -45,96 +49,154 @@ Xyz_reader::Xyz_reader(const Input& input, const Read_options& options)
   : lines_(input)
 {
   dimension = options.dimension == 0 ? 3 : options.dimension;
+  frame.number = options.frame;
   words_ = dimension;
   is_held_ = take_line();
-  if(!is_held_)
-    return;
   const std::vector<std::string> texts = words(line_, 2);
-  if(texts.size() == 1)
-    promised_ = parse_count(texts.front());
-  if(promised_)
-    read_head();
+  has_frames_ = is_held_ && texts.size() == 1 && parse_count(texts.front());
+  if(!has_frames_)
+    return;
+  frame.count = 0;
+  while(take_head() && frame.count < frame.number)
+    skip_atoms();
+  if(frame.count == frame.number)
+    read_comment();
 }
 
 // Takes the next line that is neither blank nor a comment.
 bool Xyz_reader::take_line()
 {
-  while(lines_.next(line_)) {
+  while(!is_held_ && lines_.next(line_)) {
     const std::vector<std::string> texts = words(line_, 1);
-    if(!texts.empty() && texts.front().front() != '#')
-      return true;
+    is_held_ = !texts.empty() && texts.front().front() != '#';
   }
-  return false;
+  return is_held_;
 }
 
-void Xyz_reader::read_head()
+// Takes the count and the comment of the next frame. Returns false at the end of the file.
+bool Xyz_reader::take_head()
 {
+  if(!take_line())
+    return false;
   is_held_ = false;
-  lines_.next(comment_);
-  line_of_comment_ = lines_.number();
-  const std::string properties = value_of(comment_, "Properties");
-  read_properties(properties.empty() ? "species:S:1:pos:R:3" : properties);
+  const std::vector<std::string> texts = words(line_, 2);
+  const auto count = parse_count(texts.front());
+  if(texts.size() != 1 || !count)
+    throw Error(lines_.file(), lines_.number(), "'" + line_ + "' behind the "
+                + plural(promised_, "atom") + " of frame " + std::to_string(frame.count)
+                + ", where the count of another frame may be");
+  ++frame.count;
+  promised_ = *count;
+  atoms_ = 0;
+  text_.clear();
+  lines_.next(text_);
+  return true;
+}
+
+void Xyz_reader::read_comment()
+{
+  line_of_cell = lines_.number();
+  try {
+    comment_ = parse_comment(text_);
+    may_have_more_ = !comment_.properties;
+    read_properties(comment_.properties.value_or("species:S:1:pos:R:3"));
+  }
+  catch(const Error& error) {
+    throw Error(lines_.file(), lines_.number(), error.what());
+  }
 }
 
 // A list of a name, a letter for the type and the number of words, for each property of an atom.
 void Xyz_reader::read_properties(const std::string& properties)
 {
   std::istringstream list(properties);
-  std::size_t column = 0;
+  words_ = 0;
   bool has_place = false;
   for(std::string name, type, text; std::getline(list, name, ':'); ) {
     std::getline(list, type, ':');
     std::getline(list, text, ':');
     const auto count = parse_count(text);
-    if(!count || *count > 1000)
-      throw Error(lines_.file(), line_of_comment_, "Properties: '" + text + "' is no count");
+    if(!count || *count == 0 || *count > 1000)
+      throw Error("Properties: '" + text + "' is no count");
+    if(type.size() != 1 || std::string("SIRL").find(type) == std::string::npos)
+      throw Error("Properties: '" + type + "' is no type, which is S, I, R or L");
+    if((name == "pos" && has_place) || (name == "species" && has_ids))
+      throw Error("Properties: " + name + " is there twice");
     if(name == "pos" && *count >= std::size_t(dimension)) {
       has_place = true;
-      first_ = column;
-      words_ = std::max(words_, column + dimension);
+      first_ = words_;
     }
     if(name == "species" && *count == 1) {
       has_ids = true;
-      element_ = column;
-      words_ = std::max(words_, column + 1);
+      element_ = words_;
     }
-    column += *count;
+    words_ += *count;
   }
   if(!has_place)
-    throw Error(lines_.file(), line_of_comment_, "Properties: no pos of "
-                + plural(dimension, "coordinate"));
+    throw Error("Properties: no pos of " + plural(dimension, "coordinate"));
 }
 
 bool Xyz_reader::next(Row& row)
 {
-  if(promised_ == atoms_)
-    return false;
-  if(!is_held_ && !(promised_ ? lines_.next(line_) : take_line())) {
-    if(promised_)
-      throw Error(lines_.file(), "the file ends after " + plural(atoms_, "atom") + " of "
-                  + std::to_string(*promised_));
-    return false;
+  if(has_frames_)
+    return next_atom(row);
+  if(take_line()) {
+    is_held_ = false;
+    return read_row(row);
   }
-  is_held_ = false;
-  const std::vector<std::string> texts = words(line_, words_);
+  require_frame(lines_.file());
+  return false;
+}
+
+bool Xyz_reader::next_atom(Row& row)
+{
+  if(frame.count == frame.number && atoms_ < promised_) {
+    take_atom();
+    return read_row(row);
+  }
+  while(take_head())
+    skip_atoms();
+  require_frame(lines_.file());
+  return false;
+}
+
+void Xyz_reader::skip_atoms()
+{
+  while(atoms_ < promised_)
+    take_atom();
+}
+
+void Xyz_reader::take_atom()
+{
+  if(!lines_.next(line_))
+    throw Error(lines_.file(), lines_.number(), "the file ends after " + plural(atoms_, "atom")
+                + " of " + std::to_string(promised_));
+  ++atoms_;
+}
+
+bool Xyz_reader::read_row(Row& row)
+{
+  const std::vector<std::string> texts = words(line_, words_ + 1);
   row.line = lines_.number();
   if(texts.size() < words_)
-    throw Error(lines_.file(), row.line, plural(texts.size(), promised_ ? "word" : "number")
+    throw Error(lines_.file(), row.line, plural(texts.size(), has_frames_ ? "word" : "number")
                 + " where " + std::to_string(words_) + " are needed");
-  std::copy_n(texts.begin() + static_cast<std::ptrdiff_t>(first_), dimension,
-              row.coordinates.begin());
+  if(texts.size() > words_ && !may_have_more_)
+    throw Error(lines_.file(), row.line, "more than the " + plural(words_, "word")
+                + " of Properties");
+  for(int axis = 0; axis < dimension; ++axis)
+    row.coordinates[axis] = without_fortran(texts[first_ + axis]);
   if(has_ids)
     row.id = texts[element_];
-  ++atoms_;
   return true;
 }
 
 std::optional<Cell> Xyz_reader::cell() const
 {
-  const std::string lattice = value_of(comment_, "Lattice");
-  if(lattice.empty())
+  if(!comment_.lattice)
     return std::nullopt;
-  return lattice_cell(lattice, value_of(comment_, "pbc"));
+  return lattice_cell(words_of("Lattice", *comment_.lattice),
+                      comment_.pbc ? words_of("pbc", *comment_.pbc) : std::vector<std::string>{});
 }
 
 } // namespace near_pairs

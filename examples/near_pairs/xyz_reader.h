@@ -9,6 +9,7 @@
 #include "cell.h"
 #include "input.h"
 #include "row_reader.h"
+#include "xyz_comment.h"
 
 #include <cstddef>
 #include <optional>
@@ -17,9 +18,9 @@
 namespace near_pairs {
 
 // The numbers of a point on each line; lines that begin with # and blank lines are skipped. Or, if
-// the first line is a count and nothing else: a comment, and then so many atoms, each with its
-// element and its coordinates. A comment of extended XYZ tells where these are (Properties), and
-// the cell (Lattice, pbc). The element of an atom is its id. What follows the atoms is not read.
+// the first line is a count and nothing else, frames: a count, a comment, and so many atoms, each
+// with its element and its coordinates. A comment of extended XYZ tells where these are
+// (Properties), and the cell (Lattice, pbc). The element of an atom is its id.
 class Xyz_reader : public Row_reader
 {
 public:
@@ -30,19 +31,26 @@ public:
 
 private:
   bool take_line();
-  void read_head();
+  bool take_head();
+  void read_comment();
   void read_properties(const std::string& properties);
+  bool next_atom(Row& row);
+  void skip_atoms();
+  void take_atom();
+  bool read_row(Row& row);
 
   Lines lines_;
   std::string line_;      // the next one, if it is held
   bool is_held_ = false;
+  bool has_frames_ = false;
   std::size_t words_ = 0; // of a row, that are read
+  bool may_have_more_ = true; // words, behind them
   std::size_t first_ = 0; // the word that is the first coordinate
   std::size_t element_ = 0;
-  std::optional<std::size_t> promised_; // atoms
-  std::size_t atoms_ = 0;               // up to now
-  std::string comment_;
-  std::size_t line_of_comment_ = 0;
+  std::size_t promised_ = 0; // atoms of the frame in hand
+  std::size_t atoms_ = 0;    // of it, up to now
+  std::string text_;         // of its comment
+  Xyz_comment comment_;      // of the frame that is read
 };
 
 } // namespace near_pairs

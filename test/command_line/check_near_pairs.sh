@@ -852,7 +852,7 @@ run atoms.xyz --closest
 verdict "  are named by their elements" test "$(summary 'closest pair')" = "0 1, O and 8"
 expect_scene "  of the first frame" 8 12 frames.xyz --distance 2.82 --decimal
 expect_scene "  as the comment tells" 4 0 slab.xyz --distance 1
-expect_error "fewer atoms than there should be" "cut.xyz: the file ends after 7 atoms of 8" cut.xyz --distance 1
+expect_error "fewer atoms than there should be" "cut.xyz:9: the file ends after 7 atoms of 8" cut.xyz --distance 1
 expect_error "an atom without a place" "short_atom.xyz:3: 3 words where 4 are needed" short_atom.xyz --distance 1
 for properties in pos:R:x pos:R:2 species:S:1; do
   sed "2s/.*/Properties=$properties/" salt.xyz > wrong.xyz
@@ -1017,25 +1017,25 @@ expect_error "a box of the wrong dimension" "the cell has 3 dimensions, and poin
              --distance 1 --periodic 1,1,1
 expect_error "vectors on a line" "The periods of the lattice are linearly dependent" ties.csv --distance 1 --periodic 1,2,2,4
 expect_error "a period that is very short" "The periods are too short" ties.csv --distance 1 --periodic 1e-300,1
-expect_error "a table without a cell" "ties.csv: no cell, which is Lattice in .xyz or CRYST1 in .pdb" ties.csv \
+expect_error "a table without a cell" "ties.csv: no cell, which is Lattice in .xyz, CRYST1 in .pdb or _cell" ties.csv \
              --distance 1 --periodic file
 head -c 24 /dev/zero > origin.bin
 expect_error "binary points without a cell" "origin.bin: no cell" origin.bin --distance 1 --periodic file
-expect_error "the cell that stands for none" "unit.pdb: CRYST1: the sides 1, 1, 1 stand for no cell" unit.pdb \
+expect_error "the cell that stands for none" "unit.pdb:1: CRYST1: the sides 1, 1, 1 stand for no cell" unit.pdb \
              --distance 1 --periodic file
 sed '1s/90.00  90.00  90.00/30.00  30.00  90.00/' box.pdb > flat.pdb
 sed '1s/90.00 P 1.*/90/' box.pdb > short_crystal.pdb
-expect_error "angles of no cell" "flat.pdb: CRYST1: no cell has these angles" flat.pdb --distance 1 --periodic file
-expect_error "a cell that is cut" "short_crystal.pdb: CRYST1: the line ends before column 54" short_crystal.pdb \
+expect_error "angles of no cell" "flat.pdb:1: CRYST1: no cell has these angles" flat.pdb --distance 1 --periodic file
+expect_error "a cell that is cut" "short_crystal.pdb:1: CRYST1: the line ends before column 54" short_crystal.pdb \
              --distance 1 --periodic file
-expect_error "two cells" "box.pdb: the cell is not that of salt.xyz" salt.xyz box.pdb --distance 1 --periodic file
+expect_error "two cells" "box.pdb:1: the cell is not that of salt.xyz" salt.xyz box.pdb --distance 1 --periodic file
 expect_scene "the cell of one of two files" "8 and 8" 56 salt.xyz salt.txt --distance 2.82 --periodic file --decimal
-for wrong in 'Lattice="1 2 3"' 'Lattice="1 0 0 0 1 0 0 0 x"' 'Lattice="1 0 0 0 1 0 0 0 1" pbc="T T"' \
+for wrong in 'Lattice="1 2 3 4"' 'Lattice="1 0 0 0 1 0 0 0 x"' 'Lattice="1 0 0 0 1 0 0 0 1" pbc="T T"' \
              'Lattice="1 0 0 0 1 0 0 0 1" pbc="T T X"'; do
   sed "2s/.*/$wrong/" salt.xyz > wrong.xyz
   run wrong.xyz --distance 1 --periodic file
   cause=${wrong##*\" }
-  verdict "no cell: $wrong" is_one_error "wrong.xyz: ${cause%%=*}: "
+  verdict "no cell: $wrong" is_one_error "wrong.xyz:2: ${cause%%=*}: "
   run wrong.xyz --distance 1
   verdict "  unless nobody asks for it" test "$status" -eq 0
 done
@@ -1064,7 +1064,7 @@ printf 'NODE_COORD_SECTION\n1 0 0\n2 zero 0\nEOF\n' > word.tsp
 printf 'DIMENSION: 3\nNODE_COORD_SECTION\n1 0 0\n2 1 0\n' > cut.tsp
 printf 'TYPE : TSP\n' > head.tsp
 printf 'vt 0 0\nf 1 2 3\n' > faces.obj
-printf 'HEADER    NO ATOMS\nMODEL        1\nENDMDL\nATOM\n' > models.pdb
+printf 'HEADER    NO ATOMS\nMODEL        1\nENDMDL\n' > models.pdb
 printf '' > nothing.csv
 printf '' > names.doc
 mkdir directory.csv
