@@ -89,6 +89,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   options.is_periodic = true; // with the cell that the file tells
   read(options, most_points);
   options.is_periodic = false;
+  options.frame = 2;
+  read(options, most_points);
+  options.frame = 1;
   options.dimension = 2;
   read(options, most_points);
   options.dimension = 0;
