@@ -13,6 +13,7 @@
 #include <CGAL/number_utils.h> // abs
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <sstream>
@@ -90,6 +91,63 @@ Cell cell_of_angles(const std::vector<Exact_number>& sides,
   return cell;
 }
 
+using Matrix = std::array<std::array<double, 3>, 3>;
+
+Matrix matrix_of(const std::vector<Exact_number>& numbers)
+{
+  Matrix matrix;
+  for(std::size_t k = 0; k < 9; ++k)
+    matrix[k / 3][k % 3] = to_double(numbers[k]);
+  return matrix;
+}
+
+// Whether the matrix makes unit vectors of those of the cell, but for the digits that files have:
+// five or six of the matrix, and two or three of angles and sides.
+bool is_inverse(const Matrix& fractions, const Cell& cell)
+{
+  const double last_digit = 5e-6, relative = 2e-4;
+  for(std::size_t l = 0; l < 3; ++l)
+    for(std::size_t k = 0; k < 3; ++k) {
+      double sum = k == l ? -1 : 0, size = 0;
+      for(std::size_t axis = 0; axis < 3; ++axis) {
+        const double component = to_double(cell.vectors[l][axis]);
+        sum += fractions[k][axis] * component;
+        size += std::abs(component);
+      }
+      if(!(std::abs(sum) <= relative + last_digit * size))
+        return false;
+    }
+  return true;
+}
+
+// Turns a cell whose vectors are along the axes as usual, unless the matrix says the same. Its
+// inverse has the vectors as columns: products of two rows.
+void turn(Cell& cell, const Matrix& fractions, const std::string& what)
+{
+  if(is_inverse(fractions, cell))
+    return;
+  for(std::size_t k = 0; k < 3; ++k) {
+    const auto& f = fractions[k];
+    const auto& g = fractions[(k + 1) % 3];
+    const auto& h = fractions[(k + 2) % 3];
+    std::array<double, 3> vector;
+    for(std::size_t axis = 0; axis < 3; ++axis)
+      vector[axis] = g[(axis + 1) % 3] * h[(axis + 2) % 3] - g[(axis + 2) % 3] * h[(axis + 1) % 3];
+    const double determinant = f[0] * vector[0] + f[1] * vector[1] + f[2] * vector[2];
+    double old_square = 0, square = 0;
+    for(std::size_t axis = 0; axis < 3; ++axis) {
+      old_square += std::pow(to_double(cell.vectors[k][axis]), 2);
+      square += std::pow(vector[axis] / determinant, 2);
+      if(std::isfinite(vector[axis] / determinant))
+        cell.vectors[k][axis]
+          = Exact_number(Rational{CGAL::Exact_rational(vector[axis] / determinant)});
+    }
+    if(!(std::abs(square - old_square) <= 0.01 * old_square))
+      throw Error(what + ": the matrix of fractions has other sides");
+  }
+  cell.is_rounded = true;
+}
+
 std::string component_text(const Exact_number& number, bool is_rounded)
 {
   if(is_rounded)
@@ -144,6 +202,11 @@ Cell crystal_cell(const Crystal& crystal, const std::string& what)
   if(std::all_of(sides.begin(), sides.end(), is_one))
     throw Error(what + ": the sides 1, 1, 1 stand for no cell");
   Cell cell = cell_of_angles(sides, degrees, what);
+  std::vector<Exact_number> fractions;
+  for(const std::string& number : crystal.fractions)
+    fractions.push_back(number_of(number, what));
+  if(!fractions.empty())
+    turn(cell, matrix_of(fractions), what);
   if(crystal.space_group != "P 1")
     cell.space_group = crystal.space_group;
   return cell;

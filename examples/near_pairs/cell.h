@@ -37,9 +37,14 @@ struct Crystal
 {
   std::array<std::string, 3> sides, degrees;
   std::string space_group;
+
+  // Nine numbers, or none: the matrix, row after row, that makes fractions of the sides of
+  // coordinates. It tells how the cell is turned against the axes.
+  std::vector<std::string> fractions;
 };
 
-// `what` is what the file calls the cell. The vectors are exact if all angles are right.
+// `what` is what the file calls the cell. The vectors are exact if all angles are right, and the
+// cell is not turned.
 Cell crystal_cell(const Crystal& crystal, const std::string& what);
 
 // Sides if the cell is a box, or else vectors.

@@ -24,7 +24,11 @@ namespace {
 namespace cif = gemmi::cif;
 
 // What we want to know of a data block.
-enum Field { X, Y, Z, ID, LABEL, MODEL, FRACTION, A, B, C, ALPHA, BETA, GAMMA, GROUP, OTHER };
+enum Field { X, Y, Z, ID, LABEL, MODEL, FRACTION, A, B, C, ALPHA, BETA, GAMMA,
+             MATRIX_11, MATRIX_12, MATRIX_13, MATRIX_21, MATRIX_22, MATRIX_23, MATRIX_31, MATRIX_32,
+             MATRIX_33, GROUP, OTHER };
+
+const char* const matrix = "_atom_sites_fract_transf_matrix";
 
 // The tags of mmCIF have a point, where those of its older sister have an underscore. They are the
 // same in any case.
@@ -35,7 +39,12 @@ Field field_of(const std::string& tag)
     {"_atom_site_id", ID}, {"_atom_site_label", LABEL}, {"_atom_site_pdbx_pdb_model_num", MODEL},
     {"_atom_site_fract_x", FRACTION}, {"_cell_length_a", A}, {"_cell_length_b", B},
     {"_cell_length_c", C}, {"_cell_angle_alpha", ALPHA}, {"_cell_angle_beta", BETA},
-    {"_cell_angle_gamma", GAMMA}, {"_symmetry_space_group_name_h-m", GROUP},
+    {"_cell_angle_gamma", GAMMA},
+    {std::string(matrix) + "[1][1]", MATRIX_11}, {std::string(matrix) + "[1][2]", MATRIX_12},
+    {std::string(matrix) + "[1][3]", MATRIX_13}, {std::string(matrix) + "[2][1]", MATRIX_21},
+    {std::string(matrix) + "[2][2]", MATRIX_22}, {std::string(matrix) + "[2][3]", MATRIX_23},
+    {std::string(matrix) + "[3][1]", MATRIX_31}, {std::string(matrix) + "[3][2]", MATRIX_32},
+    {std::string(matrix) + "[3][3]", MATRIX_33}, {"_symmetry_space_group_name_h-m", GROUP},
     {"_space_group_name_h-m_alt", GROUP}};
   std::string name = lower_case(tag);
   std::replace(name.begin(), name.end(), '.', '_');
@@ -153,15 +162,22 @@ private:
                       values_[is_told_[ID] ? ID : LABEL]});
   }
 
-  // A cell that nobody knows is told by question marks.
+  // What nobody knows is told by question marks.
+  bool are_known(Field first, Field last) const
+  {
+    return std::none_of(values_.begin() + first, values_.begin() + last + 1,
+      [](const std::string& value) { return value.empty() || cif::is_null(value); });
+  }
+
   void take_crystal()
   {
-    for(Field field : {A, B, C, ALPHA, BETA, GAMMA})
-      if(!is_told_[field] || cif::is_null(values_[field]))
-        return;
+    if(!are_known(A, GAMMA))
+      return;
     crystal = Crystal{{values_[A], values_[B], values_[C]},
                       {values_[ALPHA], values_[BETA], values_[GAMMA]},
-                      cif::is_null(values_[GROUP]) ? "" : values_[GROUP]};
+                      are_known(GROUP, GROUP) ? values_[GROUP] : "", {}};
+    if(are_known(MATRIX_11, MATRIX_33))
+      crystal->fractions.assign(values_.begin() + MATRIX_11, values_.begin() + MATRIX_33 + 1);
     line_of_cell = line_of_cell_in_hand_;
   }
 

@@ -59,19 +59,30 @@ bool Pdb_reader::next(Row& row)
     const std::string_view name = trimmed(std::string_view(line_).substr(0, 6));
     if(name == "MODEL" || name == "ENDMDL" || name == "END")
       is_in_model_ = false;
-    else if(name == "CRYST1" && frame.count + !is_in_model_ <= frame.number) {
-      crystal_ = line_;
-      line_of_cell = lines_.number();
-    }
-    else if(is_atom(line_) && takes_atom()) {
+    else if(is_atom(line_)) {
+      if(!takes_atom())
+        continue;
       read_atom(row);
       return true;
     }
+    else if(frame.count + !is_in_model_ <= frame.number)
+      take_cell(name);
   }
   if(frame.count == 0)
     throw Error(lines_.file(), "no line of an atom, which begins with ATOM or HETATM");
   require_frame(lines_.file());
   return false;
+}
+
+void Pdb_reader::take_cell(std::string_view name)
+{
+  if(name == "CRYST1") {
+    crystal_ = line_;
+    line_of_cell = lines_.number();
+    scale_.fill("");
+  }
+  if(name == "SCALE1" || name == "SCALE2" || name == "SCALE3")
+    scale_[name.back() - '1'] = line_;
 }
 
 // Whether the atom in hand, which may be the first one of a model, is of the one that is read.
@@ -100,6 +111,22 @@ void Pdb_reader::read_atom(Row& row) const
   row.id = trimmed(std::string_view(line_).substr(serial, name - serial));
 }
 
+// The numbers of SCALE1, SCALE2 and SCALE3, or none.
+std::vector<std::string> Pdb_reader::fractions() const
+{
+  std::vector<std::string> result;
+  if(scale_ == std::array<std::string, 3>())
+    return result;
+  const std::size_t begin = 10, width = 10, decimals = 6; // columns, from 0
+  for(const std::string& line : scale_) {
+    if(line.size() < begin + 3 * width)
+      throw Error("SCALE: one of three lines is missing or ends before column 40");
+    for(std::size_t axis = 0; axis < 3; ++axis)
+      result.push_back(number_in(line, begin + axis * width, width, decimals));
+  }
+  return result;
+}
+
 std::optional<Cell> Pdb_reader::cell() const
 {
   if(crystal_.empty())
@@ -115,6 +142,7 @@ std::optional<Cell> Pdb_reader::cell() const
   }
   if(crystal_.size() > group)
     crystal.space_group = trimmed(std::string_view(crystal_).substr(group, group_width));
+  crystal.fractions = fractions();
   return crystal_cell(crystal, "CRYST1");
 }
 
