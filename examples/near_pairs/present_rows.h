@@ -33,6 +33,7 @@ public:
       ++skipped;
     }
     frame = reader_->frame;
+    line_of_cell = reader_->line_of_cell;
     return false;
   }
 

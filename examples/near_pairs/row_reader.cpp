@@ -24,6 +24,7 @@
 #include <utility>
 
 namespace near_pairs {
+
 void Row_reader::require_frame(const std::string& file) const
 {
   if(frame.number > frame.count)
