@@ -196,53 +196,42 @@ private:
   std::size_t line_of_cell_in_hand_ = 0, line_of_fraction_ = 0;
 };
 
-// What to do where a rule of the grammar is met.
+// What to do where a rule of the grammar is met: to call a function, with the text and its line or
+// without, or to refuse the file.
 template <class Rule>
 struct Action : tao::pegtl::nothing<Rule>
 {};
 
-template <>
-struct Action<cif::rules::datablockheading>
+template <void (Atom_collector::*function)()>
+struct Call
 {
   template <class In>
   static void apply(const In&, Atom_collector& atoms)
   {
-    atoms.end_block();
+    (atoms.*function)();
   }
 };
 
-template <>
-struct Action<cif::rules::str_loop>
-{
-  template <class In>
-  static void apply(const In&, Atom_collector& atoms)
-  {
-    atoms.begin_loop();
-  }
-};
-
-template <>
-struct Action<cif::rules::loop_tag>
+template <void (Atom_collector::*function)(const std::string&, std::size_t)>
+struct Call_with_text
 {
   template <class In>
   static void apply(const In& in, Atom_collector& atoms)
   {
-    atoms.add_column(in.string(), in.iterator().line);
+    (atoms.*function)(in.string(), in.iterator().line);
   }
 };
 
-template <>
-struct Action<cif::rules::loop_value>
-{
-  template <class In>
-  static void apply(const In& in, Atom_collector& atoms)
-  {
-    atoms.add_to_loop(in.string(), in.iterator().line);
-  }
-};
+namespace rules = cif::rules;
+template <> struct Action<rules::datablockheading> : Call<&Atom_collector::end_block> {};
+template <> struct Action<rules::str_loop> : Call<&Atom_collector::begin_loop> {};
+template <> struct Action<rules::loop_tag> : Call_with_text<&Atom_collector::add_column> {};
+template <> struct Action<rules::loop_value> : Call_with_text<&Atom_collector::add_to_loop> {};
+template <> struct Action<rules::item_tag> : Call_with_text<&Atom_collector::begin_item> {};
+template <> struct Action<rules::item_value> : Call_with_text<&Atom_collector::add_item> {};
 
 template <>
-struct Action<cif::rules::loop_end>
+struct Action<rules::loop_end>
 {
   template <class In>
   static void apply(const In& in, Atom_collector& atoms)
@@ -253,27 +242,7 @@ struct Action<cif::rules::loop_end>
 };
 
 template <>
-struct Action<cif::rules::item_tag>
-{
-  template <class In>
-  static void apply(const In& in, Atom_collector& atoms)
-  {
-    atoms.begin_item(in.string(), in.iterator().line);
-  }
-};
-
-template <>
-struct Action<cif::rules::item_value>
-{
-  template <class In>
-  static void apply(const In& in, Atom_collector& atoms)
-  {
-    atoms.add_item(in.string(), in.iterator().line);
-  }
-};
-
-template <>
-struct Action<cif::rules::missing_value>
+struct Action<rules::missing_value>
 {
   template <class In>
   static void apply(const In& in, Atom_collector&)
@@ -305,7 +274,7 @@ Cif_reader::Cif_reader(const Input& input, const Read_options& options)
   Atom_collector atoms(input.name(), frame.number);
   try {
     tao::pegtl::memory_input<> in(text.data(), text.size(), input.name());
-    tao::pegtl::parse<cif::rules::file, Action, cif::Errors>(in, atoms);
+    tao::pegtl::parse<rules::file, Action, cif::Errors>(in, atoms);
   }
   catch(const tao::pegtl::parse_error& error) {
     throw Error(error.what()); // with file, line and column
