@@ -138,25 +138,25 @@ void Xyz_reader::read_properties(const std::string& properties)
 
 bool Xyz_reader::next(Row& row)
 {
-  if(has_frames_)
-    return next_atom(row);
-  if(take_line()) {
-    is_held_ = false;
-    return read_row(row);
+  if(!(has_frames_ ? take_atom_of_frame() : take_line())) {
+    require_frame(lines_.file());
+    return false;
   }
-  require_frame(lines_.file());
-  return false;
+  is_held_ = false;
+  read_row(row);
+  return true;
 }
 
-bool Xyz_reader::next_atom(Row& row)
+// Takes the next atom of the frame that is read. Behind the last one, it goes on to the end of the
+// file, for the count of frames.
+bool Xyz_reader::take_atom_of_frame()
 {
   if(frame.count == frame.number && atoms_ < promised_) {
     take_atom();
-    return read_row(row);
+    return true;
   }
   while(take_head())
     skip_atoms();
-  require_frame(lines_.file());
   return false;
 }
 
@@ -174,7 +174,7 @@ void Xyz_reader::take_atom()
   ++atoms_;
 }
 
-bool Xyz_reader::read_row(Row& row)
+void Xyz_reader::read_row(Row& row) const
 {
   const std::vector<std::string> texts = words(line_, words_ + 1);
   row.line = lines_.number();
@@ -188,7 +188,6 @@ bool Xyz_reader::read_row(Row& row)
     row.coordinates[axis] = without_fortran(texts[first_ + axis]);
   if(has_ids)
     row.id = texts[element_];
-  return true;
 }
 
 std::optional<Cell> Xyz_reader::cell() const

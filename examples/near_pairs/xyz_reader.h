@@ -34,10 +34,10 @@ private:
   bool take_head();
   void read_comment();
   void read_properties(const std::string& properties);
-  bool next_atom(Row& row);
+  bool take_atom_of_frame();
   void skip_atoms();
   void take_atom();
-  bool read_row(Row& row);
+  void read_row(Row& row) const;
 
   Lines lines_;
   std::string line_;      // the next one, if it is held
