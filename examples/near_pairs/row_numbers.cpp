@@ -73,8 +73,8 @@ bool is_missing(const std::string& text)
 {
   const std::string word = lower_case(std::string(trimmed(text)));
   const std::initializer_list<const char*> words
-    = {"", "na", "n/a", "#n/a", "<na>", "nan", "-nan", "null", "(null)", "\\n", "none", "nil", "-", "--",
-       ".", "?"};
+    = {"", "na", "n/a", "#n/a", "<na>", "nan", "-nan", "null", "(null)", "\\n", "none", "nil",
+       "-", "--", ".", "?"};
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 

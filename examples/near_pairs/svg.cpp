@@ -73,7 +73,7 @@ void write_y_axis(std::ostream& svg, const Panel& panel, const std::string& name
 
 void check_window(const Panel& panel)
 {
-  const double most_scale = 1e300; // and a little more is beyond doubles
+  const double most_scale = 1e303; // ticks of a hundred times as much are beyond doubles
   for(double scale : {panel.x_scale, panel.y_scale})
     if(!(scale < most_scale && scale > 1 / most_scale))
       throw Error("--picture: the scene is too wide or too narrow to be drawn");
