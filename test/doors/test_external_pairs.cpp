@@ -37,6 +37,11 @@
 #include <tuple>
 #include <vector>
 
+#ifdef __unix__
+#include <sys/stat.h>
+#include <unistd.h>
+#endif
+
 using namespace test_support;
 using namespace CGAL::Thick_intersection_d::internal;
 
@@ -302,6 +307,26 @@ BOOST_AUTO_TEST_CASE(a_folder_that_is_missing_is_an_error)
   const fs::path missing = fs::temp_directory_path() / "thick_intersection_d_no_such_folder";
   BOOST_CHECK_THROW(Scratch_file file(missing), std::system_error);
 }
+
+#ifdef __unix__
+// As a user who may not read what was made. The superuser may, and plays another user.
+BOOST_AUTO_TEST_CASE(a_scratch_file_that_cannot_be_opened_leaves_nothing_behind)
+{
+  const auto now = std::chrono::system_clock::now().time_since_epoch().count();
+  const fs::path folder = fs::temp_directory_path() / ("thick_closed_" + std::to_string(now));
+  fs::create_directory(folder);
+  fs::permissions(folder, fs::perms::all);
+  const bool is_superuser = geteuid() == 0;
+  constexpr uid_t nobody = 65534;
+  BOOST_REQUIRE(!is_superuser || seteuid(nobody) == 0);
+  const mode_t mask = umask(0777);
+  BOOST_CHECK_THROW(Scratch_file file(folder), std::system_error);
+  umask(mask);
+  BOOST_REQUIRE(!is_superuser || seteuid(0) == 0);
+  BOOST_CHECK(fs::is_empty(folder));
+  fs::remove_all(folder);
+}
+#endif
 
 BOOST_AUTO_TEST_CASE(a_scratch_file_leaves_nothing_behind)
 {

@@ -60,9 +60,13 @@ public:
   {
     using std::ios_base;
     make_empty_file();
-    if(!file_.open(path_, ios_base::in | ios_base::out | ios_base::binary))
+    const bool is_open
+      = file_.open(path_, ios_base::in | ios_base::out | ios_base::binary) != nullptr;
+    const int error = errno;
+    remove_name(); // nothing stays if it is not open, either
+    errno = error;
+    if(!is_open)
       fail("opened");
-    remove_name();
   }
 
   Scratch_file(const Scratch_file&) = delete;
