@@ -20,6 +20,7 @@
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Equal_cut.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
