@@ -6,6 +6,7 @@
 #include "outputs.h"
 
 #include "error.h"
+#include "temporary_files.h"
 
 #include <cerrno>
 #include <cstring>
@@ -55,9 +56,13 @@ void Output_file::open_temporary()
     temporary_ = target_;
     temporary_ += ".part" + std::to_string(random());
   } while(fs::exists(temporary_, ignored));
+  remember_temporary_file(temporary_.string());
   file_.open(temporary_);
-  if(!file_)
-    throw Error(name_, std::strerror(errno));
+  if(!file_) {
+    const int error = errno;
+    forget_temporary_file(temporary_.string());
+    throw Error(name_, std::strerror(error));
+  }
 }
 
 Output_file::~Output_file()
@@ -67,6 +72,7 @@ Output_file::~Output_file()
   file_.close();
   std::error_code ignored;
   fs::remove(temporary_, ignored);
+  forget_temporary_file(temporary_.string());
 }
 
 std::ostream& Output_file::stream()
@@ -92,6 +98,7 @@ void Output_file::commit()
   fs::rename(temporary_, target_, error);
   if(error)
     throw Error(name_, error.message());
+  forget_temporary_file(temporary_.string());
   temporary_.clear();
 }
 

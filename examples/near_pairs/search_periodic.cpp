@@ -73,16 +73,29 @@ public:
       throw Error("stopped");
   }
 
+  // Throws Error if it is stopped.
   std::tuple<std::size_t, std::size_t, Offset> closest() const
   {
 #ifdef CGAL_LINKED_WITH_TBB
-    if(options_.parallel)
-      return CGAL::periodic_closest_pair<CGAL::Parallel_tag>(points_, lattice_);
+    const auto pair = options_.parallel ? closest_by<CGAL::Parallel_tag>()
+                                        : closest_by<CGAL::Sequential_tag>();
+#else
+    const auto pair = closest_by<CGAL::Sequential_tag>();
 #endif
-    return CGAL::periodic_closest_pair<CGAL::Sequential_tag>(points_, lattice_);
+    if(stop_requested)
+      throw Error("stopped");
+    return pair;
   }
 
 private:
+  template <class ConcurrencyTag>
+  std::tuple<std::size_t, std::size_t, Offset> closest_by() const
+  {
+    const auto go_on = progress_functor(options_.progress);
+    return CGAL::periodic_closest_pair<ConcurrencyTag>(points_, lattice_,
+                                                       CGAL::parameters::callback(go_on));
+  }
+
   template <class ConcurrencyTag, class Callback, class Go_on>
   bool report_by(const Exact_bound& bound, const Callback& callback, CGAL::Scene_profile& profile,
                  const Go_on& go_on) const

@@ -7,6 +7,7 @@
 
 #include "error.h"
 #include "stop.h"
+#include "temporary_files.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -14,11 +15,36 @@
 #include <atomic>
 #include <csignal>
 #include <iostream>
+#include <string_view>
 
 namespace near_pairs {
 namespace {
 
 std::atomic<bool> is_pipe_broken = false;
+
+// Ends the program in a signal handler. Calls nothing but what handlers may call.
+extern "C" void end_at_once(int)
+{
+  remove_temporary_files();
+  if(is_pipe_broken) {
+    std::signal(SIGPIPE, SIG_DFL);
+    std::raise(SIGPIPE);
+  }
+  constexpr std::string_view message = "near_pairs: stopped\n";
+  [[maybe_unused]] const ssize_t count = write(STDERR_FILENO, message.data(), message.size());
+  _exit(2);
+}
+
+// Asks the program to end, which it does within a second.
+extern "C" void stop(int signal)
+{
+  if(signal == SIGPIPE)
+    is_pipe_broken = true;
+  else if(stop_requested)
+    end_at_once(signal);
+  stop_requested = true;
+  alarm(1);
+}
 
 } // namespace
 
@@ -31,20 +57,13 @@ void keep_closed_streams_closed()
 
 void catch_signals()
 {
-  const auto stop = [](int signal) {
-    stop_requested = true;
-    std::signal(signal, SIG_DFL); // the second one ends the program at once
-  };
-  const auto stop_quietly = [](int) {
-    is_pipe_broken = true;
-    stop_requested = true;
-  };
   std::signal(SIGXFSZ, SIG_IGN); // a file that is too large for the limit is an error then
+  std::signal(SIGALRM, end_at_once);
   std::signal(SIGINT, stop);
   std::signal(SIGTERM, stop);
   if(std::signal(SIGHUP, stop) == SIG_IGN)
     std::signal(SIGHUP, SIG_IGN); // started by nohup
-  if(std::signal(SIGPIPE, stop_quietly) == SIG_IGN)
+  if(std::signal(SIGPIPE, stop) == SIG_IGN)
     std::signal(SIGPIPE, SIG_IGN); // whoever started the program wants an error
 }
 

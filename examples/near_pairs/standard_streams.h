@@ -16,7 +16,8 @@ namespace near_pairs {
 void keep_closed_streams_closed();
 
 // Lets an interrupted search end by an error, so that no temporary file stays, and a search whose
-// reader has gone away as well.
+// reader has gone away as well. If the program has not ended a second later, whatever it does, or
+// if it is interrupted again, it ends at once. No temporary file stays then, either.
 void catch_signals();
 
 // Throws Error if something could not be written.

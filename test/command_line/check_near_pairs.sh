@@ -1176,6 +1176,34 @@ status=$?
 true > out
 verdict "a terminal that hangs up stops the program" is_one_error "stopped"
 verdict "  and leaves no file" test -z "$(find . -name 'hung.svg*')"
+# Images by the hundred million take minutes; who stops the program waits for a second, or for more
+# where many programs run.
+printf '2\n\nA 0 0 0\nA 0.5 0.5 0.5\n' > two.xyz
+for options in "--distance 300" "--distance 300 --explain" "--distance 300 --parallel"; do
+  timeout --preserve-status -s INT -k 20 0.5 \
+    "$binary" two.xyz --periodic 1,1,1 $options --pairs interrupted.csv > out 2> err
+  status=$?
+  verdict "an interrupt stops the making of images: $options" is_one_error "stopped"
+  verdict "  and leaves no file" test -z "$(find . -name 'interrupted.csv*')"
+done
+# A reader that reads nothing holds the program up in the middle of an output.
+rm -f pipe
+mkfifo pipe
+"$binary" "$ships" --distance 1 --pairs - --picture held.svg > pipe 2> err &
+program=$!
+exec 9< pipe
+while kill -0 $program && [ -z "$(find . -name 'held.svg*')" ]; do sleep 0.1; done
+sleep 0.2
+kill -INT $program
+wait $program
+status=$?
+exec 9<&-
+true > out
+verdict "an interrupt stops an output that nobody reads" is_one_error "stopped"
+verdict "  and leaves no file" test -z "$(find . -name 'held.svg*')"
+run two.xyz --periodic 1e-6,1e-6,1e-6 --distance 0.5
+verdict "too many images are refused with their number" \
+  is_one_error "There are 1e+18 images of points within the bound"
 rm -f out
 (trap '' PIPE; "$binary" "$ships" --distance 1 --pairs - 2> err; echo $? > ended) | head -n 1 > first
 status=$(cat ended)
