@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
@@ -103,13 +104,13 @@ private:
 #ifndef DOXYGEN_RUNNING
 template <class Iso_box, class = decltype(std::declval<const Iso_box&>().min_coord(0))>
 explicit Periodic_lattice_d(const Iso_box&)
-  -> Periodic_lattice_d<std::decay_t<decltype(std::declval<const Iso_box&>().max()
-                                              - std::declval<const Iso_box&>().min())>>;
+  -> Periodic_lattice_d<std::decay_t<decltype((std::declval<const Iso_box&>().max)()
+                                              - (std::declval<const Iso_box&>().min)())>>;
 template <class Iso_box, class = decltype(std::declval<const Iso_box&>().min_coord(0))>
 Periodic_lattice_d(const Iso_box&,
                    const std::array<bool, Ambient_dimension<Iso_box>::type::value>&)
-  -> Periodic_lattice_d<std::decay_t<decltype(std::declval<const Iso_box&>().max()
-                                              - std::declval<const Iso_box&>().min())>>;
+  -> Periodic_lattice_d<std::decay_t<decltype((std::declval<const Iso_box&>().max)()
+                                              - (std::declval<const Iso_box&>().min)())>>;
 template <class Vector, std::size_t Dimension>
 explicit Periodic_lattice_d(const std::array<Vector, Dimension>&) -> Periodic_lattice_d<Vector>;
 template <class Vector, std::size_t Dimension>

@@ -43,9 +43,9 @@ decide, exact numbers do. So pairs exactly at the bound are right across boundar
 double holds the moved coordinates or not.
 
 With \f$ m \f$ images of points beyond the boundary of the domain and within the bound of it, the
-search takes \f$ O((n + m) \log (n + m) + k) \f$ time and \f$ O(n + m) \f$ space, where \f$ k \f$ is
+search takes \f$ O((n + m) \log (n + m) + k) \f$ time and \f$ O(n) \f$ space, where \f$ k \f$ is
 the number of pairs of images within the bound \cgalCite{v-riato-03}. If periods are long beside
-the bound, \f$ m \f$ is small beside \f$ n \f$.
+the bound, \f$ m \f$ is small beside \f$ n \f$. It does not depend on where the domain lies.
 
 \tparam ConcurrencyTag is `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. In
 sequence, the order of reports depends on the input alone. In parallel, several threads call the
@@ -77,9 +77,10 @@ an iso-box as well; offsets are those between the points as they are given.
 \throws std::invalid_argument if a coordinate or a period is NaN or infinite, if a point is not in
 the iso-box, if periods that repeat are linearly dependent, or if the bound is negative, NaN or
 infinite, before anything is reported. The message gives the position of the point.
-\throws std::length_error if there are 2<sup>31</sup> - 1 points and images or more, if a point, an
-image or the bound is 2<sup>28</sup> periods away or more, or if the lengths of periods differ so
-much that quotients of coordinates overflow.
+\throws std::length_error if there are 2<sup>31</sup> - 1 points and images or more, if two points,
+an image or the bound are 2<sup>28</sup> periods apart or more, or if the lengths of periods differ
+so much that quotients of coordinates overflow. The images are counted before they are made, and the
+message has their number.
 
 \sa `Periodic_lattice_d`
 \sa `periodic_closest_pair()`
@@ -123,8 +124,9 @@ reports all pairs of a point of one range and an image of a point of another who
 within a bound, in a domain that repeats, each exactly once.
 
 Pairs within a range are neither reported nor tested. The position \f$ i \f$ is in the first range,
-\f$ j \f$ in the second, and the offset \f$ o \f$ may be any. Otherwise the function is as the
-version for one range.
+\f$ j \f$ in the second, and the offset \f$ o \f$ may be any. The images are those of the range for
+which they are fewer; there are none if a range is empty. Otherwise the function is as the version
+for one range.
 
 \param points_a, points_b the points.
 \param domain,bound,callback,np as in the version for one range.
@@ -147,7 +149,7 @@ bool periodic_fixed_radius_near_neighbors(
 returns for each point of a range all images of points whose distance is within a bound, in a domain
 that repeats, with the offsets of the images.
 
-The search takes \f$ O((n + m) \log (n + m) + k \log k) \f$ time and \f$ O(n + m + k) \f$ space. The
+The search takes \f$ O((n + m) \log (n + m) + k \log k) \f$ time and \f$ O(n + k) \f$ space. The
 result does not depend on the number of threads.
 
 \param points,domain,bound,np as for `periodic_fixed_radius_near_neighbors()`.

@@ -15,6 +15,7 @@
 #include <CGAL/periodic_closest_pair.h>
 #include <CGAL/periodic_fixed_radius_near_neighbors.h>
 
+#include <boost/property_map/property_map.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
@@ -330,7 +331,7 @@ BOOST_AUTO_TEST_CASE(what_is_refused)
   BOOST_CHECK_EQUAL(message_of(points, unit_square, -1),
                     "The distance bound is negative or NaN.");
   BOOST_CHECK_EQUAL(message_of(points, unit_square, 1e9),
-                    "The bound or the scene is too many periods long.");
+                    "The bound is 1000000000 periods long, and is to be shorter than 268435456.");
   BOOST_CHECK_EQUAL(message_of({{0, 0}, {infinity, 0}}, unit_square, 0.1),
                     "Coordinate 0 of point 1 is NaN or infinite.");
   BOOST_CHECK_EQUAL(message_of(points, CGAL::Periodic_lattice_d(Vector(1, 2), Vector(3, 6)), 0.1),
@@ -462,6 +463,170 @@ BOOST_AUTO_TEST_CASE(a_bound_beyond_the_domain_needs_no_exact_numbers_on_a_grid)
   BOOST_CHECK_GT(count, 60u);
   BOOST_CHECK_EQUAL(profile.tier(), CGAL::Arithmetic_tier::DOUBLE);
   BOOST_CHECK_EQUAL(profile.decided(CGAL::Arithmetic_tier::FILTERED_EXACT), 0u);
+}
+
+// Counts how often a search reads a point: about how many images it makes.
+template <class Point>
+struct Counting_map
+{
+  using key_type = Point;
+  using value_type = Point;
+  using reference = const Point&;
+  using category = boost::readable_property_map_tag;
+  std::size_t* reads;
+
+  friend const Point& get(const Counting_map& map, const Point& point)
+  {
+    ++*map.reads;
+    return point;
+  }
+};
+
+template <class Points, class Domain>
+std::size_t reads_of_pairs(const Points& points, const Domain& domain, double r)
+{
+  std::size_t reads = 0;
+  const Counting_map<typename Points::value_type> map{&reads};
+  CGAL::periodic_fixed_radius_near_neighbors(points, domain, CGAL::within_distance(r),
+                                             [](std::size_t, std::size_t, const auto&) {},
+                                             CGAL::parameters::point_map(map));
+  return reads;
+}
+
+template <class Points, class Domain>
+std::size_t reads_between(const Points& a, const Points& b, const Domain& domain, double r)
+{
+  std::size_t reads = 0;
+  const Counting_map<typename Points::value_type> map{&reads};
+  CGAL::periodic_fixed_radius_near_neighbors(a, b, domain, CGAL::within_distance(r),
+                                             [](std::size_t, std::size_t, const auto&) {},
+                                             CGAL::parameters::point_map(map));
+  return reads;
+}
+
+// Points in quarters of a cell, so that doubles hold them up to 2^50.
+template <class Kernel>
+std::vector<typename Kernel::Point_3> quarters(const typename Kernel::FT& start)
+{
+  std::vector<typename Kernel::Point_3> points;
+  for(int i = 0; i < 60; ++i)
+    points.emplace_back(start + i % 4 / 4., start + i / 4 % 4 / 4., start + i / 16 / 4.);
+  return points;
+}
+
+BOOST_AUTO_TEST_CASE(a_search_makes_as_many_images_anywhere)
+{
+  using Vector = Plain::Vector_3;
+  for(const double start : {0x1p20, -0x1p40, 0x1p48, -0x1p50}) {
+    const auto at_zero = quarters<Plain>(0), far = quarters<Plain>(start);
+    const auto box = [](double x) { return Plain::Iso_cuboid_3(x, x, x, x + 1, x + 1, x + 1); };
+    BOOST_CHECK_EQUAL(reads_of_pairs(far, box(start), .25), reads_of_pairs(at_zero, box(0), .25));
+    for(const Vector& w : {Vector(0, 0, 1), Vector(.25, .5, 1), Vector(5, -3, 1)}) {
+      const CGAL::Periodic_lattice_d lattice(Vector(1, 0, 0), Vector(.25, 1, 0), w);
+      BOOST_CHECK_EQUAL(reads_of_pairs(far, lattice, .25), reads_of_pairs(at_zero, lattice, .25));
+    }
+  }
+}
+
+// All doubles around the coordinates are the same two.
+BOOST_AUTO_TEST_CASE(a_search_makes_as_many_images_of_exact_points_anywhere)
+{
+  using Vector = Lazy::Vector_3;
+  for(const double start : {0x1p40, -0x1p60, 0x1p100}) {
+    const auto at_zero = quarters<Lazy>(Lazy::FT(0) / 3), far = quarters<Lazy>(Lazy::FT(start) / 3);
+    for(const Vector& w : {Vector(0, 0, 1), Vector(.25, .5, 1)}) {
+      const CGAL::Periodic_lattice_d lattice(Vector(1, 0, 0), Vector(0, 1, 0), w);
+      const std::size_t reads = reads_of_pairs(at_zero, lattice, .25);
+      BOOST_CHECK_LE(reads_of_pairs(far, lattice, .25), 12 * reads); // exact tests read points, too
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(no_image_is_made_if_a_range_is_empty)
+{
+  const std::vector<Plain::Point_2> points(1000, Plain::Point_2(.5, .5)), none;
+  const double radius = 1e6; // there would be too many images
+  BOOST_CHECK_LE(reads_between(none, points, unit_square, radius), 10 * points.size());
+  BOOST_CHECK_LE(reads_between(points, none, unit_square, radius), 10 * points.size());
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  BOOST_CHECK_THROW(reads_between(none, {{nan, 0}}, CGAL::Periodic_lattice_d(unit_square), 1),
+                    std::invalid_argument);
+  BOOST_CHECK_THROW(reads_between(none, {{2, 0}}, unit_square, 1), std::invalid_argument);
+  BOOST_CHECK_THROW(reads_between(points, none, unit_square, 1e9), std::length_error);
+}
+
+BOOST_AUTO_TEST_CASE(images_are_those_of_the_range_that_has_fewer)
+{
+  const std::vector<Plain::Point_2> many(1000, Plain::Point_2(.5, .5)), one = {{.25, .5}};
+  const std::size_t images = 81 * 81;
+  BOOST_CHECK_LE(reads_between(one, many, unit_square, 40), 20 * images);
+  BOOST_CHECK_LE(reads_between(many, one, unit_square, 40), 20 * images);
+}
+
+// The images are counted before one is made.
+BOOST_AUTO_TEST_CASE(too_many_images_are_refused_with_their_number)
+{
+  const std::vector<Plain::Point_2> points = {{0, 0}};
+  const Plain::Iso_rectangle_2 box(0, 0, 1e-6, 1e-6);
+  BOOST_CHECK_EQUAL(message_of(points, box, .5),
+                    "There are 500001500000 images of points within the bound, and a search takes "
+                    "less than 2147483647.");
+  const auto bound = CGAL::within_distance(.5);
+  BOOST_CHECK_THROW(CGAL::periodic_fixed_radius_neighbor_lists(points, box, bound),
+                    std::length_error);
+  BOOST_CHECK_THROW(CGAL::periodic_fixed_radius_neighbor_lists(points, points, box, bound),
+                    std::length_error);
+}
+
+// There are two million images, in eight batches.
+BOOST_AUTO_TEST_CASE(a_progress_functor_stops_the_making_of_images)
+{
+  const std::vector<Plain::Point_2> points = {{0, 0}, {.5, .5}};
+  for(const double end : {0., .05, .1, .2}) {
+    std::size_t pairs = 0;
+    double last = 0;
+    CGAL::Scene_profile profile;
+    const auto count = [&](std::size_t, std::size_t, const Offset_of<2>&) { ++pairs; };
+    const auto stop = CGAL::parameters::callback([&](double done) {
+      last = done;
+      return done < end;
+    });
+    const auto bound = CGAL::within_distance(1000.);
+    BOOST_CHECK(
+      !CGAL::periodic_fixed_radius_near_neighbors(points, unit_square, bound, count, stop));
+    BOOST_CHECK_LT(last, end + .1);
+    BOOST_CHECK(!CGAL::periodic_fixed_radius_near_neighbors(points, unit_square, bound, count,
+                                                            profile, stop));
+    BOOST_CHECK_LT(last, end + .1);
+    BOOST_CHECK_EQUAL(CGAL::periodic_fixed_radius_neighbor_lists(points, unit_square, bound, stop)
+                        .size(), points.size());
+    BOOST_CHECK_LT(last, end + .1);
+    BOOST_CHECK_LT(pairs, 1'000'000u);
+  }
+}
+
+// Of several batches of images.
+BOOST_AUTO_TEST_CASE(many_images_are_counted_as_a_formula_counts_them)
+{
+  const std::vector<Plain::Point_2> points = {{0, 0}};
+  const int radius = 400;
+  std::size_t expected = 0; // those of one of two opposite offsets
+  for(int x = -radius; x <= radius; ++x)
+    for(int y = -radius; y <= radius; ++y)
+      expected += x * x + y * y <= radius * radius;
+  expected /= 2;
+  std::size_t pairs = 0;
+  CGAL::Scene_profile profile;
+  CGAL::periodic_fixed_radius_near_neighbors(
+    points, unit_square, CGAL::within_distance(radius),
+    [&](std::size_t, std::size_t, const Offset_of<2>&) { ++pairs; }, profile);
+  BOOST_CHECK_EQUAL(pairs, expected);
+  BOOST_CHECK_GE(profile.range(0).second, radius);
+  BOOST_CHECK_LE(profile.range(1).first, -radius);
+  BOOST_CHECK_GE(profile.decided(CGAL::Arithmetic_tier::DOUBLE), expected);
+  const auto lists = CGAL::periodic_fixed_radius_neighbor_lists(
+    points, unit_square, CGAL::within_distance(radius));
+  BOOST_CHECK_EQUAL(lists.number_of_pairs(), expected);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

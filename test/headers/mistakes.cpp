@@ -18,6 +18,8 @@
 #include <CGAL/closest_pair.h>
 #include <CGAL/external_fixed_radius_near_neighbors.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
+#include <CGAL/periodic_closest_pair.h>
+#include <CGAL/periodic_fixed_radius_near_neighbors.h>
 #include <CGAL/thick_box_intersection_d.h>
 #include <CGAL/thick_feature_intersection_d.h>
 #include <CGAL/thick_intersection_d.h>
@@ -89,6 +91,11 @@ const std::vector<CGAL::Bbox_2> boxes;
 const std::vector<CGAL::Box_intersection_d::Box_d<double, 2>> boxes_with_ids;
 const auto bound = CGAL::within_distance(1);
 const auto report = [](std::size_t, std::size_t) {};
+const auto report_images = [](std::size_t, std::size_t, const std::array<int, 2>&) {};
+const auto report_text = [](std::size_t, std::size_t, const std::array<int, 2>&) {
+  return std::string();
+};
+const Kernel::Iso_rectangle_2 square;
 const CGAL::Memory_budget budget(1 << 30);
 CGAL::Scene_profile profile;
 std::pair<CGAL::SM_Face_index, CGAL::SM_Face_index>* pairs_of_faces = nullptr;
@@ -256,4 +263,28 @@ void make_mistakes()
 
   // error: The callback is to take two boxes, as the iterators give them.
   CGAL::thick_box_self_intersection_d(boxes_with_ids.begin(), boxes_with_ids.end(), [](int) {});
+
+  // error: The domain is to be an Iso_rectangle_2 for points in the plane, an Iso_cuboid_3 in
+  // space, or a Periodic_lattice_d of this dimension.
+  CGAL::periodic_fixed_radius_near_neighbors(points_in_space, square, bound, report_images);
+
+  // error: The domain is to be an Iso_rectangle_2 for points in the plane, an Iso_cuboid_3 in
+  // space, or a Periodic_lattice_d of this dimension.
+  CGAL::periodic_fixed_radius_neighbor_lists(points, 1, bound);
+
+  // error: The domain is to be an Iso_rectangle_2 for points in the plane, an Iso_cuboid_3 in
+  // space, or a Periodic_lattice_d of this dimension.
+  CGAL::periodic_fixed_radius_near_neighbors(points, points_in_space, square, bound,
+                                             report_images);
+
+  // error: The elements of the range are to be points of a kernel of CGAL: pass a property map to
+  // such points as point_map.
+  CGAL::periodic_closest_pair(strings, square);
+
+  // error: The callback is to take two positions and an offset: (std::size_t i, std::size_t j,
+  // std::array<int, d> offset); or, in CGAL::with_elements(), two elements and an offset.
+  CGAL::periodic_fixed_radius_near_neighbors(points, square, bound, report);
+
+  // error: The callback is to return void, or bool to tell whether the search goes on.
+  CGAL::periodic_fixed_radius_near_neighbors(points, square, bound, report_text);
 }

@@ -98,6 +98,9 @@ public:
       scene.places.push_back(i > 0 && is_chance(10) ? scene.places[random_.below(i)]
                         : scene.is_box                    ? place_in_box(scene)
                                                           : place_in_lattice());
+    if(is_chance(4) && (!scene.is_box || domain_unit_ == 1))
+      for(std::size_t axis = 0; axis < Dimension; ++axis)
+        move_far(scene, axis);
     set_exact(scene);
     scene.bound = bound(scene);
     scene.exact.square = scene.bound.square;
@@ -273,6 +276,28 @@ private:
     for(std::size_t axis = 0; axis < Dimension; ++axis)
       p[axis] = rounded(static_cast<double>(sum[axis]));
     return p;
+  }
+
+  // Moves a scene along an axis, by a power of two up to the largest for which the kernel holds all
+  // numbers.
+  void move_far(Scene& scene, std::size_t axis)
+  {
+    std::vector<std::int64_t*> numbers;
+    if(scene.is_box)
+      numbers = {&scene.low[axis], &scene.high[axis]};
+    for(Lattice_place& place : scene.places)
+      numbers.push_back(&place[axis]);
+    const bool is_negative = is_chance(2);
+    for(std::int64_t shift = std::int64_t(1) << below(61); shift > 0; shift /= 2) {
+      const std::int64_t step = is_negative ? -shift : shift;
+      if(std::all_of(numbers.begin(), numbers.end(), [&](const std::int64_t* number) {
+           return is_held(*number + step);
+         })) {
+        for(std::int64_t* number : numbers)
+          *number += step;
+        return;
+      }
+    }
   }
 
   // The exact scene has the vectors that were drawn first, and its axes are in the order of these.

@@ -22,6 +22,17 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
+// Adds the decisions of one profile to those of another one.
+inline void add_decisions(const Scene_profile& profile, Scene_profile& sum)
+{
+  Decision_counts counts;
+  for(std::size_t tier = 0; tier < arithmetic_tier_count; ++tier)
+    for(const Scene_profile* part : {&profile, static_cast<const Scene_profile*>(&sum)})
+      counts.add(static_cast<Arithmetic_tier>(tier),
+                 part->decided(static_cast<Arithmetic_tier>(tier)));
+  sum.set_counts(counts);
+}
+
 // Returns the profile of `size` points, from those of the points and of their images elsewhere.
 inline Scene_profile joined_profile(std::size_t size, int dimension, double reach,
                                     const Scene_profile& points, const Scene_profile& images)
@@ -36,12 +47,8 @@ inline Scene_profile joined_profile(std::size_t size, int dimension, double reac
   Scene_profile profile(size, box, reach, grid_exponent);
   if(points.forced_tier())
     profile.force_tier(*points.forced_tier());
-  Decision_counts counts;
-  for(std::size_t tier = 0; tier < arithmetic_tier_count; ++tier)
-    for(const Scene_profile* part : {&points, &images})
-      counts.add(static_cast<Arithmetic_tier>(tier),
-                 part->decided(static_cast<Arithmetic_tier>(tier)));
-  profile.set_counts(counts);
+  for(const Scene_profile* part : {&points, &images})
+    add_decisions(*part, profile);
   profile.set_coordinates(points.coordinate_bits(), points.are_coordinates_rounded());
   return profile;
 }

@@ -13,7 +13,9 @@
 
 #include <CGAL/Thick_intersection_d/internal/doors/closest_pair_search.h>
 #include <CGAL/Thick_intersection_d/internal/doors/periodic_search.h>
+#include <CGAL/Thick_intersection_d/internal/doors/periodic_sets.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 #include <CGAL/Thick_intersection_d/internal/reports/parameters_of_part.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
@@ -47,7 +49,7 @@ public:
   // Returns the closest pair. If the search is cancelled, returns the closest of those that it has
   // seen so far.
   template <class NamedParameters>
-  Pair find(const NamedParameters& np) const
+  Pair find(const NamedParameters& np)
   {
     bool is_cancelled = false;
     Minimum minimum = homes_minimum(parameters_of_part(np, 0, 0.5, &is_cancelled));
@@ -61,9 +63,13 @@ public:
     if(!is_cancelled)
       offer_reported(bound.open(), minimum, parameters_of_part(np, 0.5, 0.75, &is_cancelled),
                      [this](Minimum& own, const Pair& pair) { own.offer(pair, square_of(pair)); });
-    if(!is_cancelled && *minimum.pair == bound_pair)
+    if(is_cancelled)
+      return *minimum.pair;
+    if(*minimum.pair == bound_pair)
       offer_reported(bound, minimum, parameters_of_part(np, 0.75, 1),
                      [](Minimum& own, const Pair& pair) { own.offer_tie(pair); });
+    else
+      make_progress(np, points_.size()).finish();
     return *minimum.pair;
   }
 
@@ -86,25 +92,33 @@ private:
 
   Exact square_of(const Pair& pair) const
   {
-    return homes_.squared_distance(std::get<0>(pair), std::get<1>(pair), std::get<2>(pair));
+    return homes_.scene().squared_distance(std::get<0>(pair), std::get<1>(pair), std::get<2>(pair));
   }
 
   // Returns the closest of the pairs of homes and of the pairs of a point and an image of it by one
-  // vector of the basis.
+  // vector of the basis. If the progress is cancelled, the pair is one of those.
   template <class NamedParameters>
-  Minimum homes_minimum(const NamedParameters& np) const
+  Minimum homes_minimum(const NamedParameters& np)
   {
     Minimum minimum;
     if(points_.size() == 0)
       return minimum;
-    for(int k = 0; k < homes_.rank(); ++k) {
-      const Pair pair(0, 0, homes_.basis_offset(k));
+    auto& scene = homes_.scene();
+    for(int k = 0; k < scene.rank(); ++k) {
+      const Pair pair(0, 0, scene.basis_offset(k));
       minimum.offer(pair, square_of(pair));
     }
-    if(points_.size() > 1)
-      homes_.with_homes([&](const auto& homes) {
-        const auto [i, j] = find_closest_pair<ConcurrencyTag>(homes, np);
-        const Pair pair(i, j, homes_.offset_of_homes(i, j));
+    if(points_.size() < 2)
+      return minimum;
+    if(!scene.find_images(np)) {
+      const Pair pair(0, 1, Offsets{});
+      minimum.offer(pair, square_of(pair));
+    }
+    else
+      scene.with_homes([&](const auto& homes) {
+        const auto [i, j]
+          = find_closest_pair<ConcurrencyTag>(homes, scene.parameters_of_homes(np));
+        const Pair pair(i, j, scene.offset_of_homes(i, j));
         minimum.offer(pair, square_of(pair));
       });
     return minimum;
@@ -126,7 +140,7 @@ private:
   const Elements& points_;
   const Domain& domain_;
   const Distance_bound<double> at_zero_ = within_distance(0.);
-  const Search<double> homes_;
+  Search<double> homes_;
 };
 
 template <class ConcurrencyTag, class Domain, class NamedParameters, class Range>

@@ -13,9 +13,9 @@
 
 #include <CGAL/Thick_intersection_d/internal/doors/neighbor_lists_search.h>
 #include <CGAL/Thick_intersection_d/internal/doors/periodic_search.h>
+#include <CGAL/Thick_intersection_d/internal/doors/periodic_sets.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Periods.h>
-#include <CGAL/Thick_intersection_d/internal/reports/parameters_of_part.h>
 
 #include <boost/range/iterator_range_core.hpp>
 
@@ -123,40 +123,50 @@ merged_lists(const Neighbor_lists& of_homes, const Image_neighbors<Dimension>& m
           std::move(offsets)};
 }
 
+// Adds the second point of a pair as a neighbor, and in one set the first point as well.
+template <class Sets, int Dimension>
+void add_neighbors(std::size_t i, std::size_t j, const Offset<Dimension>& offset,
+                   std::vector<Image_neighbor<Dimension>>& neighbors)
+{
+  using Position = Neighbor_lists::Position;
+  neighbors.push_back({static_cast<Position>(i), static_cast<Position>(j), offset});
+  if constexpr(!Sets::are_two)
+    neighbors.push_back({static_cast<Position>(j), static_cast<Position>(i),
+                         offset_between(offset, Offset<Dimension>{})});
+}
+
 // The pairs that no offset between homes moves are most of all, and make lists as without periods.
 template <class ConcurrencyTag, class Domain, class NT, class NamedParameters, class... Ranges>
 auto collect_periodic_neighbors(const Domain& domain, const Distance_bound<NT>& bound,
                                 const NamedParameters& np, Ranges&... ranges)
 {
   const auto collect = [&](const auto& elements, const auto& sets) {
-    constexpr int dimension = decltype(lattice_of(domain))::dimension;
+    constexpr int dimension = domain_dimension_v<Domain>;
     using Neighbor = Image_neighbor<dimension>;
-    using Position = Neighbor_lists::Position;
     using Sets = std::decay_t<decltype(sets)>;
     Periodic_search<ConcurrencyTag, std::decay_t<decltype(elements)>, Sets, Domain, NT>
       search(elements, sets, domain, bound, false);
 
-    Neighbor_lists of_homes;
-    bool is_complete = false;
-    search.with_homes([&](const auto& homes) {
-      is_complete = collect_neighbors_of<ConcurrencyTag>(
-        of_homes, homes, sets, bound, parameters_of_part(np, 0, search.share_of_homes()));
-    });
+    auto& scene = search.scene();
+    Neighbor_lists of_homes(std::vector<std::size_t>(scene.first_size() + 1, 0), {},
+                            !Sets::are_two);
+    bool is_complete = scene.find_images(np);
+    if(is_complete)
+      scene.with_homes([&](const auto& homes) {
+        is_complete = collect_neighbors_of<ConcurrencyTag>(of_homes, homes, sets, bound,
+                                                           scene.parameters_of_homes(np));
+      });
 
     Per_thread<ConcurrencyTag, std::vector<Neighbor>> parts{std::vector<Neighbor>()};
     const auto add = [&](std::size_t i, std::size_t j, const Offset<dimension>& offset) {
-      std::vector<Neighbor>& own = parts.local();
-      own.push_back({static_cast<Position>(i), static_cast<Position>(j), offset});
-      if constexpr(!Sets::are_two)
-        own.push_back({static_cast<Position>(j), static_cast<Position>(i),
-                       offset_between(offset, Offset<dimension>{})});
+      add_neighbors<Sets, dimension>(i, j, offset, parts.local());
     };
     if(is_complete)
-      search.report_near(add, parameters_of_part(np, search.share_of_homes(), 1), nullptr);
+      search.report_near(add, np, nullptr);
     return merged_lists<ConcurrencyTag, dimension>(
       of_homes, Image_neighbors<dimension>(of_homes.size(), parts), !Sets::are_two,
       [&](std::size_t i, std::size_t j) {
-        return search.offset_of_homes(i, search.first_of_second() + j);
+        return scene.offset_of_homes(i, scene.first_of_second() + j);
       });
   };
   return with_periodic_sets<ConcurrencyTag, Domain>(np, collect, ranges...);

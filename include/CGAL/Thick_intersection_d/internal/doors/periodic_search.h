@@ -13,37 +13,25 @@
 #include <CGAL/Scene_profile.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
-#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/doors/Periodic_scene.h>
 #include <CGAL/Thick_intersection_d/internal/doors/joined_profile.h>
 #include <CGAL/Thick_intersection_d/internal/doors/near_pairs_search.h>
-#include <CGAL/Thick_intersection_d/internal/doors/pair_search.h>
-#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
-#include <CGAL/Thick_intersection_d/internal/input/Scene.h>
-#include <CGAL/Thick_intersection_d/internal/input/check_range.h>
-#include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
-#include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
-#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/doors/periodic_sets.h>
 #include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
-#include <CGAL/Thick_intersection_d/internal/periodic/Cell_boundary.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Images.h>
-#include <CGAL/Thick_intersection_d/internal/periodic/Lattice_basis.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Periods.h>
-#include <CGAL/Thick_intersection_d/internal/periodic/Scene_images.h>
-#include <CGAL/Thick_intersection_d/internal/periodic/check_in_box.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Image_output.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 #include <CGAL/Thick_intersection_d/internal/reports/parameters_of_part.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 #include <stdexcept>
 #include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -52,165 +40,131 @@ namespace internal {
 template <class ConcurrencyTag, class Elements, class Sets, class Domain, class NT>
 class Periodic_search
 {
-  using Point = typename Elements::value_type;
-  using Lattice = decltype(lattice_of(std::declval<const Domain&>()));
+  using Periodic_scene = internal::Periodic_scene<ConcurrencyTag, Elements, Sets, Domain>;
 
 public:
-  static constexpr int dimension = Lattice::dimension;
-  using Exact = Common_exact_t<Coordinate_t<Point>, typename Lattice::FT>;
-  using Offsets = Offset<dimension>;
+  static constexpr int dimension = Periodic_scene::dimension;
+  using Exact = typename Periodic_scene::Exact;
+  using Offsets = typename Periodic_scene::Offsets;
 
   // Checks the bound, the domain and the points.
   CGAL_RARELY_CALLED
   Periodic_search(const Elements& points, const Sets& sets, const Domain& domain,
                   const Distance_bound<NT>& bound, bool is_profiled)
-    : points_(points), sets_(sets), bound_(bound), reach_(finite_reach(bound)),
-      search_of_points_(points, bound, is_profiled), periods_(lattice_of(domain)),
-      basis_(lattice_of(domain))
-  {
-    if(points.size() == 0)
-      return;
-    check_size(points.size());
-    if constexpr(!is_lattice_v<Domain>)
-      check_in_box(points, search_of_points_.scene(), domain);
-    const Cell_boundary<dimension> boundary(basis_, search_of_points_.scene(), reach_,
-                                            is_lattice_v<Domain>);
-    images_.emplace(ConcurrencyTag(), points, sets, basis_, boundary);
-  }
+    : sets_(sets), bound_(bound), reach_(finite_reach(bound)),
+      search_of_points_(points, bound, is_profiled),
+      scene_(points, sets, domain, search_of_points_.scene(), reach_)
+  {}
+
+  Periodic_scene& scene() { return scene_; }
+  const Periodic_scene& scene() const { return scene_; }
 
   // Calls report(i, j, offset) for each pair of images once. Returns false iff the search was
   // stopped. Replaces the profile unless it is null.
   template <class Report, class NamedParameters>
   bool report(Report& report, const NamedParameters& np, Scene_profile* profile)
   {
-    if(!images_)
-      return report_points(report, np, profile);
-    const auto np_of_homes = parameters_of_part(np, 0, share_of_homes());
-    const auto np_of_near = parameters_of_part(np, share_of_homes(), 1);
+    if(!scene_.find_images(np))
+      return false;
     if(profile == nullptr)
-      return report_homes(report, np_of_homes, nullptr)
-             && report_near(report, np_of_near, nullptr);
+      return report_homes(report, np, nullptr) && report_near(report, np, nullptr);
 
     // The profile does not change if a callback throws.
     Scene_profile of_homes = *profile;
-    const Moved near(points_, periods_, images_->near());
-    Scene_profile of_near(scan_points<ConcurrencyTag>(near, "image"), reach_);
-    if(const std::optional<Arithmetic_tier> forced = profile->forced_tier())
-      of_near.force_tier(*forced); // refused before anything is reported
-    const bool is_complete = report_homes(report, np_of_homes, &of_homes)
-                             && report_near(report, np_of_near, &of_near);
-    *profile = images_->have_near()
-                 ? joined_profile(points_.size(), dimension, reach_, of_homes, of_near)
-                 : of_homes;
+    std::optional<Scene_profile> of_near; // none without images
+    if(!scan_near(of_near, np))
+      return false;
+    if(of_near && profile->forced_tier())
+      of_near->force_tier(*profile->forced_tier()); // refused before anything is reported
+    const bool is_complete = report_homes(report, np, &of_homes)
+                             && report_near(report, np, of_near ? &*of_near : nullptr);
+    *profile = of_near ? joined_profile(scene_.size(), dimension, reach_, of_homes, *of_near)
+                       : of_homes;
     return is_complete;
   }
 
   // Reports the pairs of a home and a moved home: all but those that no offset between homes moves.
+  // Adds the decisions to the profile unless it is null.
   template <class Report, class NamedParameters>
   bool report_near(Report& report, const NamedParameters& np, Scene_profile* profile) const
   {
-    if(!images_ || !images_->have_near())
-      return true;
-    const auto& images = images_->near();
-    const Two_sets sets{images_->first_near_size()};
-    return search(Moved(points_, periods_, images), sets, [&](std::size_t i, std::size_t j) {
-      return report_images(report, images[i], images[sets.first_size + j]);
-    }, np, profile);
-  }
-
-  // How much of the work, about, is the search of the homes.
-  double share_of_homes() const
-  {
-    const std::size_t size = points_.size();
-    return !images_ || !images_->have_near()
-             ? 1
-             : static_cast<double>(size) / static_cast<double>(size + images_->near().size());
-  }
-
-  // The number of vectors of the basis.
-  int rank() const { return basis_.rank(); }
-
-  // Returns the offset by a vector of the basis, or the opposite one if that is positive.
-  Offsets basis_offset(int k) const
-  {
-    Offsets offset;
-    for(std::size_t i = 0; i < offset.size(); ++i)
-      offset[i] = static_cast<int>(basis_.steps(k)[i]);
-    return (std::max)(offset, offset_between(offset, Offsets{}));
-  }
-
-  // Calls task(elements) with the homes of the points.
-  template <class Task>
-  void with_homes(const Task& task) const
-  {
-    if constexpr(is_lattice_v<Domain>)
-      if(are_homes_moved())
-        return task(Moved(points_, periods_, images_->homes()));
-    task(points_);
-  }
-
-  // Whether the home of a point is not the point itself.
-  bool are_homes_moved() const { return images_ && images_->are_moved(); }
-
-  // Returns the offset of the second of two points whose homes are not moved.
-  Offsets offset_of_homes(std::size_t i, std::size_t j) const
-  {
-    return are_homes_moved()
-             ? offset_between(images_->homes()[i].offset, images_->homes()[j].offset)
-             : Offsets{};
-  }
-
-  // The position of the first point of the second set.
-  std::size_t first_of_second() const
-  {
-    if constexpr(Sets::are_two)
-      return sets_.first_size;
-    else
-      return 0;
-  }
-
-  Exact squared_distance(std::size_t i, std::size_t j, const Offsets& offset) const
-  {
-    Exact sum(0);
-    for(int axis = 0; axis < dimension; ++axis) {
-      const Exact difference = to_exact<Exact>(coordinate(points_[i], axis))
-                               - periods_.moved(coordinate(points_[j], axis), offset, axis);
-      sum += difference * difference;
-    }
-    return sum;
+    const Two_sets sets{scene_.near_home_count()};
+    const auto report_batch = [&](const Image_list& batch, double first, double last) {
+      const auto report_pair = [&](std::size_t i, std::size_t j) {
+        return report_images(report, batch[i], batch[sets.first_size + j]);
+      };
+      const auto np_of_batch = parameters_of_part(np, scene_.share_of_images(first),
+                                                  scene_.share_of_images(last));
+      const Moved images = scene_.moved(batch);
+      if(profile == nullptr)
+        return search(images, sets, report_pair, np_of_batch, nullptr);
+      Scene_profile of_batch;
+      if(profile->forced_tier())
+        of_batch.force_tier(*profile->forced_tier());
+      const bool is_complete = search(images, sets, report_pair, np_of_batch, &of_batch);
+      add_decisions(of_batch, *profile);
+      return is_complete;
+    };
+    return scene_.for_each_batch(report_batch);
   }
 
 private:
-  using Moved = Images<Elements, dimension, Exact>;
+  using Moved = typename Periodic_scene::Moved;
+  using Image_list = typename Periodic_scene::Image_list;
+
+  // Sets the profile to that of the homes near images, and of these images, if there are some.
+  // Returns false iff the progress was cancelled.
+  template <class NamedParameters>
+  bool scan_near(std::optional<Scene_profile>& profile, const NamedParameters& np) const
+  {
+    auto progress = make_progress(
+      parameters_of_part(np, Periodic_scene::share_of_finding, Periodic_scene::share_of_scan),
+      static_cast<std::size_t>(scene_.image_count()));
+    const auto scan = [&](const Image_list& batch, double first, double last) {
+      const Scene_profile of_batch(scan_points<ConcurrencyTag>(scene_.moved(batch), "image"),
+                                   reach_);
+      profile = profile ? joined_profile(scene_.size(), dimension, reach_, *profile, of_batch)
+                        : of_batch;
+      return progress.advance(static_cast<std::size_t>(last - first));
+    };
+    return scene_.for_each_batch(scan);
+  }
 
   // Reports the pairs that no offset between homes moves.
   template <class Report, class NamedParameters>
   bool report_homes(Report& report, const NamedParameters& np, Scene_profile* profile)
   {
+    const auto np_of_homes = scene_.parameters_of_homes(np);
     if constexpr(is_lattice_v<Domain>)
-      if(images_->are_moved()) {
-        const std::size_t second = first_of_second();
-        return search(Moved(points_, periods_, images_->homes()), sets_,
-                      [&, &homes = images_->homes()](std::size_t i, std::size_t j) {
-                        return report_images(report, homes[i], homes[second + j]);
-                      }, np, profile);
+      if(scene_.are_homes_moved()) {
+        const std::size_t second = scene_.first_of_second();
+        return search(scene_.moved(scene_.homes()), sets_,
+                      [&, &homes = scene_.homes()](std::size_t i, std::size_t j) {
+                        return report_in_order(report, homes[i], homes[second + j]);
+                      }, np_of_homes, profile);
       }
-    return report_points(report, np, profile);
-  }
-
-  template <class Report, class NamedParameters>
-  bool report_points(Report& report, const NamedParameters& np, Scene_profile* profile)
-  {
     const auto report_pair = [&](std::size_t i, std::size_t j) {
       return report(i, j, Offsets{});
     };
-    return search_of_points_.report_profiled(sets_, report_pair, np, profile);
+    return search_of_points_.report_profiled(sets_, report_pair, np_of_homes, profile);
+  }
+
+  // Reports a home that stays and an image that is moved.
+  template <class Report>
+  auto report_images(Report& report, const Image<dimension>& staying,
+                     const Image<dimension>& moved) const
+  {
+    if constexpr(Sets::are_two)
+      if(scene_.are_images_of_first())
+        return report_in_order(report, moved, staying);
+    return report_in_order(report, staying, moved);
   }
 
   // Reports two images in the order of their points. Those of one point are ordered by the offset.
-  // The order is chosen without a jump, which no processor could foresee.
+  // The order is chosen without a jump, which no processor could foresee. Of two sets, the first
+  // image is of the first one.
   template <class Report>
-  auto report_images(Report& report, const Image<dimension>& a, const Image<dimension>& b) const
+  auto report_in_order(Report& report, const Image<dimension>& a, const Image<dimension>& b) const
   {
     if constexpr(Sets::are_two)
       return report(a.position, b.position - sets_.first_size, offset_between(a.offset, b.offset));
@@ -239,32 +193,12 @@ private:
     return reach;
   }
 
-  const Elements& points_;
   const Sets sets_;
   const Distance_bound<NT>& bound_;
   const double reach_;
   Near_pairs_search<ConcurrencyTag, Elements> search_of_points_;
-  const Periods<dimension, Exact> periods_;
-  const Lattice_basis<dimension> basis_;
-  std::optional<Scene_images<dimension>> images_; // none without points
+  Periodic_scene scene_;
 };
-
-// Returns search(elements, sets) for the points of one range, or of two. Explains to the compiler's
-// user what cannot be searched.
-template <class ConcurrencyTag, class Domain, class NamedParameters, class Search, class... Ranges>
-auto with_periodic_sets(const NamedParameters& np, const Search& search, Ranges&... ranges)
-{
-  const auto checked = [&](const auto& elements, const auto& sets) {
-    using Point = typename std::decay_t<decltype(elements)>::value_type;
-    constexpr int dimension = dimension_or<Point>(0);
-    constexpr bool fits = dimension == decltype(lattice_of(std::declval<Domain>()))::dimension;
-    static_assert(fits, "The domain is to be an Iso_rectangle_2 for points in the plane, an "
-                        "Iso_cuboid_3 in space, or a Periodic_lattice_d of this dimension.");
-    return search(elements, sets);
-  };
-  static_assert((check_range_of_points<ConcurrencyTag, Ranges, NamedParameters>() && ...));
-  return with_sets(checked, make_elements(ranges, np)...);
-}
 
 template <class ConcurrencyTag, class Domain, class NT, class Callback, class NamedParameters,
           class... Ranges>
@@ -276,10 +210,12 @@ bool report_periodic_pairs(const Domain& domain, const Distance_bound<NT>& bound
     Periodic_search<ConcurrencyTag, std::decay_t<decltype(elements)>,
                     std::decay_t<decltype(sets)>, Domain, NT>
       search(elements, sets, domain, bound, profile != nullptr);
-    auto&& report
-      = image_output<ConcurrencyTag, Offset<decltype(lattice_of(domain))::dimension>>(
-        elements.first(), elements.second(), callback);
-    return search.report(report, np, profile);
+    auto&& report = image_output<ConcurrencyTag, Offset<domain_dimension_v<Domain>>>(
+      elements.first(), elements.second(), callback);
+    if constexpr(std::decay_t<decltype(report)>::check())
+      return search.report(report, np, profile);
+    else
+      return false;
   };
   return with_periodic_sets<ConcurrencyTag, Domain>(np, search_sets, ranges...);
 }

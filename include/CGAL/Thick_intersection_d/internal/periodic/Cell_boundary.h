@@ -21,6 +21,7 @@
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Cell_fractions.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Lattice_basis.h>
+#include <CGAL/Thick_intersection_d/internal/periodic/count_text.h>
 
 #include <boost/config.hpp> // BOOST_NOINLINE
 
@@ -29,6 +30,7 @@
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace CGAL {
@@ -41,17 +43,19 @@ class Cell_boundary
 public:
   using Fractions = std::array<double, Dimension>;
 
-  // Points may be anywhere if `are_wrapped`: then their homes are in one cell. Throws
-  // std::length_error if the bound or the scene is too many periods long.
+  // Points may be anywhere if `are_anywhere`: then their homes are in one cell, and the points
+  // themselves if they fit into it as they are. Throws std::length_error if the bound or the scene
+  // is too many periods long.
+  template <class ConcurrencyTag, class Elements>
   CGAL_RARELY_CALLED
-  Cell_boundary(const Lattice_basis<Dimension>& basis, const Scene& scene, double reach,
-                bool are_wrapped)
-    : fractions_(basis, scene), rank_(basis.rank()), are_wrapped_(are_wrapped)
+  Cell_boundary(ConcurrencyTag tag, const Lattice_basis<Dimension>& basis, const Elements& points,
+                const Scene& scene, double reach, bool are_anywhere)
+    : fractions_(tag, basis, points, scene), rank_(basis.rank())
   {
     low_ends_.fill(-1); // where there is no vector, points are at zero
     high_ends_.fill(1);
     for(int k = 0; k < rank_; ++k)
-      set_range(k, reach);
+      set_range(k, reach, are_anywhere);
     set_inner_box();
   }
 
@@ -73,21 +77,21 @@ public:
     else
       for(std::size_t position = first; position < last; ++position) {
         positions[count] = static_cast<Place>(position);
-        count += sides(fractions_(doubles(points[position]))) != 0; // so is one that may be moved
+        count += may_be_near(fractions_(points[position]));
       }
     return count;
   }
 
-  // Returns how many times the vectors go into a point, and sets `cell` to the cell that it is in:
-  // zero unless points may be anywhere.
+  // Returns how many times the vectors go into the home of a point, and sets `cell` to the cell of
+  // the point: zero unless points may be anywhere.
   template <class Point>
   Fractions fractions_in_cell(const Point& point, Fractions& cell) const
   {
-    Fractions f = fractions_(doubles(point));
+    Fractions f = fractions_(point);
     cell = {};
     for(int k = 0; k < rank_; ++k)
-      if(are_wrapped_ && !(f[k] >= 0 && f[k] < 1)) {
-        cell[k] = std::floor(f[k]);
+      if(are_wrapped_[k]) {
+        cell[k] = std::floor(f[k] - cell_begins_[k]);
         f[k] -= cell[k];
       }
     return f;
@@ -127,13 +131,19 @@ private:
     return integer > x ? integer - 1 : integer;
   }
 
-  void set_range(int k, double reach)
+  void set_range(int k, double reach, bool are_anywhere)
   {
     const double error = fractions_.error(k);
-    Interval range = are_wrapped_ ? Interval{-error, 1 + error} : fractions_.range(k);
+    Interval range = fractions_.range(k);
     reaches_[k] = fractions_.fraction_of(k, reach);
-    if(!(reaches_[k] < max_offset / 4) || !(range.length() < max_offset / 4))
-      throw std::length_error("The bound or the scene is too many periods long.");
+    check_length("The bound", reaches_[k], max_offset / 4);
+    check_length("The scene", range.length(), max_offset / 2);
+    are_wrapped_[k] = are_anywhere && !(range.length() < 1);
+    if(are_wrapped_[k]) {
+      cell_begins_[k] = range.low;
+      range.high = range.low + 1 + error;
+      range.low -= error;
+    }
     const double slack = 2 * error + 0x1p-45 * (range.high - range.low + reaches_[k] + 2
                                                 + std::fabs(range.low));
     reaches_[k] += slack;
@@ -143,19 +153,25 @@ private:
     high_ends_[k] = range.low + 1 - reaches_[k];
   }
 
+  static void check_length(const char* what, double periods, double limit)
+  {
+    if(!(periods < limit))
+      throw std::length_error(std::string(what) + " is " + count_text(periods)
+                              + " periods long, and is to be shorter than " + count_text(limit)
+                              + ".");
+  }
+
   // Sets the inner box: coordinates in it, ends included, are those of homes inside. There is one
   // if each vector is along an axis.
   void set_inner_box()
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     inner_box_.fill({-infinity, infinity});
-    for(int k = 0; k < rank_; ++k) {
-      const int axis = fractions_.axis_of(k);
-      if(axis < 0)
-        return;
-      inner_box_[axis] = fractions_.coordinates_between(k, low_ends_[k], high_ends_[k]);
-    }
-    has_inner_box_ = true;
+    has_inner_box_ = fractions_.have_coordinates();
+    if(has_inner_box_)
+      for(int k = 0; k < rank_; ++k)
+        inner_box_[fractions_.axis_of(k)]
+          = fractions_.coordinates_between(k, low_ends_[k], high_ends_[k]);
   }
 
   template <class Point>
@@ -174,6 +190,10 @@ private:
            != 0;
   }
 
+  // Whether a point with these fractions may have its home near a side, or elsewhere: then it is
+  // beyond the range of homes.
+  bool may_be_near(const Fractions& f) const { return sides(f) != 0; }
+
   template <std::size_t... K>
   unsigned sides(const Fractions& f, std::index_sequence<K...>) const
   {
@@ -183,7 +203,8 @@ private:
 
   const Cell_fractions<Dimension> fractions_;
   int rank_;
-  bool are_wrapped_;
+  std::array<bool, Dimension> are_wrapped_ = {};
+  Fractions cell_begins_ = {};
   bool is_moved_once_ = true;
   Fractions reaches_ = {};
   std::array<Interval, Dimension> ranges_ = {}; // of the homes

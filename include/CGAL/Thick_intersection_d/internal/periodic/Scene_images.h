@@ -12,26 +12,29 @@
 // basis of the lattice. The pairs of homes with m = 0 are those of a search without periods. Of
 // other pairs, each is that of a home and of a home moved by an offset whose first component that
 // is not zero is positive, with one of two opposite offsets. So these offsets are enough, and give
-// each pair once.
+// each pair once. Of two sets, the homes of one stay and those of the other are moved, by all
+// offsets: that set for which there are fewer images.
+//
+// First, the homes near the boundary are found, and their images counted. Then the images are made
+// in batches, of which one is in memory at a time. A batch has about as many images as there are
+// homes near which they may be, so memory is linear in the number of points.
 
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Cell_boundary.h>
+#include <CGAL/Thick_intersection_d/internal/periodic/Image_moves.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Images.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Lattice_basis.h>
-#include <CGAL/Thick_intersection_d/internal/periodic/Periods.h>
+#include <CGAL/Thick_intersection_d/internal/periodic/count_text.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
 #include <boost/config.hpp> // BOOST_NOINLINE
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <stdexcept>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -43,123 +46,176 @@ class Scene_images
 {
   using Boundary = Cell_boundary<Dimension>;
   using Fractions = typename Boundary::Fractions;
-  using Image_list = std::vector<Image<Dimension>>;
 
 public:
-  // Throws std::length_error if a point is too many periods away.
-  template <class ConcurrencyTag, class Elements, class Sets>
+  using Image_list = std::vector<Image<Dimension>>;
+
+  // `basis` is to live as long as this.
+  Scene_images(const Lattice_basis<Dimension>& basis, const Boundary& boundary, bool are_two_sets)
+    : moves_(basis, boundary, are_two_sets), are_two_sets_(are_two_sets)
+  {}
+
+  // Finds the homes, and counts the images. Each point is a step of progress. Returns false iff it
+  // was cancelled. Throws std::length_error if a point is too many periods away, or if there are
+  // too many images.
+  template <class ConcurrencyTag, class Elements, class Sets, class Progress>
   CGAL_RARELY_CALLED
-  Scene_images(ConcurrencyTag, const Elements& points, const Sets& sets,
-               const Lattice_basis<Dimension>& basis, const Boundary& boundary)
-    : basis_(basis), boundary_(boundary)
+  bool find(ConcurrencyTag, const Elements& points, const Sets& sets, Progress& progress)
   {
-    if(boundary.is_moved_once())
-      set_offsets(Sets::are_two);
     std::vector<Found> found(block_count<ConcurrencyTag>());
     for_each_numbered_block<ConcurrencyTag>(
       found.size(), points.size(), [&](std::size_t block, std::size_t first, std::size_t last) {
-        add_points(points, first, last, sets, found[block]);
+        add_points(points, first, last, sets, found[block], progress);
       });
+    if(progress.is_cancelled())
+      return false;
     collect(found, points.size());
+    if(static_cast<double>(staying().size()) + count() >= static_cast<double>(max_place / 2))
+      throw std::length_error("There are " + count_text(count()) + " images of points within the "
+                              "bound, and a search takes less than "
+                              + count_text(static_cast<double>(max_place / 2)) + ".");
+    return true;
   }
 
   // Whether the home of a point is not the point itself. Only then there are homes.
   bool are_moved() const { return !homes_.empty(); }
   const Image_list& homes() const { return homes_; }
 
-  // The homes near which other images may be, and then these images.
-  const Image_list& near() const { return near_; }
-  std::size_t first_near_size() const { return first_near_size_; }
-  bool have_near() const { return first_near_size_ != 0 && first_near_size_ != near_.size(); }
+  // The number of homes near which images may be, and the number of these images, which are none if
+  // there is no such home.
+  std::size_t near_home_count() const { return staying().size(); }
+  double count() const { return staying().empty() ? 0 : counts_[moving_]; }
+
+  // Whether the images are those of the first of two sets.
+  bool are_of_first() const { return are_two_sets_ && moving_ == 0; }
+
+  // Calls task(batch, first, last) with the homes near which images may be, followed by some of
+  // these images: those from the number `first` on, to before `last`. Goes on until all images were
+  // in a batch, or until the task returns false, and returns what it returned.
+  template <class Elements, class Task>
+  bool for_each_batch(const Elements& points, const Task& task) const
+  {
+    Image_list batch;
+    if(count() == 0)
+      return true;
+    for(const Near_home& home : staying())
+      batch.push_back(home.image);
+    double done = 0;
+    const auto take_batch = [&] {
+      const double first = done;
+      done += static_cast<double>(batch.size() - staying().size());
+      const bool goes_on = task(batch, first, done);
+      batch.resize(staying().size());
+      return goes_on;
+    };
+    const std::size_t full = staying().size() + (std::max)(min_batch, 2 * staying().size());
+    for(const Near_home& home : near_[moving_])
+      if(!moves_.for_each_image(points, home.image, home.sides, [&](const Image<Dimension>& image) {
+           batch.push_back(image);
+           return batch.size() < full || take_batch();
+         }))
+        return false;
+    return batch.size() == staying().size() || take_batch();
+  }
 
 private:
   // The points are still in the cache when the few near the boundary are read again.
   static constexpr std::size_t points_at_once = 1024;
 
-  // Images of so many points, each of which is written down, and kept or not.
-  struct Kept_images
+  // A search of so few images takes a fraction of a second.
+  static constexpr std::size_t min_batch = std::size_t(1) << 18;
+
+  // A home, and the sides of the range of homes that it is near.
+  struct Near_home
   {
-    std::array<Image<Dimension>, points_at_once> images;
+    Image<Dimension> image;
+    unsigned sides;
+  };
+  using Near_list = std::vector<Near_home>;
+
+  // So many homes, each of which is written down, and kept or not.
+  struct Kept_homes
+  {
+    std::array<Near_home, points_at_once> homes;
     std::size_t count = 0;
 
-    void put(const Image<Dimension>& image, bool is_kept)
+    void put(const Near_home& home, bool is_kept)
     {
-      images[count] = image;
+      homes[count] = home;
       count += is_kept;
     }
-    void move_to(Image_list& list)
+    void move_to(Near_list& list)
     {
-      list.insert(list.end(), images.begin(), images.begin() + count);
+      list.insert(list.end(), homes.begin(), homes.begin() + count);
       count = 0;
     }
   };
 
+  // The homes near the boundary: of two sets, those of each set. Of one set, the homes that stay
+  // and those that are moved. Then the images of each.
   struct Found
   {
     Image_list moved_homes; // those that are not the points themselves
-    Image_list near_homes;
-    Image_list near_others;
-    Kept_images next_homes; // which follow in the two lists
-    Kept_images next_others;
+    std::array<Near_list, 2> near;
+    std::array<Kept_homes, 2> next; // which follow in the two lists
+    std::array<double, 2> counts = {};
   };
 
-  template <class Elements, class Sets>
+  template <class Elements, class Sets, class Progress>
   void add_points(const Elements& points, std::size_t first, std::size_t last, const Sets& sets,
-                  Found& found) const
+                  Found& found, Progress& progress) const
   {
     std::array<Place, points_at_once> positions;
-    for(; first < last; first += points_at_once) {
+    for(bool goes_on = true; goes_on && first < last; first += points_at_once) {
       const std::size_t end = (std::min)(first + points_at_once, last);
-      const std::size_t count = boundary_.find_near(points, first, end, positions.data());
+      const std::size_t count = moves_.boundary().find_near(points, first, end, positions.data());
       for(std::size_t i = 0; i < count; ++i)
         add(points[positions[i]], positions[i], sets, found);
-      found.next_homes.move_to(found.near_homes);
-      found.next_others.move_to(found.near_others);
-      if(found.near_homes.size() + found.near_others.size() >= max_near)
-        throw_too_many();
+      for(int k = 0; k < 2; ++k)
+        found.next[k].move_to(found.near[k]);
+      goes_on = progress.advance(end - first);
     }
   }
 
-  // Adds the home of a point, and images of it, where others may be near them. No processor could
+  // Adds the home of a point, where others may be near it or images of it. No processor could
   // foresee which sides a home is near, so there are few jumps.
   template <class Point, class Sets>
   BOOST_NOINLINE
   void add(const Point& point, Place position, const Sets& sets, Found& found) const
   {
     Fractions cell;
-    const Fractions f = boundary_.fractions_in_cell(point, cell);
-    const unsigned sides = boundary_.sides(f);
-    Image<Dimension> home = {position, {}};
+    const Fractions f = moves_.boundary().fractions_in_cell(point, cell);
+    Near_home home = {{position, {}}, moves_.boundary().sides(f)};
     if(cell != Fractions{}) {
       for(double& x : cell)
         x = -x;
-      home.offset = steps_of(cell, position);
-      found.moved_homes.push_back(home);
+      home.image.offset = moves_.steps_of(cell, position);
+      found.moved_homes.push_back(home.image);
     }
-    constexpr unsigned sides_of_near = Sets::are_two ? Boundary::all_sides : Boundary::high_sides;
-    found.next_homes.put(home, is_of_first(sets, position) && (sides & sides_of_near) != 0);
-    const bool is_moved = is_of_second(sets, position);
-    if(boundary_.is_moved_once()) {
-      const unsigned moving_sides = is_moved ? sides : 0;
-      const Offset<Dimension>* offset = offsets_.data() + first_offsets_[moving_sides];
-      const Offset<Dimension>* const end = offsets_.data() + first_offsets_[moving_sides + 1];
-      found.next_others.put(moved(home, *offset), offset != end);
-      while(offset + 1 < end)
-        found.near_others.push_back(moved(home, *++offset));
+    const double count = moves_.count(f, home.sides, position);
+    if constexpr(Sets::are_two) {
+      const bool is_of_second = position >= sets.first_size;
+      found.next[is_of_second].put(home, home.sides != 0);
+      found.counts[is_of_second] += count;
     }
-    else if(is_moved)
-      add_moved(f, home, Sets::are_two, found.near_others);
+    else {
+      found.next[0].put(home, (home.sides & Boundary::high_sides) != 0);
+      found.next[1].put(home, count != 0);
+      found.counts[1] += count;
+    }
   }
 
   void collect(const std::vector<Found>& found, std::size_t size)
   {
     for(const Found& part : found)
-      near_.insert(near_.end(), part.near_homes.begin(), part.near_homes.end());
-    first_near_size_ = near_.size();
-    for(const Found& part : found)
-      near_.insert(near_.end(), part.near_others.begin(), part.near_others.end());
-    if(near_.size() >= max_near)
-      throw_too_many();
+      for(int k = 0; k < 2; ++k) {
+        near_[k].insert(near_[k].end(), part.near[k].begin(), part.near[k].end());
+        counts_[k] += part.counts[k];
+      }
+    const auto work = [this](int moving) {
+      return static_cast<double>(near_[1 - moving].size()) + counts_[moving];
+    };
+    moving_ = are_two_sets_ && work(0) < work(1) ? 0 : 1;
     for(const Found& part : found)
       for(const Image<Dimension>& home : part.moved_homes)
         set_home(size, home);
@@ -174,105 +230,14 @@ private:
     homes_[home.position] = home;
   }
 
-  static constexpr std::size_t max_near = max_place / 2; // as of points
+  const Near_list& staying() const { return near_[1 - moving_]; }
 
-  [[noreturn]] static void throw_too_many()
-  {
-    throw std::length_error("There are too many images of points within the bound.");
-  }
-
-  static bool is_of_first(const One_set&, std::size_t) { return true; }
-  static bool is_of_second(const One_set&, std::size_t) { return true; }
-  static bool is_of_first(const Two_sets& sets, std::size_t i) { return i < sets.first_size; }
-  static bool is_of_second(const Two_sets& sets, std::size_t i) { return i >= sets.first_size; }
-
-  // Appends the images of a home that may be within the bound of homes.
-  void add_moved(const Fractions& f, const Image<Dimension>& home, bool are_all,
-                 Image_list& images) const
-  {
-    Fractions first = {}, last = {};
-    for(int k = 0; k < basis_.rank(); ++k) {
-      first[k] = boundary_.first_move(f, k);
-      last[k] = boundary_.last_move(f, k);
-    }
-    for_each_move(first, last, are_all, [&](const Fractions& move) {
-      images.push_back(moved(home, steps_of(move, home.position)));
-      return images.size() < max_near;
-    });
-  }
-
-  // Sets the offsets that are needed where no home is moved by a vector more than once. The homes
-  // near the same sides are moved by the same offsets.
-  void set_offsets(bool are_all)
-  {
-    for(unsigned sides = 0; sides <= Boundary::all_sides; ++sides) {
-      first_offsets_[sides] = offsets_.size();
-      Fractions first = {}, last = {};
-      for(int k = 0; k < basis_.rank(); ++k) {
-        first[k] = (sides & Boundary::high_side(k)) != 0 ? -1 : 0;
-        last[k] = (sides & Boundary::low_side(k)) != 0 ? 1 : 0;
-      }
-      for_each_move(first, last, are_all, [this](const Fractions& move) {
-        offsets_.push_back(steps_of(move, 0));
-        return true;
-      });
-    }
-    first_offsets_.back() = offsets_.size();
-    offsets_.push_back({}); // which is read, and not kept, where there are none
-  }
-
-  // Calls task(move) with how many times each vector moves a home, from first to last, until the
-  // task returns false: positive moves, or all that are not zero.
-  template <class Task>
-  static void for_each_move(Fractions first, const Fractions& last, bool are_all, const Task& task)
-  {
-    if(!are_all)
-      first[0] = (std::max)(first[0], 0.);
-    const Fractions zero = {};
-    // Invariant: m is the next move, in lexicographical order.
-    for(Fractions m = first; m[0] <= last[0];) {
-      if((are_all ? m != zero : m > zero) && !task(m))
-        return;
-      int k = Dimension - 1;
-      for(++m[k]; k > 0 && m[k] > last[k]; ++m[k]) {
-        m[k] = first[k];
-        --k;
-      }
-    }
-  }
-
-  // Returns how many times each period is in a sum of multiples of the vectors, which moves the
-  // point at a position.
-  Offset<Dimension> steps_of(const Fractions& multiples, Place position) const
-  {
-    Offset<Dimension> offset;
-    for(int i = 0; i < Dimension; ++i) {
-      double sum = 0; // rounded only if it is refused
-      for(int k = 0; k < basis_.rank(); ++k)
-        sum += multiples[k] * static_cast<double>(basis_.steps(k)[i]);
-      if(!(std::fabs(sum) < max_offset / 2))
-        throw std::length_error("An image of point " + std::to_string(position)
-                                + " is too many periods away.");
-      offset[i] = static_cast<int>(sum);
-    }
-    return offset;
-  }
-
-  static Image<Dimension> moved(const Image<Dimension>& home, const Offset<Dimension>& offset)
-  {
-    Image<Dimension> image = home;
-    for(int i = 0; i < Dimension; ++i)
-      image.offset[i] += offset[i];
-    return image;
-  }
-
-  const Lattice_basis<Dimension>& basis_;
-  const Boundary& boundary_;
+  const Image_moves<Dimension> moves_;
+  const bool are_two_sets_;
   Image_list homes_;
-  Image_list near_;
-  std::size_t first_near_size_ = 0;
-  std::vector<Offset<Dimension>> offsets_; // of homes near the same sides, one after another
-  std::array<std::size_t, Boundary::all_sides + 2> first_offsets_;
+  std::array<Near_list, 2> near_; // as in Found
+  std::array<double, 2> counts_ = {};
+  int moving_ = 1; // which of the lists is moved
 };
 
 } // namespace internal

@@ -38,12 +38,26 @@ class Image_output
   using Triple = std::tuple<std::decay_t<A>, std::decay_t<B>, OffsetArray>;
   static constexpr bool is_functor
     = std::is_invocable_v<typename Target::type&, A, B, const OffsetArray&>;
-  static_assert(is_functor || Takes_triples<typename Target::type, Triple>::value,
-                "The callback is to take two positions and an offset: (std::size_t i, std::size_t "
-                "j, std::array<int, d> offset); or, in CGAL::with_elements(), two elements and an "
-                "offset.");
 
 public:
+  // Whether the target takes what it gets. Explains to the compiler's user what is wrong if not.
+  static constexpr bool check()
+  {
+    constexpr bool takes = is_functor || Takes_triples<typename Target::type, Triple>::value;
+    static_assert(takes, "The callback is to take two positions and an offset: (std::size_t i, "
+                         "std::size_t j, std::array<int, d> offset); or, in CGAL::with_elements(), "
+                         "two elements and an offset.");
+    if constexpr(is_functor) {
+      constexpr bool tells = is_void_or_bool<
+        std::invoke_result_t<typename Target::type&, A, B, const OffsetArray&>>;
+      static_assert(tells, "The callback is to return void, or bool to tell whether the search "
+                           "goes on.");
+      return tells;
+    }
+    else
+      return takes;
+  }
+
   Image_output(const First& first, const Second& second, typename Target::type& target)
     : first_(first), second_(second), target_(target)
   {}
@@ -60,12 +74,8 @@ private:
   // Functors take pairs from several threads, output iterators from one thread at a time.
   auto put(A a, B b, const OffsetArray& offset)
   {
-    if constexpr(is_functor) {
-      static_assert(is_void_or_bool<std::invoke_result_t<typename Target::type&, A, B,
-                                                         const OffsetArray&>>,
-                    "The callback is to return void, or bool to tell whether the search goes on.");
+    if constexpr(is_functor)
       return target_(std::forward<A>(a), std::forward<B>(b), offset);
-    }
     else if constexpr(is_parallel_v<ConcurrencyTag>) {
       const std::lock_guard<std::mutex> lock(mutex_);
       *target_++ = Triple(a, b, offset);

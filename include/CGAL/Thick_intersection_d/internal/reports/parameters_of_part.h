@@ -26,7 +26,7 @@ struct Part_of_progress
 
   bool operator()(double done)
   {
-    const bool goes_on = functor(start + (end - start) * done);
+    const bool goes_on = functor(done == 1 ? end : start + (end - start) * done); // not rounded
     if(is_cancelled != nullptr && !goes_on)
       *is_cancelled = true;
     return goes_on;
