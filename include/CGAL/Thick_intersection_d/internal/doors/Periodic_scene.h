@@ -65,6 +65,9 @@ public:
       images_.emplace(basis_, boundary, Sets::are_two);
   }
 
+  Periodic_scene(const Periodic_scene&) = delete; // the images know the basis
+  Periodic_scene& operator=(const Periodic_scene&) = delete;
+
   // Finds the homes, and counts their images: before anything else. The progress goes up to
   // share_of_finding. Returns false iff it was cancelled.
   template <class NamedParameters>
