@@ -153,6 +153,14 @@ BOOST_AUTO_TEST_CASE(points_that_fit_into_a_cell_are_their_own_homes)
   }
 }
 
+// Far from where the points would come again.
+BOOST_AUTO_TEST_CASE(points_in_a_part_of_a_cell_need_no_image)
+{
+  const CGAL::Periodic_lattice_d lattice(Plain::Vector_2(1, 0), Plain::Vector_2(.25, 1));
+  const std::vector<Plain::Point_2> points = {{7.1, .1}, {7.2, .3}, {7.3, .2}, {7.4, .1}};
+  BOOST_CHECK_EQUAL(counts_of(points, lattice, .25, internal::Two_sets{2}).counted, 0u);
+}
+
 // One corner is moved to the right, up, and both, to where two points are near the boundary.
 BOOST_AUTO_TEST_CASE(a_box_has_the_images_that_are_near_it)
 {
