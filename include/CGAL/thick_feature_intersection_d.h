@@ -46,14 +46,20 @@ as `thick_self_intersection_d()` does, for every kernel.
 The search takes the segments of all features through the divide and conquer of
 `thick_self_intersection_d()`. It tests those whose boxes meet, as long as their features are not
 known to be a pair. What is left are features whose boundaries do not meet. One of these is inside a
-polygon if its first vertex is, which is asked if this vertex is in the box of the polygon. Let
-there be \f$ n \f$ segments and \f$ k \f$ reported pairs, let \f$ K \f$ be the number of pairs of
-segments whose boxes meet, and let \f$ K_v \f$ be the number of first vertices in the boxes of
-polygons that their features do not meet. Then the search takes \f$ O(n \log n + K) \f$ time in the
-plane and \f$ O(n \log^2 n + K) \f$ in space, and for each of the \f$ K_v \f$ vertices
-\f$ O(\log n) \f$ time for most shapes. It is \f$ O(c \log n) \f$ at most, where \f$ c \f$ is the
-number of edges at the height of the vertex: a spiral takes that much. The search takes
-\f$ O(n + k) \f$ space.
+polygon if its first vertex is, which is asked if this vertex is in the box of the polygon. Segments
+of one feature are not compared, whatever its shape: a track that stays at a place and nested rings
+of a multipolygon take no more time than others.
+
+Let there be \f$ n \f$ segments and \f$ k \f$ reported pairs. Let \f$ K \f$ be the number of pairs
+of segments of different features whose boxes meet, before the features are known to be a pair. Let
+\f$ K_f \f$ be the number of pairs of a segment and a feature that form a reported pair of features,
+if the box of the segment meets one of the feature: at most \f$ n \f$ for two features, and at most
+the number of boxes that meet. Let \f$ K_v \f$ be the number of first vertices in the boxes of
+polygons that their features do not meet. Then the search takes
+\f$ O((n + K_f) \log n + K) \f$ time in the plane and \f$ O((n + K_f) \log^2 n + K) \f$ in space,
+and for each of the \f$ K_v \f$ vertices \f$ O(\log n) \f$ time for most shapes. It is
+\f$ O(c \log n) \f$ at most, where \f$ c \f$ is the number of edges at the height of the vertex: a
+spiral takes that much. The search takes \f$ O(n + k) \f$ space.
 
 \tparam ConcurrencyTag is `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. In
 sequence, the order of reports depends on the input alone. In parallel, the same pairs are reported
@@ -151,8 +157,8 @@ points, and zero if they intersect, as a polygon and a feature inside it do. The
 result of real arithmetic on the given coordinates and the given bound, for pairs exactly at the
 bound too, as `fixed_radius_near_neighbors()` of segments does.
 
-The time and the space are those of `thick_feature_self_intersection_d()`, where \f$ K \f$ is the
-number of pairs of segments whose boxes are within the bound along each axis.
+The time and the space are those of `thick_feature_self_intersection_d()`, where boxes count as
+meeting if they are within the bound along each axis.
 
 \param features,callback,np as for `thick_feature_self_intersection_d()`.
 \param bound made by `within_distance()` or `within_squared_distance()`.

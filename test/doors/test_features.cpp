@@ -145,6 +145,25 @@ BOOST_AUTO_TEST_CASE(errors_name_the_feature)
   BOOST_CHECK_EQUAL(message_of(polygons), "Feature 1 has no outer boundary.");
 }
 
+// Features of very many segments whose boxes meet: tracks that stay, zigzags, bands, and points.
+BOOST_AUTO_TEST_CASE(crowded_features)
+{
+  for(const Feature_scene& scene : crowded_feature_scenes()) {
+    std::vector<Features_2<Epick>::Feature> features;
+    for(const Lattice_feature& feature : scene.features)
+      features.push_back(Features_2<Epick>::make(feature, Scale::ONE));
+    const Pairs pairs = intersecting_pairs(scene.features);
+    BOOST_CHECK(!pairs.empty() && pairs.size() < features.size() * (features.size() - 1) / 2);
+    BOOST_TEST_CONTEXT(scene.name)
+    {
+      check_features<CGAL::Sequential_tag, Features_2<Epick>>(features, pairs, "in sequence");
+      check_features<CGAL::Parallel_tag, Features_2<Epick>>(features, pairs, "in parallel");
+    }
+    check_near_features_on_kernel<Features_2, Epick>(
+      scene, near_feature_pairs(scene.features, 4, false), 4, false, Scale::ONE);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(features_without_points_are_in_no_pair)
 {
   const std::vector<std::variant<Polyline, Polygon>> features

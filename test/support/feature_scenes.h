@@ -171,6 +171,36 @@ inline std::vector<Feature_scene> feature_scenes(int dimension)
   return scenes;
 }
 
+// A few features of many segments each, most of whose boxes meet: tracks that stay at a place, with
+// many equal points, zigzags whose segments all cross, and polygons one in another.
+inline std::vector<Feature_scene> crowded_feature_scenes()
+{
+  Random random(5);
+  Feature_scene tracks = {"tracks", {}}, zigzags = {"zigzags", {}}, bands = {"bands", {}};
+  for(std::int64_t i = 0; i < 9; ++i) {
+    const Lattice_point at = {3 * below(random, 4), 3 * below(random, 4), 0};
+    Chain track(300, at), zigzag;
+    for(std::size_t k = 0; k < track.size(); k += 1 + random.below(9))
+      track[k] = {at[0] + below(random, 4), at[1] + below(random, 4), 0};
+    tracks.features.push_back({Feature_kind::POLYLINE, {track}});
+    const std::int64_t x = i < 6 ? 0 : 2000, step = i < 3 ? 0 : 500 * (i % 2);
+    for(std::int64_t k = 0; k < 300; ++k)
+      zigzag.push_back(k % 2 ? Lattice_point{x + k, 400 + k + step, 0}
+                             : Lattice_point{x + 400 + k + step, k, 0});
+    zigzags.features.push_back({Feature_kind::POLYLINE, {zigzag}});
+    Lattice_feature polygons = {Feature_kind::POLYGONS, {}};
+    for(std::int64_t k = 0; k < 80; ++k) {
+      const std::int64_t d = 9 * k + (i < 2 ? 0 : i) + (i % 3 == 2 ? 2000 : 0);
+      polygons.chains.push_back(square(d, d, i < 6 ? 1800 - 18 * k : 1));
+    }
+    bands.features.push_back(polygons);
+  }
+  for(Feature_scene* scene : {&tracks, &zigzags, &bands})
+    for(int i = 0; i < 20; ++i)
+      scene->features.push_back({Feature_kind::POINT, {random_chain(random, 2, 1, 12, 900)}});
+  return {tracks, zigzags, bands};
+}
+
 } // namespace test_support
 
 #endif // THICK_INTERSECTION_TEST_SUPPORT_FEATURE_SCENES_H

@@ -55,16 +55,26 @@ public:
   // The candidates of all boxes.
   std::uint64_t candidate_count() const { return candidate_count_; }
 
+  // The same of one of `count` blocks of each run.
+  std::uint64_t candidate_count_of_block(Place index, Place count) const
+  {
+    std::uint64_t sum = 0;
+    for(std::size_t set = 0; set < set_count_; ++set)
+      sum += run(set).block(index, count).candidate_count();
+    return sum;
+  }
+
   std::size_t set_count() const { return set_count_; }
 
   // The boxes of a set, and the run with their candidates: that of the other set, if there is one.
   const Box_run<Axes>& run(std::size_t set) const { return columns_[set].run(); }
   const Box_run<Axes>& candidates(std::size_t set) const { return run(set_count_ - 1 - set); }
 
-  // The share of pairs of boxes among the candidates, by a sample of them: a random one in each of
-  // `crowd_sample` steps. A scene made to mislead a sample at equal steps would be swept in
-  // quadratic time.
-  double share_of_pairs() const
+  // The share of wanted pairs of boxes among the candidates, by a sample of them: a random one in
+  // each of `crowd_sample` steps. A scene made to mislead a sample at equal steps would be swept in
+  // quadratic time. is_wanted(i, j) takes positions.
+  template <class Function>
+  double share_of_pairs(const Function& is_wanted) const
   {
     Random_numbers random(seed());
     const double step = static_cast<double>(candidate_count_) / crowd_sample;
@@ -78,8 +88,10 @@ public:
       const auto& a = run(set);
       const auto& b = candidates(set);
       for(Place i = a.first; i < a.last; passed += a.ends[i] - a.begins[i], ++i)
-        for(; next < passed + (a.ends[i] - a.begins[i]); take_step())
-          pairs += do_meet(a, i, b, a.begins[i] + static_cast<Place>(next - passed));
+        for(; next < passed + (a.ends[i] - a.begins[i]); take_step()) {
+          const Place j = a.begins[i] + static_cast<Place>(next - passed);
+          pairs += do_meet(a, i, b, j) && is_wanted(a.positions[i], b.positions[j]);
+        }
     }
     return static_cast<double>(pairs) / crowd_sample;
   }

@@ -11,10 +11,12 @@
 #include <CGAL/Thick_intersection_d/internal/boxes/Box_order.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Box_planner.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Box_sweep.h>
-#include <CGAL/Thick_intersection_d/internal/boxes/Box_tree.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Cut_boxes.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Sweep_allowance.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/divide_into_classes.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/has_groups.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/search_tree.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/tuning.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
@@ -105,8 +107,14 @@ private:
     Box_order<axes>& order = worker.order;
     order.set(piece, plan.sweep_axis, tuning_);
     const double candidates = static_cast<double>(order.candidate_count()) / piece.size();
-    if(!(candidates > tuning_.crowded_candidates && order.share_of_pairs() < tuning_.crowded_share
-         && search_crowd(worker, piece, task, plan, candidates)))
+    const auto is_wanted = [&](Place i, Place j) { return test_.is_wanted(i, j); };
+    if(candidates > tuning_.crowded_candidates
+       && order.share_of_pairs(is_wanted) < tuning_.crowded_share
+       && search_crowd(worker, piece, task, plan, candidates))
+      return;
+    if(has_groups_v<Test> && candidates > candidates_for_tree(piece.size()))
+      sweep_while_wanted(worker, piece, task, plan, candidates);
+    else
       sweep_boxes(order, piece, task);
   }
 
@@ -167,21 +175,50 @@ private:
     });
   }
 
-  // Sweeps the boxes in their order. If there are very many candidates, it sweeps in blocks, which
-  // threads share. The search can stop after each block.
-  void sweep_boxes(const Box_order<axes>& order, const Piece<Box>& piece,
-                   const Piece_task& task)
+  // Sweeps the boxes in their order. If there are very many candidates, it sweeps in blocks.
+  void sweep_boxes(const Box_order<axes>& order, const Piece<Box>& piece, const Piece_task& task)
   {
     const std::uint64_t full_blocks = order.candidate_count() / tuning_.candidates_per_block;
     const Place count = static_cast<Place>((std::min)(full_blocks, max_sweep_blocks)) + 1;
+    Sweep_allowance allowance;
+    sweep_blocks(order, task.finishes_boxes ? original_count(piece) : 0, count, allowance);
+  }
+
+  // Sweeps crowded boxes that have groups, as long as enough candidates are wanted pairs. When few
+  // are left, because pairs of groups have become known, searches the boxes as a crowd.
+  void sweep_while_wanted(Worker& worker, const Piece<Box>& piece, const Piece_task& task,
+                          const Box_plan<axes>& plan, double candidates)
+  {
     const std::size_t size = task.finishes_boxes ? original_count(piece) : 0;
+    Sweep_allowance allowance(std::int64_t(tuning_.unwanted_candidates) * piece.size(),
+                              tuning_.candidates_per_wanted_pair);
+    const Place count = piece.size() / tuning_.unwanted_candidates + 1;
+    sweep_blocks(worker.order, size, count, allowance);
+    if(allowance.is_left() || report_.is_stopped())
+      return;
+    Piece_task rest = task;
+    rest.finishes_boxes = false;
+    search_crowd(worker, piece, rest, plan, candidates);
+    advance(size - allowance.finished());
+  }
+
+  // Sweeps boxes in `count` blocks, which threads share, and finishes `size` boxes by them. The
+  // search can stop after each block, and the sweep ends with its allowance.
+  void sweep_blocks(const Box_order<axes>& order, std::size_t size, Place count,
+                    Sweep_allowance& allowance)
+  {
     for_each_block<ConcurrencyTag>(count, [&](std::size_t block, std::size_t last) {
       Box_sweep<Test, Report> box_sweep(test_, report_);
-      for(; block != last && !report_.is_stopped(); ++block) {
+      for(; block != last && !report_.is_stopped() && allowance.is_left(); ++block) {
+        const std::uint64_t wanted_before = box_sweep.wanted_count();
         box_sweep.take_block(static_cast<Place>(block), count);
         for(std::size_t set = 0; set < order.set_count() && !box_sweep.is_stopped(); ++set)
           box_sweep.between(order.run(set), order.candidates(set));
-        advance(size * (block + 1) / count - size * block / count);
+        const std::size_t finished = size * (block + 1) / count - size * block / count;
+        if constexpr(has_groups_v<Test>)
+          allowance.use(order.candidate_count_of_block(static_cast<Place>(block), count),
+                        box_sweep.wanted_count() - wanted_before, finished);
+        advance(finished);
       }
     });
   }

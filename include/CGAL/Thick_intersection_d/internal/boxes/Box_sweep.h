@@ -9,6 +9,7 @@
 // those that lanes left undecided, and the report gets the rest. It knows neither where the runs
 // come from nor what makes a pair.
 
+#include <CGAL/Thick_intersection_d/internal/boxes/has_groups.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
@@ -16,6 +17,7 @@
 
 #include <boost/config.hpp> // BOOST_NOINLINE
 
+#include <cstdint>
 #include <utility>
 
 namespace CGAL {
@@ -31,6 +33,9 @@ namespace internal {
 //   is_pair(a, b, pair)                 decides about a found pair
 //   is_of_piece(a, b, pair)             does so if all that lanes left open is whether a pair of
 //                                       copies is one of this piece: are_copies(a, b)
+//
+// It may have groups (has_groups.h). Then do_intersect(i, j) decides about the found pairs that are
+// of this piece and wanted. It takes positions.
 //
 // `Report` takes two positions, returns false to stop, and has is_stopped().
 template <class Test, class Report>
@@ -49,6 +54,9 @@ public:
   }
 
   bool is_stopped() const { return is_stopped_; }
+
+  // How many wanted pairs were tested.
+  std::uint64_t wanted_count() const { return wanted_count_; }
 
   // Reports the pairs of a box of one run and a box of the other.
   void between(const Run& run, const Run& b)
@@ -102,7 +110,7 @@ private:
       if(c + prefetch_distance < count)
         test_.ask_for(a, b, found_.pairs[c + prefetch_distance]);
       found_.pairs[pair_count] = found_.pairs[c];
-      pair_count += test_.is_pair(a, b, found_.pairs[c]);
+      pair_count += is_pair(a, b, found_.pairs[c]);
     }
     return pair_count;
   }
@@ -139,10 +147,23 @@ private:
     for(Place r = 0; r < row_count; ++r)
       for(Place lane = 0; lane < lanes; ++lane) {
         const Found_pair pair = {found_.rows[r].i, found_.rows[r].j + lane};
-        if(test_.is_pair(a, b, pair) && !report_pair(a.positions[pair.i], b.positions[pair.j]))
+        if(is_pair(a, b, pair) && !report_pair(a.positions[pair.i], b.positions[pair.j]))
           return false;
       }
     return true;
+  }
+
+  bool is_pair(const Run& a, const Run& b, Found_pair pair)
+  {
+    if constexpr(has_groups_v<Test>) {
+      const Place i = a.positions[pair.i], j = b.positions[pair.j];
+      if(!test_.is_of_piece(a, b, pair) || !test_.is_wanted(i, j))
+        return false;
+      ++wanted_count_;
+      return test_.do_intersect(i, j);
+    }
+    else
+      return test_.is_pair(a, b, pair);
   }
 
   bool report_pair(Place i, Place j)
@@ -156,6 +177,7 @@ private:
   Place block_index_ = 0;
   Place block_count_ = 1;
   bool is_stopped_ = false;
+  std::uint64_t wanted_count_ = 0;
   Found_pairs found_;
 };
 

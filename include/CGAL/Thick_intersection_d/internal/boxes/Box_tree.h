@@ -9,13 +9,16 @@
 // "Fast software for box intersections", 2002. O(n log^(d-1) n + k) time, whatever the boxes are.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/radix_sort.h>
-#include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Box_scan.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Group_scan.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/begins_before.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/has_groups.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -23,34 +26,36 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// The lower ends of boxes are ordered by coordinate and position, so no two of them are equal. Two
-// boxes meet along an axis iff one of them holds the lower end of the other one: it begins before
-// the other one begins, and does not end before.
-//
-// `Report` takes two boxes that meet, and returns false to stop.
+// `Report` takes two boxes that meet, and returns false to stop. It may have groups (has_groups.h),
+// of boxes. Then hardly any pairs are looked at that are not wanted.
 template <class Box, class Report>
 class Box_tree
 {
-  using Boxes = std::vector<const Box*>;
+  using Scan = std::conditional_t<has_groups_v<Report>, Group_scan<Box, Report>,
+                                  Box_scan<Box, Report>>;
+  using Copy = typename Scan::Copy;
+  using Boxes = std::vector<const Copy*>;
   using Iterator = typename Boxes::const_iterator;
   using Range = std::pair<Iterator, Iterator>;
 
 public:
-  explicit Box_tree(Report& report) : report_(report) {}
+  explicit Box_tree(Report& report) : report_(report), scan_(report) {}
 
   // Reports the pairs of a set. Returns false to stop.
-  bool within(const Boxes& boxes)
+  bool within(const std::vector<const Box*>& boxes)
   {
-    const std::vector<Box> sorted = sorted_copies(boxes);
+    std::vector<Copy> sorted = sorted_copies(boxes);
+    scan_.set_boxes(sorted, sorted);
     const Boxes all = pointers(sorted);
     return search(all, all, last_axis);
   }
 
   // Reports the pairs of a box of `a` and a box of `b`.
-  bool between(const Boxes& a, const Boxes& b)
+  bool between(const std::vector<const Box*>& a, const std::vector<const Box*>& b)
   {
-    const std::vector<Box> sorted_a = sorted_copies(a);
-    const std::vector<Box> sorted_b = sorted_copies(b);
+    std::vector<Copy> sorted_a = sorted_copies(a);
+    std::vector<Copy> sorted_b = sorted_copies(b);
+    scan_.set_boxes(sorted_a, sorted_b);
     return search_both(pointers(sorted_a), pointers(sorted_b), last_axis);
   }
 
@@ -73,20 +78,14 @@ private:
     return true;
   }
 
-  static bool is_before(const Box* a, const Box* b, int axis)
-  {
-    const double x = low(a, axis);
-    const double y = low(b, axis);
-    return x < y || (x == y && a->position < b->position);
-  }
-
-  static void sort(Boxes& boxes, int axis)
+  template <class Any_box>
+  static void sort(std::vector<const Any_box*>& boxes, int axis)
   {
     std::vector<Keyed_value> ends(boxes.size());
     for(std::size_t i = 0; i < boxes.size(); ++i)
       ends[i] = {radix_key(low(boxes[i], axis)), static_cast<Place>(i)};
     radix_sort(ends);
-    const Boxes unsorted = boxes;
+    const std::vector<const Any_box*> unsorted = boxes;
     std::transform(ends.begin(), ends.end(), boxes.begin(),
                    [&](const Keyed_value& end) { return unsorted[end.value]; });
     // Invariant: the boxes before `first` are in order.
@@ -101,21 +100,21 @@ private:
   }
 
   // Lists are mostly read along axis 0, so this is the order of the boxes in memory.
-  static std::vector<Box> sorted_copies(Boxes boxes)
+  static std::vector<Copy> sorted_copies(std::vector<const Box*> boxes)
   {
     sort(boxes, 0);
-    std::vector<Box> copies;
+    std::vector<Copy> copies;
     copies.reserve(boxes.size());
     for(const Box* box : boxes)
-      copies.push_back(*box);
+      copies.emplace_back(*box);
     return copies;
   }
 
-  static Boxes pointers(const std::vector<Box>& boxes)
+  static Boxes pointers(const std::vector<Copy>& boxes)
   {
     Boxes pointers;
     pointers.reserve(boxes.size());
-    for(const Box& box : boxes)
+    for(const Copy& box : boxes)
       pointers.push_back(&box);
     return pointers;
   }
@@ -132,7 +131,7 @@ private:
     if(holding.empty() || starting.empty())
       return true;
     if(axis == 0)
-      return scan(holding, starting);
+      return scan_.search(holding, starting);
     Boxes by_start = starting;
     sort(by_start, axis);
     return search(holding, starting, by_start.begin(), by_start.end(), axis);
@@ -159,17 +158,17 @@ private:
 
     const Iterator middle = first + (last - first) / 2;
     Boxes spanning, holding_low, holding_high, starting_low, starting_high;
-    for(const Box* box : holding)
-      if(is_before(box, *first, axis) && low(last[-1], axis) <= high(box, axis))
+    for(const Copy* box : holding)
+      if(begins_before(box, *first, axis) && low(last[-1], axis) <= high(box, axis))
         spanning.push_back(box);
       else {
-        if(is_before(box, *middle, axis) && low(*first, axis) <= high(box, axis))
+        if(begins_before(box, *middle, axis) && low(*first, axis) <= high(box, axis))
           holding_low.push_back(box);
-        if(is_before(box, last[-1], axis) && low(*middle, axis) <= high(box, axis))
+        if(begins_before(box, last[-1], axis) && low(*middle, axis) <= high(box, axis))
           holding_high.push_back(box);
       }
-    for(const Box* box : starting)
-      (is_before(box, *middle, axis) ? starting_low : starting_high).push_back(box);
+    for(const Copy* box : starting)
+      (begins_before(box, *middle, axis) ? starting_low : starting_high).push_back(box);
     return search_both(spanning, starting, axis - 1)
            && search(holding_low, starting_low, first, middle, axis)
            && search(holding_high, starting_high, middle, last, axis);
@@ -179,7 +178,7 @@ private:
   static Range held(const Box* box, Iterator first, Iterator last, int axis)
   {
     first = std::upper_bound(first, last, box, [&](const Box* a, const Box* b) {
-      return is_before(a, b, axis);
+      return begins_before(a, b, axis);
     });
     const double end = high(box, axis);
     return {first, std::partition_point(first, last,
@@ -228,7 +227,7 @@ private:
   bool sweep_along_axis_0(const Boxes& holding, const Boxes& starting, int axis)
   {
     const auto test = [&](const Box* a, const Box* b) {
-      const bool is_held = is_before(a, b, axis) && low(b, axis) <= high(a, axis);
+      const bool is_held = begins_before(a, b, axis) && low(b, axis) <= high(a, axis);
       return !is_held || !do_meet_below(a, b, axis) || report_(*a, *b);
     };
     const auto test_mirrored = [&](const Box* b, const Box* a) { return test(a, b); };
@@ -236,62 +235,11 @@ private:
            && for_held(starting, held_by_starting_, test_mirrored);
   }
 
-  // Along axis 0 nothing is left to test.
-  bool scan(const Boxes& holding, const Boxes& starting)
-  {
-    auto first = starting.begin();
-    for(const Box* a : holding) {
-      while(first != starting.end() && !is_before(a, *first, 0))
-        ++first;
-      for(auto b = first; b != starting.end() && low(*b, 0) <= high(a, 0); ++b)
-        if(!report_(*a, **b))
-          return false;
-    }
-    return true;
-  }
-
   Report& report_;
   std::vector<Range> held_; // by the boxes of a sweep
   std::vector<Range> held_by_starting_;
+  Scan scan_;
 };
-
-// Reports two boxes that meet if their objects intersect.
-template <class Test, class Report>
-struct Tested_report
-{
-  const Test& test;
-  Report& report;
-
-  bool operator()(const typename Test::Box& a, const typename Test::Box& b)
-  {
-    if(!test.do_intersect(a.position, b.position))
-      return !report.is_stopped();
-    return a.position < b.position ? report(a.position, b.position)
-                                   : report(b.position, a.position);
-  }
-};
-
-// Boxes that are copies along a common axis are not searched for pairs, so no pair is found in two
-// pieces.
-template <class Box, class Test, class Report>
-void search_tree(const Piece<Box>& piece, const Test& test, Report& report)
-{
-  Tested_report<Test, Report> tested_report = {test, report};
-  Box_tree<Box, Tested_report<Test, Report>> tree(tested_report);
-  using Boxes_by_sides = std::array<std::vector<const Box*>, std::size_t(1) << Box::axes>;
-  std::array<Boxes_by_sides, 2> boxes;
-  for(std::size_t set = 0; set < 2; ++set)
-    for(const Box* box = piece[set].first; box != piece[set].last; ++box)
-      boxes[set][box->sides].push_back(box);
-  const bool is_one_set = piece.set_count() == 1;
-  const Boxes_by_sides& others = boxes[is_one_set ? 0 : 1];
-  bool goes_on = true;
-  for(std::size_t a = 0; a < boxes[0].size(); ++a)
-    for(std::size_t b = is_one_set ? a : 0; b < others.size(); ++b)
-      if((a & b) == 0 && goes_on)
-        goes_on = is_one_set && a == b ? tree.within(boxes[0][a])
-                                       : tree.between(boxes[0][a], others[b]);
-}
 
 } // namespace internal
 } // namespace Thick_intersection_d

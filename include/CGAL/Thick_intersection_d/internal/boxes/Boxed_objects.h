@@ -11,6 +11,7 @@
 #include <CGAL/Uncertain.h>
 
 #include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/has_groups.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Box_run.h>
@@ -41,6 +42,9 @@ namespace internal {
 //   ask_for(i)                 may ask for the memory that do_intersect() will read; not called if
 //                              there is a filter
 //
+// Objects may have groups (has_groups.h). Then they are not exact, they have no filter, and
+// do_intersect() is asked about wanted pairs only.
+//
 // Boxes have `Axes` of the axes. If there are more axes, the intervals along the others are read
 // when a pair has met along those of the boxes.
 template <int Axes, class Objects>
@@ -51,6 +55,7 @@ class Boxed_objects
 public:
   using Box = Piece_box<Axes>;
   using Run = Box_run<Axes>;
+  static constexpr bool has_groups = has_groups_v<Objects>;
 
   // The axes are distinct; those of boxes come first.
   Boxed_objects(const Objects& objects, std::vector<int> axes)
@@ -104,6 +109,16 @@ public:
       objects_.ask_for(a.positions[pair.i]);
       objects_.ask_for(b.positions[pair.j]);
     }
+  }
+
+  std::size_t group_of(Place position) const { return objects_.group_of(position); }
+
+  bool is_wanted([[maybe_unused]] Place i, [[maybe_unused]] Place j) const
+  {
+    if constexpr(has_groups)
+      return objects_.is_wanted(i, j);
+    else
+      return true;
   }
 
   bool is_pair(const Run& a, const Run& b, Found_pair pair) const

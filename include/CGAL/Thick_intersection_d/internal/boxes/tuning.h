@@ -88,6 +88,12 @@ struct Box_tuning
   // factor 2^(d-1) log2 n. The tree takes .5 us per box in the plane.
   double tree_candidates = 16;
 
+  // A sweep of crowded boxes that have groups is given up if it has looked at so many candidates
+  // per box, and at so many more for each wanted pair. Then it has taken a part of the time that
+  // the tree takes.
+  Place unwanted_candidates = 64;
+  std::int64_t candidates_per_wanted_pair = 16;
+
   // A sweep with more candidates is swept in blocks, which threads share.
   std::uint64_t candidates_per_block = 1 << 24;
 };

@@ -67,10 +67,20 @@ public:
   void ask_for(std::size_t position) const { prefetch_to_read(&segments_[position]); }
 
   // To look for a pair takes less time than most tests do.
-  bool do_intersect(std::size_t i, std::size_t j) const
+  static constexpr bool has_groups = true;
+  Place group_of(std::size_t position) const { return segments_.feature_of(position); }
+  bool is_wanted(std::size_t i, std::size_t j) const
   {
     const Place a = segments_.feature_of(i), b = segments_.feature_of(j);
-    return a != b && !known_.has(a, b) && test_(segments_[i], segments_[j]) && known_.add(a, b);
+    return a != b && !known_.has(a, b);
+  }
+
+  // The route asks several threads at once, of an object that is constant for it. What is known
+  // grows by the answers.
+  bool do_intersect(std::size_t i, std::size_t j) const
+  {
+    return test_(segments_[i], segments_[j])
+           && known_.add(segments_.feature_of(i), segments_.feature_of(j));
   }
 
 private:

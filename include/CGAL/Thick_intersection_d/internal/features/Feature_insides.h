@@ -71,12 +71,20 @@ public:
 
   void ask_for(std::size_t) const {}
 
+  static constexpr bool has_groups = true;
+  Place group_of(std::size_t position) const { return feature_of(position); }
+  bool is_wanted(std::size_t i, std::size_t j) const
+  {
+    const Place a = feature_of(i), b = feature_of(j);
+    return a != b && !known_.has(a, b);
+  }
+
+  // As that of Feature_boundaries.
   bool do_intersect(std::size_t i, std::size_t j) const
   {
     const std::size_t point = (std::min)(i, j), polygon = (std::max)(i, j);
-    const Place a = feature_of(point), b = feature_of(polygon);
-    return a != b && !known_.has(a, b)
-           && segments_.is_inside(part_of(point), part_of(polygon)) && known_.add(a, b);
+    return segments_.is_inside(part_of(point), part_of(polygon))
+           && known_.add(feature_of(point), feature_of(polygon));
   }
 
 private:

@@ -32,6 +32,15 @@ struct Box_run
   Place last;
   bool has_copies; // whether a box is a copy along any axis
 
+  // The number of candidates of the boxes that a sweep starts from.
+  std::uint64_t candidate_count() const
+  {
+    std::uint64_t count = 0;
+    for(Place i = first; i < last; ++i)
+      count += ends[i] - begins[i];
+    return count;
+  }
+
   // Returns one of `count` blocks of the run. A sweep starts from the boxes of the block.
   Box_run block(Place index, Place count) const
   {
