@@ -150,4 +150,26 @@ BOOST_AUTO_TEST_CASE(errors_name_the_feature)
   BOOST_CHECK_EQUAL(message_of(std::vector<Polyline>{{p}}), "");
 }
 
+// Before the numbers of 32 bits run out: a small limit stands for theirs.
+BOOST_AUTO_TEST_CASE(too_many_features_or_segments_are_refused)
+{
+  const auto message_of = [](std::size_t limit, const std::vector<Feature>& features) {
+    Segments segments(limit);
+    try {
+      segments.add_features(features);
+    }
+    catch(const std::length_error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const Point p(0, 0);
+  BOOST_CHECK_EQUAL(message_of(5, {p, p, p, p}), "");
+  BOOST_CHECK_EQUAL(message_of(4, {Polyline(), Polyline(), p, Polyline()}),
+                    "There are too many features: 4 or more.");
+  BOOST_CHECK_EQUAL(message_of(5, {square(0, 1)}), "");
+  BOOST_CHECK_EQUAL(message_of(4, {square(0, 1)}),
+                    "There are too many segments of features: 4 or more.");
+}
+
 BOOST_AUTO_TEST_SUITE_END()

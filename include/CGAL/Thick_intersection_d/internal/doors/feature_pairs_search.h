@@ -29,8 +29,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <stdexcept>
-#include <string>
 #include <type_traits>
 
 namespace CGAL {
@@ -181,9 +179,6 @@ bool report_feature_pairs(const First& first, const Second& second, const Relati
     ranges = {segments.feature_count(), segments.part_count(), segments.size()};
     segments.add_features(second);
   }
-  if(!fits_box_route(segments.feature_count()))
-    throw std::length_error("There are too many features: "
-                            + std::to_string(segments.feature_count()) + ".");
   const bool has_insides = segments.polygon_count() != 0 && test.takes_insides();
   auto&& report = pair_output<ConcurrencyTag>(first, second, callback);
   auto progress = make_progress(

@@ -17,6 +17,7 @@
 #include <CGAL/Thick_intersection_d/internal/features/feature_kinds.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_kernel_objects_intersect.h>
 
 #include <algorithm>
@@ -48,16 +49,18 @@ public:
     Place root; // of the tree of its rings, or no_tree
   };
 
-  Feature_segments() : trees_(segments_) {}
+  // Takes less than `limit` features and segments, which places are to number.
+  explicit Feature_segments(std::size_t limit = max_place / 2) : limit_(limit), trees_(segments_) {}
   Feature_segments(const Feature_segments&) = delete; // the trees refer to the segments
   Feature_segments& operator=(const Feature_segments&) = delete;
 
-  // Reads the features of a range. Throws if a coordinate is NaN or infinite, or if a polygon has
-  // no outer boundary.
+  // Reads the features of a range. Throws if a coordinate is NaN or infinite, if a polygon has no
+  // outer boundary, or if there are too many features or segments.
   template <class Elements>
   void add_features(const Elements& features)
   {
     for(std::size_t position = 0; position < features.size(); ++position) {
+      check_count("features", feature_count_ + 1);
       add_parts(features[position], *this);
       ++feature_count_;
     }
@@ -68,10 +71,7 @@ public:
   std::size_t size() const { return segments_.size(); }
   const Segment& operator[](std::size_t position) const { return segments_[position]; }
 
-  Place feature_of(std::size_t position) const
-  {
-    return parts_[parts_of_segments_[position]].feature;
-  }
+  Place feature_of(std::size_t position) const { return features_of_segments_[position]; }
 
   // ---- parts ------------------------------------------------------------------------------------
 
@@ -169,9 +169,23 @@ private:
 
   void add_segment(const Point& source, const Point& target)
   {
+    check_count("segments of features", segments_.size() + 1);
     segments_.emplace_back(source, target);
     settle(segments_.back());
-    parts_of_segments_.push_back(static_cast<Place>(parts_.size() - 1));
+    features_of_segments_.push_back(parts_.back().feature);
+  }
+
+  void check_count(const char* what, std::size_t count) const
+  {
+    if(count >= limit_)
+      throw_too_many(what);
+  }
+
+  [[noreturn]] CGAL_RARELY_CALLED void throw_too_many(const char* what) const
+  {
+    std::string message("There are too many ");
+    message.append(what).append(": ").append(std::to_string(limit_)).append(" or more.");
+    throw std::length_error(message);
   }
 
   // Throws if a coordinate is NaN or infinite.
@@ -185,8 +199,9 @@ private:
 
   Place segment_count() const { return static_cast<Place>(segments_.size()); }
 
+  const std::size_t limit_;
   std::vector<Segment> segments_;
-  std::vector<Place> parts_of_segments_;
+  std::vector<Place> features_of_segments_;
   std::vector<Part> parts_;
   Ring_trees<Segment> trees_;
   std::size_t feature_count_ = 0;
