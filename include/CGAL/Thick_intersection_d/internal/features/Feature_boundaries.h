@@ -66,7 +66,7 @@ public:
 
   void ask_for(std::size_t position) const { prefetch_to_read(&segments_[position]); }
 
-  // To look for a pair takes less time than most tests do.
+  // The segments of a feature are a group. To look for a pair takes less time than most tests do.
   static constexpr bool has_groups = true;
   Place group_of(std::size_t position) const { return segments_.feature_of(position); }
   bool is_wanted(std::size_t i, std::size_t j) const
@@ -75,8 +75,8 @@ public:
     return a != b && !known_.has(a, b);
   }
 
-  // The route asks several threads at once, of an object that is constant for it. What is known
-  // grows by the answers.
+  // Several threads ask at once. For them, this object is constant, but what is known is not: it
+  // is outside, and grows by the answers.
   bool do_intersect(std::size_t i, std::size_t j) const
   {
     return test_(segments_[i], segments_[j])

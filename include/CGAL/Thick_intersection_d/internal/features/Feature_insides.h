@@ -71,6 +71,7 @@ public:
 
   void ask_for(std::size_t) const {}
 
+  // The vertices and polygons of a feature are a group.
   static constexpr bool has_groups = true;
   Place group_of(std::size_t position) const { return feature_of(position); }
   bool is_wanted(std::size_t i, std::size_t j) const
