@@ -43,4 +43,18 @@ forbid 'no newline at the end' < <(
     fi
   done)
 
+# Headers meet the macros min and max of Windows, and those of users: they call neither, and their own
+# macros have the prefix of the package, unless the same file ends them.
+mapfile -t headers < <(find_files -path './include/*.h' -o -path './include/*.inc')
+forbid 'min and max may be macros: (std::max)(a, b)' < <(
+  grep -nE '(^|[^_[:alnum:]])(min|max)\(' "${headers[@]}" | grep -vE '^[^:]*:[0-9]+: *//')
+forbid 'a macro that stays has the prefix CGAL_THICK_INTERSECTION_D_, or ends with _H as a guard' < <(
+  awk 'function tell() { for(macro in lines) print lines[macro]; delete lines }
+       FNR == 1 { tell() }
+       /^ *# *define / { macro = $0; sub(/^ *# *define +/, "", macro); sub(/[^A-Za-z_0-9].*/, "", macro)
+         if(macro !~ /^CGAL_THICK_INTERSECTION_D_/ && macro !~ /^CGAL_.*_H$/)
+           lines[macro] = FILENAME ":" FNR ":" $0 }
+       /^ *# *undef / { delete lines[$NF] }
+       END { tell() }' "${headers[@]}")
+
 exit $fail

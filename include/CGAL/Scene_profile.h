@@ -217,10 +217,11 @@ public:
 
   /// @}
 #ifndef DOXYGEN_RUNNING
-  CGAL_RARELY_CALLED Scene_profile(const Thick_intersection_d::internal::Scene& scene, double reach)
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+  Scene_profile(const Thick_intersection_d::internal::Scene& scene, double reach)
     : Scene_profile(scene.size, ends_of(scene.box), reach, scene.grid_exponent)
   {}
-  CGAL_RARELY_CALLED
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
   Scene_profile(const Thick_intersection_d::internal::Object_scene& scene, int degree)
     : Scene_profile(scene.size, ends_of(scene.box), scene.reaches, scene.grid_exponent, degree)
   {
@@ -260,8 +261,7 @@ private:
   bool are_coordinates_rounded_ = false;
   int degree_ = 2;
   std::vector<double> reaches_; // of objects, along each axis
-  bool are_objects_ = false;
-  bool are_distances_ = false; // of objects
+  bool are_objects_ = false, are_distances_ = false; // distances of objects
 };
 
 /*!

@@ -53,7 +53,7 @@ class Squared_bound
 public:
   // Throws std::invalid_argument if the bound is negative or NaN.
   template <class NT>
-  CGAL_RARELY_CALLED explicit Squared_bound(const Distance_bound<NT>& bound)
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED explicit Squared_bound(const Distance_bound<NT>& bound)
     : open_(bound.is_open()), unbounded_(!is_finite_number(bound.value()))
   {
     if(!(bound.value() >= NT(0)))
@@ -80,8 +80,8 @@ public:
       }
   }
 
-  CGAL_RARELY_CALLED Squared_bound(const Squared_bound&) = default;
-  CGAL_RARELY_CALLED ~Squared_bound() = default;
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED Squared_bound(const Squared_bound&) = default;
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED ~Squared_bound() = default;
 
   bool is_open() const { return open_; }
 
@@ -98,7 +98,7 @@ public:
   double reach() const { return reach_; }
 
   // Whether a squared distance is within the bound. Degree 2 in the coordinates and r.
-  CGAL_RARELY_CALLED bool holds_for(const Exact& squared_distance) const
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED bool holds_for(const Exact& squared_distance) const
   {
     if(unbounded_)
       return true;
@@ -110,7 +110,8 @@ public:
   //
   // This is so iff x - r^2 - s^2 is at most 2rs, which is not negative. So its square decides, if
   // it is positive.
-  CGAL_RARELY_CALLED bool holds_for(const Exact& n, const Exact& d, const Exact& s) const
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+  bool holds_for(const Exact& n, const Exact& d, const Exact& s) const
   {
     if(unbounded_)
       return true;
@@ -123,7 +124,7 @@ public:
   }
 
   // Returns the largest squared distance within the bound that is a double.
-  CGAL_RARELY_CALLED double largest_double() const
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED double largest_double() const
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     double threshold = (std::min)(squared_.first, (std::numeric_limits<double>::max)());
@@ -137,7 +138,7 @@ public:
 
   // Returns the least integer s such that the squared distance s 4^e is not within the bound. The
   // reach is to have fewer than 2^63 steps of 2^e. Divides r^2 by 4^e, bit by bit.
-  CGAL_RARELY_CALLED Uint128 first_beyond(int e) const
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED Uint128 first_beyond(int e) const
   {
     const Exact unit(std::ldexp(1., e));
     const Exact divisor(unit * unit * denominator_);
@@ -178,7 +179,7 @@ private:
 
   // Sets the reach from r^2, which may be beyond the range of doubles while r is not.
   template <class Number>
-  CGAL_RARELY_CALLED void set_reach(Number square)
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED void set_reach(Number square)
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     constexpr int step = 256;

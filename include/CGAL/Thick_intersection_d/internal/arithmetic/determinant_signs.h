@@ -72,7 +72,8 @@ inline Sign sign_of_long_product(const std::array<Int128, 3>& normal,
 
 // Returns the orientation of four points, whatever doubles they have. This is one function with a
 // loop, because exact numbers make much code wherever they are inline.
-CGAL_RARELY_CALLED inline Sign exact_orientation(const std::array<std::array<double, 3>, 4>& points)
+CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+inline Sign exact_orientation(const std::array<std::array<double, 3>, 4>& points)
 {
   using Exact = Exact_number_t<double>;
   const auto difference = [&](std::size_t k, std::size_t axis) {

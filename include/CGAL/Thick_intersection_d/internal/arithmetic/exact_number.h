@@ -221,7 +221,8 @@ Number convert_integer(const Integer& x)
 #ifdef CGAL_HAS_MPZF
 // Returns doubles that enclose x. Those of CGAL are far apart below the normal numbers, and do not
 // enclose x if rounding goes up.
-CGAL_RARELY_CALLED inline std::pair<double, double> bounds_of_mpzf(const Mpzf& x)
+CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+inline std::pair<double, double> bounds_of_mpzf(const Mpzf& x)
 {
   std::pair<double, double> interval = CGAL::to_interval(x);
   if(interval.first < -0x1p-1020 || interval.second > 0x1p-1020 || CGAL::is_zero(x))

@@ -90,7 +90,7 @@ inline int finest_grid_exponent(double reach, int axis_count)
 
 // Returns the first tier that is exact for points that differ along `axis_count` axes. It is the
 // last tier if there is no grid, or if the reach is so large that differences may overflow.
-CGAL_RARELY_CALLED
+CGAL_THICK_INTERSECTION_D_RARELY_CALLED
 inline Arithmetic_tier first_exact_tier(double reach, const std::optional<int>& grid_exponent,
                                         int axis_count)
 {
@@ -129,7 +129,7 @@ inline int determinant_bits(const std::vector<double>& reaches, int grid_exponen
 // Returns the first tier that is exact for the determinants of differences up to the reach of each
 // axis. Comparisons, of degree 1, are exact in doubles. Determinants are so if their terms have at
 // most 53 bits and do not underflow or overflow. Integers take differences of max_step_bits.
-CGAL_RARELY_CALLED
+CGAL_THICK_INTERSECTION_D_RARELY_CALLED
 inline Arithmetic_tier first_exact_tier(const std::vector<double>& reaches,
                                         const std::optional<int>& grid_exponent, int degree)
 {
@@ -159,7 +159,7 @@ inline int distance_bits(double reach, int grid_exponent, int degree)
 }
 
 // Returns the first tier that is exact for them: integers of 128 bits or exact numbers.
-CGAL_RARELY_CALLED
+CGAL_THICK_INTERSECTION_D_RARELY_CALLED
 inline Arithmetic_tier first_distance_tier(double reach, const std::optional<int>& grid_exponent,
                                            int degree)
 {

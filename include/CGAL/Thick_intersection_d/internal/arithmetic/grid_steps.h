@@ -47,7 +47,8 @@ constexpr double least_scalable = 0x1p-962;
 
 // Scales numbers up to where grid_steps() can scale them, unless all are zero.
 template <std::size_t N>
-CGAL_RARELY_CALLED int grid_steps_of_tiny(std::array<double, N> numbers, double largest,
+CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+int grid_steps_of_tiny(std::array<double, N> numbers, double largest,
                                           std::array<std::int64_t, N>& steps)
 {
   for(double& x : numbers)

@@ -79,7 +79,7 @@ private:
     Item* end = nullptr;  // of the last chunk
   };
 
-  CGAL_RARELY_CALLED void extend(List& list)
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED void extend(List& list)
   {
     if(chunks_left_ == 0) {
       const std::size_t size = (std::min)(2 * block_size_, max_block_size);

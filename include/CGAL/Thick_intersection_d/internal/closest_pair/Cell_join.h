@@ -64,7 +64,7 @@ inline constexpr bool are_joined_v
 // uniform, few pairs are in a common cell. Cells are long enough for points to enter few of them.
 // They are not so long that one cell would hold a cluster, or many pairs of a cluster of all
 // points.
-CGAL_RARELY_CALLED
+CGAL_THICK_INTERSECTION_D_RARELY_CALLED
 inline double join_cell_side(const Scene& scene, std::size_t size, double distance)
 {
   const double dimension = scene.dimension();

@@ -65,7 +65,7 @@ public:
 
   // Returns the closest pair. If the search is cancelled, returns the closest of the pairs that it
   // has seen so far. (0, 1) is the first of these pairs.
-  CGAL_RARELY_CALLED Position_pair find()
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED Position_pair find()
   {
     minimum_.offer(0, 1);
     const bool is_found
@@ -95,7 +95,7 @@ private:
   // too many, another eighth of the sample is drawn, because the pair is too far apart to have all
   // nearer pairs of the scene reported.
   template <int Dimension>
-  CGAL_RARELY_CALLED bool search(const Some_positions& sample)
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED bool search(const Some_positions& sample)
   {
     if(sample.size() <= small_size) {
       offer_all(sample);
@@ -120,7 +120,7 @@ private:
            && Hashed_cells<Dimension>::fits(minimum_.reach(), scene_.error);
   }
 
-  CGAL_RARELY_CALLED void offer_all(const Some_positions& sample)
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED void offer_all(const Some_positions& sample)
   {
     for(std::size_t i = 0; i < sample.size() && progress_.advance(1); ++i)
       for(std::size_t j = i + 1; j < sample.size(); ++j)
@@ -129,7 +129,7 @@ private:
 
   // Joins the points of a sample in cells. Returns false if the cells are crowded.
   template <int Dimension>
-  CGAL_RARELY_CALLED bool join(const Some_positions& sample)
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED bool join(const Some_positions& sample)
   {
     const double distance = (std::min)(minimum_.reach(), (std::numeric_limits<double>::max)());
     const Cell_join<ConcurrencyTag, Dimension, Elements> join_cells(
@@ -153,7 +153,7 @@ private:
 
   // Offers the pairs that are as near as the closest pair so far. Returns false if there are too
   // many of them.
-  CGAL_RARELY_CALLED bool report_as_near()
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED bool report_as_near()
   {
     const double reach = minimum_.reach();
     if(!(reach <= max_reach))
@@ -185,7 +185,7 @@ private:
   // Offers the closest pairs if too many pairs are as near as the closest pair so far. Finds out
   // how near there are few, by bisection. If no pair is within 2^e, then few are within 2^(e+1),
   // because a ball of that radius holds O(1) points. Returns false if points are equal.
-  CGAL_RARELY_CALLED bool report_nearer()
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED bool report_nearer()
   {
     int low = std::ilogb(std::numeric_limits<double>::denorm_min()) - 1;
     int high = (std::min)(std::ilogb(minimum_.reach()), max_exponent) + 1;
@@ -214,7 +214,8 @@ private:
   };
 
   // Offers the pairs within the bound, up to a number of pairs.
-  CGAL_RARELY_CALLED Reported offer_reported(const Distance_bound<Exact>& bound, bool are_ties)
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+  Reported offer_reported(const Distance_bound<Exact>& bound, bool are_ties)
   {
     Step_budget budget(max_near_pairs_per_point * points_.size());
     Per_thread<ConcurrencyTag, Offers> offers(Offers{minimum_, Step_counter(budget)});
@@ -233,7 +234,7 @@ private:
   }
 
   // Offers the closest pairs by what needs no distance beforehand.
-  CGAL_RARELY_CALLED void search_by_coordinates()
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED void search_by_coordinates()
   {
     if constexpr(is_held_by_double_v<Coordinate_t<Point>>)
       if(minimum_.is_zero()) {

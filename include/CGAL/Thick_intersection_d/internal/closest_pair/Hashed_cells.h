@@ -48,7 +48,8 @@ public:
     return reach > 0 && error <= reach / 2;
   }
 
-  CGAL_RARELY_CALLED Hashed_cells(double width, double side, std::uint64_t seed)
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+  Hashed_cells(double width, double side, std::uint64_t seed)
     : width_(width), hash_(Dimension, seed)
   {
     constexpr double max_double = (std::numeric_limits<double>::max)();

@@ -52,7 +52,7 @@ public:
     : points_(points), dimension_(scene.dimension()), grid_exponent_(scene.grid_exponent)
   {}
 
-  CGAL_RARELY_CALLED Pair_minimum(const Pair_minimum&) = default;
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED Pair_minimum(const Pair_minimum&) = default;
 
   bool has_pair() const { return has_pair_; }
   const Position_pair& pair() const { return pair_; }
@@ -105,7 +105,7 @@ public:
   }
 
   // The square of the distance.
-  CGAL_RARELY_CALLED const Exact& exact_square() const
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED const Exact& exact_square() const
   {
     if(!exact_square_)
       exact_square_ = exact_squared_distance(points_[pair_.first], points_[pair_.second],
@@ -157,7 +157,8 @@ private:
       offer_exactly(candidate, square);
   }
 
-  CGAL_RARELY_CALLED void offer_exactly(const Position_pair& candidate, const Gap& square)
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+  void offer_exactly(const Position_pair& candidate, const Gap& square)
   {
     Exact exact = exact_squared_distance(points_[candidate.first], points_[candidate.second],
                                          dimension_);
@@ -229,7 +230,7 @@ private:
 
   // Chooses the scale for the pair, and returns the bounds of its squared distance at this scale.
   // If its points are equal, any other distance has a square beyond min_safe_threshold.
-  CGAL_RARELY_CALLED Gap choose_scale()
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED Gap choose_scale()
   {
     double size = 0;
     for(int axis = 0; axis < dimension_; ++axis)
@@ -245,7 +246,7 @@ private:
   static bool is_plain(double square) { return square >= 0x1p-900 && square <= 0x1p1000; }
 
   // Takes a pair. Its computed squared distance is between the doubles of `square`.
-  CGAL_RARELY_CALLED void replace(const Position_pair& pair, Gap square)
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED void replace(const Position_pair& pair, Gap square)
   {
     const double error = relative_error(dimension_);
     has_pair_ = true;

@@ -80,7 +80,7 @@ private:
   }
 
   // The same for points that are made for the hash.
-  CGAL_RARELY_CALLED std::size_t find_or_insert_in_tree(std::size_t i)
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED std::size_t find_or_insert_in_tree(std::size_t i)
   {
     if(tree_.empty())
       for(std::size_t j = 0; j < i; ++j)
@@ -99,7 +99,7 @@ private:
   // The order of the tree.
   struct Less
   {
-    CGAL_RARELY_CALLED bool operator()(std::size_t i, std::size_t j) const
+    CGAL_THICK_INTERSECTION_D_RARELY_CALLED bool operator()(std::size_t i, std::size_t j) const
     {
       for(int axis = 0; axis < search.dimension_; ++axis)
         if(const std::uint64_t x = search.key(i, axis), y = search.key(j, axis); x != y)

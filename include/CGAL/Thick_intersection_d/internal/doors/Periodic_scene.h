@@ -49,7 +49,7 @@ public:
   static constexpr double share_of_scan = 0.125;
 
   // Checks the domain, and whether points are in it. `scene` is that of the points.
-  CGAL_RARELY_CALLED
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
   Periodic_scene(const Elements& points, const Sets& sets, const Domain& domain,
                  const Scene& scene, double reach)
     : points_(points), sets_(sets), periods_(lattice_of(domain)), basis_(lattice_of(domain))

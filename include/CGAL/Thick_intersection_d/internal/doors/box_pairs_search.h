@@ -32,7 +32,8 @@ namespace internal {
 inline bool fits_box_route(std::size_t size) { return size < max_place / 2; }
 
 // Appends the parts of the text, as coordinates.h does.
-[[noreturn]] CGAL_RARELY_CALLED inline void throw_too_many_objects(std::size_t size)
+[[noreturn]] CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+inline void throw_too_many_objects(std::size_t size)
 {
   std::string message("There are too many objects: ");
   throw std::length_error(message.append(std::to_string(size)).append("."));

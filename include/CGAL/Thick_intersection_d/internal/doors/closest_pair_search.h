@@ -64,7 +64,7 @@ Scene scan_checked_points(const Elements& points)
 // many near ties as pairs, so coordinates are not rounded to 32 bits. The type of the callback is
 // the same for all searches, because the slab route takes long to compile.
 template <class ConcurrencyTag, class Elements, class NT, class Progress>
-CGAL_RARELY_CALLED
+CGAL_THICK_INTERSECTION_D_RARELY_CALLED
 void report_near_points(const Elements& points, const Scene& scene,
                         const Distance_bound<NT>& bound,
                         const std::function<bool(std::size_t, std::size_t)>& callback,
@@ -90,7 +90,7 @@ void report_near_points(const Elements& points, const Scene& scene,
 }
 
 template <class ConcurrencyTag, class Elements, class NamedParameters>
-CGAL_RARELY_CALLED
+CGAL_THICK_INTERSECTION_D_RARELY_CALLED
 Position_pair find_closest_pair_of_many(const Elements& points, const NamedParameters& np)
 {
   const Scene scene = scan_checked_points<ConcurrencyTag>(points);
@@ -124,7 +124,7 @@ Position_pair find_closest_pair(const Elements& points, const NamedParameters& n
 }
 
 template <class ConcurrencyTag, class Elements, class NT, class NamedParameters>
-CGAL_RARELY_CALLED
+CGAL_THICK_INTERSECTION_D_RARELY_CALLED
 std::optional<Position_pair> find_pair_of_many_within(const Elements& points,
                                                       const Distance_bound<NT>& bound,
                                                       const NamedParameters& np)

@@ -93,7 +93,7 @@ public:
 
 private:
   // Returns the closest pair, of which `square` is the least computed square.
-  CGAL_RARELY_CALLED Position_pair find_among_ties(double square) const
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED Position_pair find_among_ties(double square) const
   {
     const double most = make_distance_filter(
       square, square * (1 + 2 * relative_error(dimension)), dimension).outside;

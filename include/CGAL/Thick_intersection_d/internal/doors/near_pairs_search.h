@@ -70,7 +70,7 @@ public:
   // Checks the bound and the points. Finds the grid of the scene if `needs_grid`, or if the grid
   // may decide all pairs.
   template <class NT>
-  CGAL_RARELY_CALLED
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
   Near_pairs_search(const Elements& points, const Distance_bound<NT>& bound, bool needs_grid)
     : points_(points), bound_(bound), doubles_(points), sample_(points),
       scene_(scan_points<ConcurrencyTag>(
@@ -138,7 +138,8 @@ private:
   }
 
   // Where no tier is forced, integers decide the near ties that they can.
-  CGAL_RARELY_CALLED Is_within_distance<Point> make_predicate(Shared_decision_counts* counts) const
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+  Is_within_distance<Point> make_predicate(Shared_decision_counts* counts) const
   {
     const Arithmetic_tier tier = profile_.tier();
     return {bound_, scene_,
@@ -165,7 +166,7 @@ private:
   }
 
   template <class Sets, class Callback, class Progress>
-  CGAL_RARELY_CALLED
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
   bool report_by_slabs(const Is_within_distance<Point>& is_within, const Sets& sets,
                        Callback& callback, Progress& progress)
   {
@@ -186,7 +187,7 @@ private:
 
   // Returns a scale without ties, or one that leaves few of them; none if there are many.
   template <int Dimension, class Points>
-  CGAL_RARELY_CALLED
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
   Narrow_scale<Dimension> narrow_scale(const Points& points,
                                        const Is_within_distance<Point>& is_within) const
   {

@@ -48,7 +48,7 @@ public:
   using Offsets = typename Periodic_scene::Offsets;
 
   // Checks the bound, the domain and the points.
-  CGAL_RARELY_CALLED
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
   Periodic_search(const Elements& points, const Sets& sets, const Domain& domain,
                   const Distance_bound<NT>& bound, bool is_profiled)
     : sets_(sets), bound_(bound), reach_(finite_reach(bound)),

@@ -181,7 +181,7 @@ private:
       throw_too_many(what);
   }
 
-  [[noreturn]] CGAL_RARELY_CALLED void throw_too_many(const char* what) const
+  [[noreturn]] CGAL_THICK_INTERSECTION_D_RARELY_CALLED void throw_too_many(const char* what) const
   {
     std::string message("There are too many ");
     message.append(what).append(": ").append(std::to_string(limit_)).append(" or more.");

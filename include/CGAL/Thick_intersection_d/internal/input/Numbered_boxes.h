@@ -243,7 +243,8 @@ private:
   }
 
   // Appends the parts of the text, as coordinates.h does.
-  [[noreturn]] CGAL_RARELY_CALLED static void throw_nan(int axis, std::size_t position)
+  [[noreturn]] CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+  static void throw_nan(int axis, std::size_t position)
   {
     std::string message("Coordinate ");
     message.append(std::to_string(std::size_t(axis))).append(" of box ");

@@ -26,7 +26,7 @@ class Scene_sample
 {
 public:
   template <class Elements>
-  CGAL_RARELY_CALLED explicit Scene_sample(const Elements& points)
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED explicit Scene_sample(const Elements& points)
   {
     if(points.size() == 0)
       return;

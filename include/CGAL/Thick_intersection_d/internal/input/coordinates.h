@@ -154,7 +154,8 @@ bool is_within_reach(const NT& x, const NT& y, double reach)
 
 // Returns |pq|^2 without error. Degree 2.
 template <class Point>
-CGAL_RARELY_CALLED auto exact_squared_distance(const Point& p, const Point& q, int dimension)
+CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+auto exact_squared_distance(const Point& p, const Point& q, int dimension)
 {
   using Exact = Exact_number_t<Coordinate_t<Point>>;
   Exact sum(0);
@@ -166,7 +167,7 @@ CGAL_RARELY_CALLED auto exact_squared_distance(const Point& p, const Point& q, i
 }
 
 // Texts are made only for an error, and appended, because sums of texts take long to compile.
-[[noreturn]] CGAL_RARELY_CALLED inline
+[[noreturn]] CGAL_THICK_INTERSECTION_D_RARELY_CALLED inline
 void throw_wrong_dimension(const char* name, std::size_t position, int dimension, int expected)
 {
   std::string message(name);
@@ -176,7 +177,7 @@ void throw_wrong_dimension(const char* name, std::size_t position, int dimension
   throw std::invalid_argument(message);
 }
 
-[[noreturn]] CGAL_RARELY_CALLED inline
+[[noreturn]] CGAL_THICK_INTERSECTION_D_RARELY_CALLED inline
 void throw_not_finite(const char* name, std::size_t position, int axis)
 {
   std::string message("Coordinate ");

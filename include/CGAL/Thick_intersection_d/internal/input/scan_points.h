@@ -140,7 +140,7 @@ private:
 // coordinate. Throws if a coordinate is NaN or infinite, or if a point has another dimension than
 // the first point; messages call a point `name`. Throws if denormal numbers are flushed to zero.
 template <class ConcurrencyTag, class Elements, class Store>
-CGAL_RARELY_CALLED
+CGAL_THICK_INTERSECTION_D_RARELY_CALLED
 Scene scan_points(const Elements& points, const char* name, bool finds_grid, const Store& store)
 {
   const int dimension = points.size() == 0 ? 0 : points[0].dimension();

@@ -9,9 +9,9 @@
 // fast, which takes less time: exact numbers that are expanded in each place compile slowly.
 
 #ifdef __GNUC__
-#define CGAL_RARELY_CALLED __attribute__((noinline, cold))
+#define CGAL_THICK_INTERSECTION_D_RARELY_CALLED __attribute__((noinline, cold))
 #else
-#define CGAL_RARELY_CALLED
+#define CGAL_THICK_INTERSECTION_D_RARELY_CALLED
 #endif
 
 #endif // CGAL_THICK_INTERSECTION_D_INTERNAL_MACHINE_RARELY_CALLED_H

@@ -47,7 +47,7 @@ public:
   // themselves if they fit into it as they are. Throws std::length_error if the bound or the scene
   // is too many periods long.
   template <class ConcurrencyTag, class Elements>
-  CGAL_RARELY_CALLED
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
   Cell_boundary(ConcurrencyTag tag, const Lattice_basis<Dimension>& basis, const Elements& points,
                 const Scene& scene, double reach, bool are_anywhere)
     : fractions_(tag, basis, points, scene), rank_(basis.rank())

@@ -46,7 +46,7 @@ class Cell_fractions
 
 public:
   template <class ConcurrencyTag, class Elements>
-  CGAL_RARELY_CALLED
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
   Cell_fractions(ConcurrencyTag, const Lattice_basis<Dimension>& basis, const Elements& points,
                  const Scene& scene)
     : rank_(basis.rank()), local_(scene)

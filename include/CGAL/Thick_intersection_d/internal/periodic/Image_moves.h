@@ -37,7 +37,7 @@ class Image_moves
 public:
   // `basis` is to live as long as this. Takes all moves of homes in two sets, and positive ones in
   // one set.
-  CGAL_RARELY_CALLED
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
   Image_moves(const Lattice_basis<Dimension>& basis, const Boundary& boundary, bool are_two_sets)
     : basis_(basis), boundary_(boundary), are_two_sets_(are_two_sets)
   {

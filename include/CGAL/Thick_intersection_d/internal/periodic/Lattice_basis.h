@@ -37,7 +37,7 @@ class Lattice_basis
 public:
   // Throws if the periods are linearly dependent.
   template <class Lattice>
-  CGAL_RARELY_CALLED explicit Lattice_basis(const Lattice& lattice)
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED explicit Lattice_basis(const Lattice& lattice)
   {
     for(int k = 0; k < Dimension; ++k)
       if(lattice.repeats(k)) {

@@ -41,7 +41,7 @@ public:
   // Takes the first point as the place, and subtracts it without error. This takes longer. It is
   // for points whose coordinates are no doubles, and so far away that doubles do not part them.
   template <class Elements>
-  CGAL_RARELY_CALLED void subtract_exactly(const Elements& points)
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED void subtract_exactly(const Elements& points)
   {
     is_exact_ = true;
     error_ = 0;
@@ -82,7 +82,7 @@ public:
 
 private:
   template <class Point>
-  CGAL_RARELY_CALLED Vector difference_without_error(const Point& point) const
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED Vector difference_without_error(const Point& point) const
   {
     Vector difference;
     for(int axis = 0; axis < Dimension; ++axis)

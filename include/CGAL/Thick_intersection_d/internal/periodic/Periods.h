@@ -82,7 +82,8 @@ public:
 
   // Throws if a component is NaN or infinite.
   template <class Vector>
-  CGAL_RARELY_CALLED explicit Periods(const Periodic_lattice_d<Vector>& lattice)
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+  explicit Periods(const Periodic_lattice_d<Vector>& lattice)
   {
     for(int k = 0; k < Dimension; ++k) {
       for(int axis = 0; axis < Dimension; ++axis) {
@@ -101,7 +102,7 @@ public:
 
   // Returns x, a coordinate along an axis, moved by an offset.
   template <class NT>
-  CGAL_RARELY_CALLED
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
   Exact moved(const NT& x, const Offset<Dimension>& offset, int axis) const
   {
     Exact sum(to_exact<Exact>(x));

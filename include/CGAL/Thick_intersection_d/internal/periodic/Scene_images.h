@@ -59,7 +59,7 @@ public:
   // was cancelled. Throws std::length_error if a point is too many periods away, or if there are
   // too many images.
   template <class ConcurrencyTag, class Elements, class Sets, class Progress>
-  CGAL_RARELY_CALLED
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
   bool find(ConcurrencyTag, const Elements& points, const Sets& sets, Progress& progress)
   {
     std::vector<Found> found(block_count<ConcurrencyTag>());

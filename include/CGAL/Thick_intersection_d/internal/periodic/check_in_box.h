@@ -25,7 +25,7 @@ namespace internal {
 
 // Throws if a point of the scene is not in [min, max) along all axes of an iso-box.
 template <class Elements, class Iso_box>
-CGAL_RARELY_CALLED
+CGAL_THICK_INTERSECTION_D_RARELY_CALLED
 void check_in_box(const Elements& points, const Scene& scene, const Iso_box& box)
 {
   using Exact = Common_exact_t<Coordinate_t<typename Elements::value_type>,

@@ -40,7 +40,8 @@ struct Hull_bound
 
 // Sets `result` to a bound, which is `squared` as well.
 template <class NT, class Exact>
-CGAL_RARELY_CALLED void set_hull_bound(Hull_bound& result, const Distance_bound<NT>& bound,
+CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+void set_hull_bound(Hull_bound& result, const Distance_bound<NT>& bound,
                                        const Squared_bound<Exact>& squared)
 {
   const std::pair<double, double> value = bounds(bound.value());
@@ -85,7 +86,7 @@ public:
 
   // Returns whether hulls that are apart are within the bound. Returns nothing if the integers have
   // too few bits.
-  CGAL_RARELY_CALLED std::optional<bool> are_near(bool is_open)
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED std::optional<bool> are_near(bool is_open)
   {
     const std::vector<Vector> a = vectors_to(a_), b = vectors_to(b_);
     if(!is_usable_)

@@ -53,7 +53,7 @@ public:
 
   // Returns whether the distance is within a bound that is between two doubles, or nothing if that
   // is not known. Of two segments, `v` has told it.
-  CGAL_RARELY_CALLED Uncertain<bool> is_within(const Interval& reach)
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED Uncertain<bool> is_within(const Interval& reach)
   {
     Uncertain<bool> answer = Uncertain<bool>::indeterminate();
     if((Size_a <= 2 && Size_b <= 2) || !is_moderate())

@@ -52,7 +52,7 @@ public:
   // `tier` is INT64 for points on the grid 2^e Z whose squares fits_int64() holds for, and INT128
   // for all points; fits_int128() is to hold for the squares of steps within the reach.
   template <class Exact>
-  CGAL_RARELY_CALLED
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
   Integer_distance(const Squared_bound<Exact>& bound, int exponent, Arithmetic_tier tier)
     : reach_(bound.reach()), max_steps_(static_cast<std::uint64_t>(steps_within(reach_, exponent))),
       exponent_(exponent),
@@ -101,7 +101,8 @@ private:
   }
 
   // Sets `steps` to |x - y| in steps. Returns false if x or y is not on the grid.
-  CGAL_RARELY_CALLED bool count_steps(double x, double y, std::uint64_t& steps) const
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+  bool count_steps(double x, double y, std::uint64_t& steps) const
   {
     const std::uint64_t difference = steps_modulo_2_64(x, exponent_)
                                      - steps_modulo_2_64(y, exponent_);

@@ -45,7 +45,7 @@ public:
   const Distance_filter& filter() const { return filter_; }
 
   // Decides about points that the filter leaves undecided.
-  CGAL_RARELY_CALLED bool decide_undecided(const Point& p, const Point& q)
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED bool decide_undecided(const Point& p, const Point& q)
   {
     if(const std::optional<double> square = exact_square_in_doubles(p, q))
       if(const double r = static_cast<double>(bound_.value()); bound_.is_squared() || is_short(r)) {

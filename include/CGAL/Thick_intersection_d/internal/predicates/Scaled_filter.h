@@ -44,7 +44,7 @@ struct Scaled_filter
 // the rounding of `low` have more room than that. Only a bound below 1 that would be scaled down,
 // to keep far points in range, could lose the bits that decide: `plain` leaves it to exact numbers.
 template <class Exact>
-CGAL_RARELY_CALLED
+CGAL_THICK_INTERSECTION_D_RARELY_CALLED
 Scaled_filter scaled_filter(const Squared_bound<Exact>& bound, const Scene& scene,
                             const Scaled_filter& plain)
 {

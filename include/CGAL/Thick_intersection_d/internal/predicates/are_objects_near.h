@@ -81,7 +81,7 @@ using Distance_of = Hull_distance<hull_dimension_v<A>, hull_size_v<A>, hull_size
 // Whether objects of one kind each, which are apart, are within a bound, as integers of 128 bits
 // tell. Returns nothing if they have too few bits.
 template <class A, class B>
-CGAL_RARELY_CALLED std::optional<bool>
+CGAL_THICK_INTERSECTION_D_RARELY_CALLED std::optional<bool>
 are_near_in_integers(const Hull_of<A>& a, const Hull_of<B>& b, const Distance_of<A, B>& distance,
                      const Hull_bound& bound)
 {
@@ -102,7 +102,7 @@ are_near_in_integers(const Hull_of<A>& a, const Hull_of<B>& b, const Distance_of
 
 // The same in exact numbers.
 template <class Exact, class A, class B>
-CGAL_RARELY_CALLED bool are_near_in_exact_numbers(const A& a, const B& b,
+CGAL_THICK_INTERSECTION_D_RARELY_CALLED bool are_near_in_exact_numbers(const A& a, const B& b,
                                                   const Distance_of<A, B>& distance,
                                                   const Squared_bound<Exact>& bound)
 {
@@ -132,7 +132,7 @@ Interval reach_of_objects(const Hull_bound& bound, const A& a, const B& b)
 // The question that the first guesses leave undecided. `v` is the last of them. Objects that
 // intersect are within every bound.
 template <class A, class B, class Exact_bound>
-CGAL_RARELY_CALLED bool
+CGAL_THICK_INTERSECTION_D_RARELY_CALLED bool
 decide_near_objects(const A& a, const B& b, const typename Distance_of<A, B>::Vector& v,
                     const Hull_bound& bound, const Exact_bound& exact_bound, Arithmetic_tier& tier)
 {

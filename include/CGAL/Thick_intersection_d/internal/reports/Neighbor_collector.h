@@ -40,7 +40,7 @@ class Neighbor_collector
   using Positions = std::vector<Position>;
 
 public:
-  CGAL_RARELY_CALLED explicit Neighbor_collector(std::size_t size)
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED explicit Neighbor_collector(std::size_t size)
     : size_(size), pairs_(Neighbor_bins(size)), lists_(List_bins(size))
   {}
 
@@ -106,7 +106,8 @@ private:
 
   // Makes room for lists of `neighbor_count` neighbors. To clear it takes a while, and two threads
   // do it in parallel. In sequence, lists are appended: one write less.
-  CGAL_RARELY_CALLED void make_room(std::vector<std::size_t>& begins, Positions& positions,
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+  void make_room(std::vector<std::size_t>& begins, Positions& positions,
                                     std::size_t neighbor_count) const
   {
     const auto clear_begins = [&] {
@@ -132,7 +133,8 @@ private:
 
   // Returns for each bin the number of neighbors in all bins before it, and then the total number.
   template <class Bins>
-  CGAL_RARELY_CALLED std::vector<std::size_t> begins_of_all_bins(All_bins<Bins>& all_bins)
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+  std::vector<std::size_t> begins_of_all_bins(All_bins<Bins>& all_bins)
   {
     std::vector<std::size_t> begins(bin_count<Bins>() + 1, 0);
     for_each_block<ConcurrencyTag>(bin_count<Bins>(), [&](std::size_t bin, std::size_t last) {

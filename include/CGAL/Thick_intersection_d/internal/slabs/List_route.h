@@ -108,7 +108,7 @@ private:
   // another block, whose thread makes its lists. So it is swept with these slabs once more, but not
   // with itself. Slabs are two reaches high, so further slabs are beyond reach.
   template <class Source, class Bins, class Report, class Progress>
-  CGAL_RARELY_CALLED
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
   void sweep_slabs(const Source& slabs, Place first, Place last, Bins& bins, Report& report,
                    Progress& progress) const
   {

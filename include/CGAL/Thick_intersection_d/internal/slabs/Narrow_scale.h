@@ -39,7 +39,8 @@ public:
   // becomes the integer below (x - low) * scale. Rounding moves the difference of two coordinates
   // by less than 1 + 2^-20, and the distance of two points by less than sqrt(d) times as much.
   // Floats compute its square with an error below 2^-20 of it.
-  CGAL_RARELY_CALLED Narrow_scale(const Box& box, const Distance_filter& filter)
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+  Narrow_scale(const Box& box, const Distance_filter& filter)
   {
     const double inside = std::sqrt(filter.inside) * (1 - relative_slack); // NaN if it is negative
     const double outside = std::sqrt(filter.outside) * (1 + relative_slack);
@@ -61,7 +62,7 @@ public:
   // least number of squared steps that is beyond the bound. A coordinate becomes its number of
   // steps from the lower end, without error.
   // Floats compute squared distances within the bound without error if they have 24 bits.
-  CGAL_RARELY_CALLED
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
   Narrow_scale(const Box& box, int grid_exponent, double steps, std::uint64_t first_beyond)
     : max_square_(first_beyond - 1)
   {

@@ -123,7 +123,7 @@ public:
   }
 
   // The same of points at positions, which 32-bit integers leave undecided (Narrow_points.h).
-  CGAL_RARELY_CALLED bool is_pair(Found_pair at, Decision_counts& counts) const
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED bool is_pair(Found_pair at, Decision_counts& counts) const
   {
     const Place p = place_of(at.i), q = place_of(at.j);
     return decide([&](int axis) { return coordinate(p, axis); },

@@ -122,7 +122,8 @@ private:
 
   // Sweeps each of the slabs [first, last) with itself and with the slabs within reach behind it.
   template <class Source, class Report, class Progress>
-  CGAL_RARELY_CALLED void sweep_slabs(const Source& slabs, Place first, Place last, Report& report,
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+  void sweep_slabs(const Source& slabs, Place first, Place last, Report& report,
                                       Progress& progress) const
   {
     Slab_window<Point, Leave_slab, Source> window(slabs, reach_, first, tuning_);

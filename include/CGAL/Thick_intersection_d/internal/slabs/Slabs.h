@@ -199,7 +199,7 @@ private:
   // Returns the interval of the coordinates. Leaves out ends that hold hardly any points, if the
   // interval is much shorter without them.
   template <class Source>
-  CGAL_RARELY_CALLED Interval trim(const Source& source, Place size) const
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED Interval trim(const Source& source, Place size) const
   {
     const int slab_axis = are_flat() ? flat_axes_[1] : axis;
     const Interval all = source.interval(slab_axis);

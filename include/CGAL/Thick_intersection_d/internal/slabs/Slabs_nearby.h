@@ -24,7 +24,7 @@ struct Ready_slab
 {
   // Destroys the slabs behind it as well. They are few: only slabs within reach are ready, and none
   // is cut lower than the reach. Compilers would expand this wherever a list ends.
-  CGAL_RARELY_CALLED ~Ready_slab() {}
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED ~Ready_slab() {}
 
   Strips<Point> strips;
   Place slab = 0; // the number of the slab that the strips belong to

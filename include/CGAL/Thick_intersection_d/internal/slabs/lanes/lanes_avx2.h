@@ -86,8 +86,10 @@ CGAL_LANES_TARGET inline Place append_pairs(unsigned int bits, const Ints& p, co
   const Int_part order = order_of(bits);
   const Int_part a = __builtin_ia32_permvarsi256(p.parts[0], order);
   const Int_part b = __builtin_ia32_permvarsi256(q.parts[0], order);
-  const Int_part first = CGAL_LANES_SHUFFLE(Int_part, a, b, 0, 8, 1, 9, 2, 10, 3, 11);
-  const Int_part second = CGAL_LANES_SHUFFLE(Int_part, a, b, 4, 12, 5, 13, 6, 14, 7, 15);
+  const Int_part first
+    = CGAL_THICK_INTERSECTION_D_SHUFFLE(Int_part, a, b, 0, 8, 1, 9, 2, 10, 3, 11);
+  const Int_part second
+    = CGAL_THICK_INTERSECTION_D_SHUFFLE(Int_part, a, b, 4, 12, 5, 13, 6, 14, 7, 15);
   std::memcpy(pairs + count, &first, sizeof(first));
   std::memcpy(pairs + count + 4, &second, sizeof(second));
   return count + static_cast<Place>(__builtin_popcount(bits));

@@ -78,8 +78,10 @@ CGAL_LANES_TARGET inline Place append_pairs(unsigned int bits, const Ints& p, co
   for(Place k = 0; k < Ints::part_count; ++k, bits >>= 4) {
     const Int_part a = p.parts[k];
     const Int_part b = q.parts[k];
-    store_two_pairs(CGAL_LANES_SHUFFLE(Int_part, a, b, 0, 4, 1, 5), pairs, count, bits);
-    store_two_pairs(CGAL_LANES_SHUFFLE(Int_part, a, b, 2, 6, 3, 7), pairs, count, bits >> 2);
+    store_two_pairs(CGAL_THICK_INTERSECTION_D_SHUFFLE(Int_part, a, b, 0, 4, 1, 5), pairs, count,
+                    bits);
+    store_two_pairs(CGAL_THICK_INTERSECTION_D_SHUFFLE(Int_part, a, b, 2, 6, 3, 7), pairs, count,
+                    bits >> 2);
   }
   return count;
 }

@@ -162,9 +162,10 @@ private:
   template <int bits>
   CGAL_THICK_INTERSECTION_D_INLINE static Register from_lanes(Register x)
   {
-    return CGAL_LANES_SHUFFLE(Register, x, x, 0 ^ bits, 1 ^ bits, 2 ^ bits, 3 ^ bits, 4 ^ bits,
-                              5 ^ bits, 6 ^ bits, 7 ^ bits, 8 ^ bits, 9 ^ bits, 10 ^ bits,
-                              11 ^ bits, 12 ^ bits, 13 ^ bits, 14 ^ bits, 15 ^ bits);
+    return CGAL_THICK_INTERSECTION_D_SHUFFLE(
+      Register, x, x, 0 ^ bits, 1 ^ bits, 2 ^ bits, 3 ^ bits, 4 ^ bits, 5 ^ bits, 6 ^ bits,
+      7 ^ bits, 8 ^ bits, 9 ^ bits, 10 ^ bits, 11 ^ bits, 12 ^ bits, 13 ^ bits, 14 ^ bits,
+      15 ^ bits);
   }
 };
 

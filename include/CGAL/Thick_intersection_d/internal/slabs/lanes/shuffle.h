@@ -9,9 +9,11 @@
 // second one follow those of the first. GCC has had the function of Clang since version 12.
 
 #if defined(__clang__) || __GNUC__ >= 12
-#define CGAL_LANES_SHUFFLE(Vector, a, b, ...) __builtin_shufflevector(a, b, __VA_ARGS__)
+#define CGAL_THICK_INTERSECTION_D_SHUFFLE(Vector, a, b, ...) \
+  __builtin_shufflevector(a, b, __VA_ARGS__)
 #else
-#define CGAL_LANES_SHUFFLE(Vector, a, b, ...) __builtin_shuffle(a, b, Vector{__VA_ARGS__})
+#define CGAL_THICK_INTERSECTION_D_SHUFFLE(Vector, a, b, ...) \
+  __builtin_shuffle(a, b, Vector{__VA_ARGS__})
 #endif
 
 #endif // CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LANES_SHUFFLE_H
