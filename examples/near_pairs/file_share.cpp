@@ -81,11 +81,15 @@ std::vector<std::string> fields_of(std::string line)
 
 // Messages give the byte that the line begins at: no process knows how many lines come before it.
 std::array<double, 3> point_of(const std::string& file, std::uint64_t byte,
-                               const std::vector<std::string>& fields)
+                               const std::string& line)
 {
+  const std::vector<std::string> fields = fields_of(line);
   const std::string place = "the line at byte " + std::to_string(byte);
   if(fields.size() != 2 && fields.size() != 3)
     throw Error(file, place + " has not two or three numbers");
+  if(line.find(',') != std::string::npos && line.find(';') != std::string::npos)
+    throw Error(file, place + " has ',' and ';': one of them is to separate, and decimals have a "
+                "point");
   std::array<double, 3> point = {0, 0, 0};
   for(std::size_t axis = 0; axis < fields.size(); ++axis) {
     if(!parse_decimal(fields[axis]))
@@ -112,7 +116,7 @@ Points read_lines(const std::string& file, std::uint64_t size, int part, int par
     const bool is_comment = fields.empty() || fields.front().front() == '#';
     const bool is_header = byte == 0 && !is_comment && !parse_decimal(fields.front());
     if(!is_comment && !is_header)
-      points.push_back(point_of(file, byte, fields));
+      points.push_back(point_of(file, byte, line));
   }
   if(stream.bad())
     throw Error(file, "cannot be read to its end");

@@ -83,6 +83,9 @@ for processes in 1 2 5; do
   run $processes long.csv --distance 1
   verdict "a line that is too long, $processes processes" fails_with "has not two or three numbers"
 done
+printf 'x;y\n1,5;2\n' > commas.csv
+run 2 commas.csv --distance 1
+verdict "decimals with commas" fails_with "has ',' and ';'"
 run 2 missing.bin --distance 1
 verdict "no file" fails_with "missing.bin: "
 run 2 points.csv --distance 1 --pairs no/such/place
