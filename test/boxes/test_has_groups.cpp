@@ -123,6 +123,26 @@ Number_boxes boxes_of_kind(int kind, std::size_t size)
   return boxes;
 }
 
+// Few of the boxes that meet tell a pair of groups, so the tree is to find each of them.
+BOOST_AUTO_TEST_CASE(rare_pairs_of_crowded_boxes_are_found)
+{
+  Box_tuning tuning;
+  tuning.crowded_candidates = 0;
+  tuning.tree_candidates = 0;
+  tuning.crowded_share = 2;
+  for(int kind = 0; kind < 3; ++kind)
+    for(const std::size_t rarity : {97, 997, 4001}) {
+      const Number_boxes boxes = boxes_of_kind(kind, 400);
+      std::vector<std::size_t> groups(boxes.size());
+      for(std::size_t i = 0; i < groups.size(); ++i)
+        groups[i] = i % 40;
+      const Grouped_objects objects(boxes, 2, groups, rarity);
+      const Pairs expected = objects.all_pairs(all_meeting_pairs(boxes, 2));
+      BOOST_CHECK(!expected.empty());
+      BOOST_CHECK(pairs_of_groups<2>(objects, tuning) == expected);
+    }
+}
+
 // Looks at pairs, per n log2^(d-1) n, apart from those that are tested.
 template <int Axes>
 void check_looks(const Grouped_objects& objects, const Pairs& expected, const std::string& name,
@@ -136,13 +156,13 @@ void check_looks(const Grouped_objects& objects, const Pairs& expected, const st
   BOOST_TEST_MESSAGE(Axes << "D, " << name << ", n = " << n << ": looks "
                           << static_cast<double>(objects.looks) / n << " n, tests "
                           << static_cast<double>(objects.tests) / n << " n, work " << work);
-  BOOST_CHECK_MESSAGE(work <= 16, name << ": " << work);
+  BOOST_CHECK_MESSAGE(work <= (Axes == 2 ? 40 : 8), name << ": " << work);
 }
 
 template <int Axes>
 void check_work_of_groups()
 {
-  for(const std::size_t n : {4000, 16000})
+  for(const std::size_t n : {2000, 8000})
     for(int kind = 0; kind < 3; ++kind) {
       const Number_boxes boxes = boxes_of_kind(kind, n);
       const std::string name = "kind " + std::to_string(kind);

@@ -143,7 +143,7 @@ Polyline moored_track(std::size_t size, double x)
 
 BOOST_AUTO_TEST_CASE(segments_of_one_feature_are_not_compared)
 {
-  for(const std::size_t n : {2000, 16000}) {
+  for(const std::size_t n : {2000, 6000}) {
     check_work("equal points", {Polyline(n, Point(1, 1)), Polyline(1, Point(5, 5))}, 0);
     check_work("a moored track", {moored_track(n, 0), Polyline(1, Point(5, 5))}, 0);
     check_work("a zigzag", {zigzag(n)}, 0);
@@ -153,7 +153,7 @@ BOOST_AUTO_TEST_CASE(segments_of_one_feature_are_not_compared)
 
 BOOST_AUTO_TEST_CASE(segments_of_known_pairs_are_not_compared)
 {
-  for(const std::size_t n : {2000, 16000}) {
+  for(const std::size_t n : {2000, 6000}) {
     check_work("two tracks", {moored_track(n, 0), moored_track(n, 0)}, 1);
     check_work("two zigzags", {zigzag(n), zigzag(n)}, 1);
     check_work("equal bands", Features(2, nested_bands(n / 4)), 1);
