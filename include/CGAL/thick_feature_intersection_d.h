@@ -97,8 +97,8 @@ below
 \throws std::invalid_argument if a coordinate is NaN or infinite, or if a polygon with holes has no
 outer boundary, before anything is reported. The message gives the position of the feature.
 Exceptions of the callback pass through.
-\throws std::length_error if there are 2<sup>31</sup> - 1 features or segments, or more, before
-anything is reported.
+\throws std::length_error if there are 2<sup>31</sup> - 1 features or segments, or parts of features
+and polygons together, or more, before anything is reported.
 \throws std::runtime_error if the processor is set to flush denormal numbers to zero.
 
 \sa `thick_feature_intersection_d()`

@@ -170,6 +170,13 @@ BOOST_AUTO_TEST_CASE(too_many_features_or_segments_are_refused)
   BOOST_CHECK_EQUAL(message_of(5, {square(0, 1)}), "");
   BOOST_CHECK_EQUAL(message_of(4, {square(0, 1)}),
                     "There are too many segments of features: 4 or more.");
+
+  // A polygon of one vertex is a part, a polygon, and one segment.
+  const Polygon point(&p, &p + 1);
+  const std::string parts = "There are too many parts of features and polygons: 4 or more.";
+  BOOST_CHECK_EQUAL(message_of(5, {point, point}), "");
+  BOOST_CHECK_EQUAL(message_of(4, {point, point}), parts);
+  BOOST_CHECK_EQUAL(message_of(4, {point, p, p}), parts);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -49,13 +49,14 @@ public:
     Place root; // of the tree of its rings, or no_tree
   };
 
-  // Takes less than `limit` features and segments, which places are to number.
+  // Takes less than `limit` features and segments, and parts and polygons together, which places
+  // must number.
   explicit Feature_segments(std::size_t limit = max_place / 2) : limit_(limit), trees_(segments_) {}
   Feature_segments(const Feature_segments&) = delete; // the trees refer to the segments
   Feature_segments& operator=(const Feature_segments&) = delete;
 
   // Reads the features of a range. Throws if a coordinate is NaN or infinite, if a polygon has no
-  // outer boundary, or if there are too many features or segments.
+  // outer boundary, or if there are too many of them.
   template <class Elements>
   void add_features(const Elements& features)
   {
@@ -132,6 +133,7 @@ private:
 
   void begin_part()
   {
+    check_count("parts of features and polygons", parts_.size() + 1 + polygon_count_);
     parts_.push_back({static_cast<Place>(feature_count_), segment_count(), no_tree});
   }
 
@@ -140,6 +142,7 @@ private:
     if constexpr(dimension == 2)
       parts_.back().root = trees_.add_tree(parts_.back().first_segment, segment_count());
     ++polygon_count_;
+    check_count("parts of features and polygons", parts_.size() + polygon_count_);
   }
 
   template <class Polygon>
