@@ -26,24 +26,24 @@ const auto report = [](std::size_t, std::size_t) {};
 
 void make_mistakes()
 {
-  // error: The elements of other processes are not here: the callback is to take two ids
+  // error: The elements of other processes are not here: the callback must take two ids
   // (std::uint64_t i, std::uint64_t j).
   CGAL::distributed_fixed_radius_near_neighbors(MPI_COMM_WORLD, points, bound,
                                                 CGAL::with_elements([](Point, Point) {}));
 
-  // error: Points are sent to other processes as rational numbers: the coordinates are to be of a
+  // error: Points are sent to other processes as rational numbers: the coordinates must be of a
   // rational number type.
   CGAL::distributed_fixed_radius_near_neighbors(MPI_COMM_WORLD, points_of_roots, bound, report);
 
-  // error: The elements of the range are to be points of a kernel of CGAL: pass a property map
+  // error: The elements of the range must be points of a kernel of CGAL: pass a property map
   // to such points as point_map.
   CGAL::distributed_fixed_radius_near_neighbors(MPI_COMM_WORLD, arrays, bound, report);
 
-  // error: The bound is to be within_distance(r) or within_squared_distance(r2), not a bare
+  // error: The bound must be within_distance(r) or within_squared_distance(r2), not a bare
   // number.
   CGAL::distributed_fixed_radius_near_neighbors(MPI_COMM_WORLD, points, 1.0, report);
 
-  // error: The bound is to be within_distance(r) or within_squared_distance(r2), not a bare
+  // error: The bound must be within_distance(r) or within_squared_distance(r2), not a bare
   // number.
   CGAL::distributed_fixed_radius_neighbor_lists(MPI_COMM_WORLD, points, points, 1);
 }

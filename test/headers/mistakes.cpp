@@ -102,39 +102,39 @@ std::pair<CGAL::SM_Face_index, CGAL::SM_Face_index>* pairs_of_faces = nullptr;
 
 void make_mistakes()
 {
-  // error: The callback is to take two positions (std::size_t i, std::size_t j). For one that
+  // error: The callback must take two positions (std::size_t i, std::size_t j). For one that
   // takes two elements of the range, pass CGAL::with_elements(callback).
   CGAL::fixed_radius_near_neighbors(points, bound, [](const Point&, const Point&) {});
 
-  // error: The callback in with_elements() is to take two elements of the range.
+  // error: The callback in with_elements() must take two elements of the range.
   CGAL::fixed_radius_near_neighbors(points, bound, CGAL::with_elements([](const std::string&) {}));
 
-  // error: The callback is to return void, or bool to tell whether the search goes on.
+  // error: The callback must return void, or bool to tell whether the search goes on.
   CGAL::thick_self_intersection_d(boxes, [](std::size_t, std::size_t) { return std::string(); });
 
-  // error: The points are to be points in the plane or in space whose coordinates are doubles, or
+  // error: The points must be points in the plane or in space whose coordinates are doubles, or
   // numbers that doubles hold.
   CGAL::external_fixed_radius_near_neighbors(points_of_any_dimension, bound, budget, report);
 
-  // error: The callback is to take two positions of the type std::uint64_t.
+  // error: The callback must take two positions of the type std::uint64_t.
   CGAL::external_fixed_radius_near_neighbors(points, bound, budget,
                                              [](const Point&, const Point&) {});
 
   // error: Parallel_tag is enabled but TBB is unavailable.
   CGAL::fixed_radius_near_neighbors<CGAL::Parallel_tag>(points, bound, report);
 
-  // error: The argument is to be a range with forward iterators.
+  // error: The argument must be a range with forward iterators.
   CGAL::fixed_radius_near_neighbors(7, bound, report);
 
-  // error: The elements of the range are to be points or objects of a kernel of CGAL: pass a
+  // error: The elements of the range must be points or objects of a kernel of CGAL: pass a
   // property map to such elements as point_map, or a model of ThickDistanceTraits_d as geom_traits.
   CGAL::fixed_radius_near_neighbors(arrays, bound, report);
 
-  // error: The elements of the range are to be points of a kernel of CGAL: pass a property map
+  // error: The elements of the range must be points of a kernel of CGAL: pass a property map
   // to such points as point_map.
   CGAL::closest_pair(balls);
 
-  // error: The property map point_map is to take the elements of the range.
+  // error: The property map point_map must take the elements of the range.
   CGAL::fixed_radius_near_neighbors(
     points, bound, report,
     CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Ball>()));
@@ -143,57 +143,57 @@ void make_mistakes()
   // balls: pairs of a center and a radius.
   CGAL::fixed_radius_neighbor_lists(weighted_points, bound);
 
-  // error: The bound is to be within_distance(r) or within_squared_distance(r2), not a bare
+  // error: The bound must be within_distance(r) or within_squared_distance(r2), not a bare
   // number.
   CGAL::fixed_radius_near_neighbors(points, 1.0, report);
 
-  // error: The bound is to be within_distance(r) or within_squared_distance(r2), not a bare
+  // error: The bound must be within_distance(r) or within_squared_distance(r2), not a bare
   // number.
   CGAL::fixed_radius_near_neighbors(points, points, 1, report);
 
-  // error: The bound is to be within_distance(r) or within_squared_distance(r2), not a bare
+  // error: The bound must be within_distance(r) or within_squared_distance(r2), not a bare
   // number.
   CGAL::has_close_pair(points, 1.f);
 
-  // error: The bound is to be within_distance(r) or within_squared_distance(r2), not a bare
+  // error: The bound must be within_distance(r) or within_squared_distance(r2), not a bare
   // number.
   CGAL::external_fixed_radius_near_neighbors(points, 1L, budget, report);
 
-  // error: The objects are to be all in the plane, or all in space.
+  // error: The objects must be all in the plane, or all in space.
   CGAL::fixed_radius_near_neighbors(variants, bound, report);
 
-  // error: The objects are to be all in the plane, or all in space.
+  // error: The objects must be all in the plane, or all in space.
   CGAL::thick_intersection_d(boxes, points_in_space, report);
 
   // error: A Scene_profile is for points and objects of a kernel, without geom_traits.
   CGAL::fixed_radius_near_neighbors(strings, bound, report, profile,
                                     CGAL::parameters::geom_traits(Traits_of_strings()));
 
-  // error: geom_traits is to be a model of ThickDistanceTraits_d whose functors take the elements
+  // error: geom_traits must be a model of ThickDistanceTraits_d whose functors take the elements
   // of the range and the bound, or the kernel of points.
   CGAL::fixed_radius_near_neighbors(points, bound, report, CGAL::parameters::geom_traits(42));
 
-  // error: geom_traits is to be a model of ThickDistanceTraits_d whose functors take the elements
+  // error: geom_traits must be a model of ThickDistanceTraits_d whose functors take the elements
   // of the range and the bound, or the kernel of points.
   CGAL::fixed_radius_neighbor_lists(
     points_in_space, bound,
     CGAL::parameters::geom_traits(CGAL::Projection_traits_xy_3<Kernel>()));
 
-  // error: geom_traits is to be a model of ThickDistanceTraits_d whose functors take the elements
+  // error: geom_traits must be a model of ThickDistanceTraits_d whose functors take the elements
   // of the range and the bound, or the kernel of points.
   CGAL::fixed_radius_near_neighbors(boxes, boxes, bound, report,
                                     CGAL::parameters::geom_traits(Traits_with_wrong_name()));
 
-  // error: geom_traits is to be the kernel of the points, if it is given: this function asks no
+  // error: geom_traits must be the kernel of the points, if it is given: this function asks no
   // other traits.
   CGAL::closest_pair(points, CGAL::parameters::geom_traits(Traits_of_strings()));
 
-  // error: geom_traits is to be the kernel of the points, if it is given: this function asks no
+  // error: geom_traits must be the kernel of the points, if it is given: this function asks no
   // other traits.
   CGAL::thick_feature_self_intersection_d(
     points, report, CGAL::parameters::geom_traits(CGAL::Thick_object_traits_d<Point>()));
 
-  // error: geom_traits is to be the kernel of the points, if it is given: this function asks no
+  // error: geom_traits must be the kernel of the points, if it is given: this function asks no
   // other traits.
   CGAL::thick_mesh_self_intersections(mesh, pairs_of_faces,
                                       CGAL::parameters::geom_traits(Traits_of_strings()));
@@ -215,15 +215,15 @@ void make_mistakes()
   // ball.
   CGAL::thick_self_intersection_d(points_with_numbers, report);
 
-  // error: The elements of the range are to be points or objects of a kernel of CGAL: pass a
+  // error: The elements of the range must be points or objects of a kernel of CGAL: pass a
   // property map to such elements as point_map, or a model of ThickDistanceTraits_d as geom_traits.
   CGAL::fixed_radius_near_neighbors(points_with_normals, bound, report);
 
   // error: A weighted point is no ball: make it a pair of a center and a radius.
   CGAL::thick_self_intersection_d(weighted_points, report);
 
-  // error: The ranges hold objects of two types: geom_traits is to have intervals of both, and
-  // do_intersect_d_object() is to take one of each.
+  // error: The ranges hold objects of two types: geom_traits must have intervals of both, and
+  // do_intersect_d_object() must take one of each.
   CGAL::thick_intersection_d(
     points, boxes, report, CGAL::parameters::geom_traits(CGAL::Thick_object_traits_d<Point>()));
 
@@ -231,60 +231,60 @@ void make_mistakes()
   // Thick_ball_traits_d.
   CGAL::thick_self_intersection_d(circles, report);
 
-  // error: The elements of the range are to be objects with bbox() and do_intersect(): pass a
+  // error: The elements of the range must be objects with bbox() and do_intersect(): pass a
   // property map to such objects as point_map, or traits as geom_traits.
   CGAL::thick_intersection_d(strings, strings, report);
 
-  // error: geom_traits is to be a model of ThickIntersectionIntervalTraits_d or of
+  // error: geom_traits must be a model of ThickIntersectionIntervalTraits_d or of
   // ThickIntersectionTraits_d.
   CGAL::thick_self_intersection_d(points, report, CGAL::parameters::geom_traits(Kernel()));
 
-  // error: The elements of the range are to be of the type Object_d of geom_traits: pass a
+  // error: The elements of the range must be of the type Object_d of geom_traits: pass a
   // property map to such objects as point_map.
   CGAL::thick_self_intersection_d(
     points, report, CGAL::parameters::geom_traits(CGAL::Thick_ball_traits_d<Point>(balls)));
 
-  // error: The functors of geom_traits are to take its type Object_d.
+  // error: The functors of geom_traits must take its type Object_d.
   CGAL::thick_self_intersection_d(strings, report,
                                   CGAL::parameters::geom_traits(Traits_of_other_objects()));
 
-  // error: The elements of the range are to be polylines or polygons: ranges of Point_2 or
+  // error: The elements of the range must be polylines or polygons: ranges of Point_2 or
   // Point_3, Polygon_2 or Polygon_with_holes_2. For others, pass a property map to such features
   // as point_map.
   CGAL::thick_feature_self_intersection_d(projected_polygons, report);
 
-  // error: The elements of the range are to be polylines or polygons: ranges of Point_2 or
+  // error: The elements of the range must be polylines or polygons: ranges of Point_2 or
   // Point_3, Polygon_2 or Polygon_with_holes_2. For others, pass a property map to such features
   // as point_map.
   CGAL::thick_feature_self_intersection_d(boxes, report);
 
-  // error: The features of the two ranges are to have points of one type.
+  // error: The features of the two ranges must have points of one type.
   CGAL::thick_feature_intersection_d(points, points_in_space, report);
 
-  // error: The callback is to take two boxes, as the iterators give them.
+  // error: The callback must take two boxes, as the iterators give them.
   CGAL::thick_box_self_intersection_d(boxes_with_ids.begin(), boxes_with_ids.end(), [](int) {});
 
-  // error: The domain is to be an Iso_rectangle_2 for points in the plane, an Iso_cuboid_3 in
+  // error: The domain must be an Iso_rectangle_2 for points in the plane, an Iso_cuboid_3 in
   // space, or a Periodic_lattice_d of this dimension.
   CGAL::periodic_fixed_radius_near_neighbors(points_in_space, square, bound, report_images);
 
-  // error: The domain is to be an Iso_rectangle_2 for points in the plane, an Iso_cuboid_3 in
+  // error: The domain must be an Iso_rectangle_2 for points in the plane, an Iso_cuboid_3 in
   // space, or a Periodic_lattice_d of this dimension.
   CGAL::periodic_fixed_radius_neighbor_lists(points, 1, bound);
 
-  // error: The domain is to be an Iso_rectangle_2 for points in the plane, an Iso_cuboid_3 in
+  // error: The domain must be an Iso_rectangle_2 for points in the plane, an Iso_cuboid_3 in
   // space, or a Periodic_lattice_d of this dimension.
   CGAL::periodic_fixed_radius_near_neighbors(points, points_in_space, square, bound,
                                              report_images);
 
-  // error: The elements of the range are to be points of a kernel of CGAL: pass a property map to
+  // error: The elements of the range must be points of a kernel of CGAL: pass a property map to
   // such points as point_map.
   CGAL::periodic_closest_pair(strings, square);
 
-  // error: The callback is to take two positions and an offset: (std::size_t i, std::size_t j,
+  // error: The callback must take two positions and an offset: (std::size_t i, std::size_t j,
   // std::array<int, d> offset); or, in CGAL::with_elements(), two elements and an offset.
   CGAL::periodic_fixed_radius_near_neighbors(points, square, bound, report);
 
-  // error: The callback is to return void, or bool to tell whether the search goes on.
+  // error: The callback must return void, or bool to tell whether the search goes on.
   CGAL::periodic_fixed_radius_near_neighbors(points, square, bound, report_text);
 }

@@ -137,7 +137,7 @@ public:
   }
 
   // Returns the least integer s such that the squared distance s 4^e is not within the bound. The
-  // reach is to have fewer than 2^63 steps of 2^e. Divides r^2 by 4^e, bit by bit.
+  // reach must have fewer than 2^63 steps of 2^e. Divides r^2 by 4^e, bit by bit.
   CGAL_THICK_INTERSECTION_D_RARELY_CALLED Uint128 first_beyond(int e) const
   {
     const Exact unit(std::ldexp(1., e));

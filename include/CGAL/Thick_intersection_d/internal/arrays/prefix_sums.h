@@ -34,7 +34,7 @@ Count replace_by_prefix_sums(Count* first, Count* last)
 
 // The same of several blocks of elements, which are counted and moved at the same time: counts[b *
 // size + i] are the elements of bucket i in block b. Replaces each count by the sum of the counts
-// of its bucket in the blocks before it. Sets the totals of the buckets, which are to be zero.
+// of its bucket in the blocks before it. Sets the totals of the buckets, which must be zero.
 //
 // The counts of a group of buckets, one cache line of each block, are one task.
 template <class ConcurrencyTag, class Count, class Total>

@@ -57,7 +57,7 @@ public:
   // The number of boxes in all pieces.
   std::uint64_t size() const { return size_; }
 
-  // Copies the boxes into the pieces. Boxes are to be fewer than places.
+  // Copies the boxes into the pieces. Boxes must be fewer than places.
   void distribute()
   {
     copies_ = make_uninitialized<Box>(size_);

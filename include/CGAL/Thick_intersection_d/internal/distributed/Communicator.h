@@ -74,7 +74,7 @@ private:
     int is_inter = 0;
     MPI_Comm_test_inter(original, &is_inter);
     if(is_inter)
-      throw std::invalid_argument("The communicator is to be an intracommunicator.");
+      throw std::invalid_argument("The communicator must be an intracommunicator.");
   }
 
   MPI_Comm comm_;

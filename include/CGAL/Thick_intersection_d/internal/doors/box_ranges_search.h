@@ -99,7 +99,7 @@ constexpr bool check_box_search()
   using A = decltype(std::declval<const First&>().element(0));
   using B = decltype(std::declval<const Second&>().element(0));
   constexpr bool takes_boxes = std::is_invocable_v<Callback&, A, B>;
-  static_assert(takes_boxes, "The callback is to take two boxes, as the iterators give them.");
+  static_assert(takes_boxes, "The callback must take two boxes, as the iterators give them.");
   return check_concurrency<ConcurrencyTag>() && takes_boxes;
 }
 

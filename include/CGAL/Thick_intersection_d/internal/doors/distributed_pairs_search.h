@@ -33,7 +33,7 @@ template <class Elements, class Callback>
 constexpr bool check_callback_of_remote_ids()
 {
   constexpr bool takes_ids = !Pair_target<Callback, Elements, Elements>::takes_elements;
-  static_assert(takes_ids, "The elements of other processes are not here: the callback is to "
+  static_assert(takes_ids, "The elements of other processes are not here: the callback must "
                            "take two ids (std::uint64_t i, std::uint64_t j).");
   if constexpr(takes_ids)
     return check_callback<Callback, Elements, Elements>();

@@ -76,7 +76,7 @@ constexpr bool check_sent_points()
   else {
     constexpr bool is_rational = Is_rational<Coordinate_t<typename Elements::value_type>>::value;
     static_assert(is_rational, "Points are sent to other processes as rational numbers: the "
-                               "coordinates are to be of a rational number type.");
+                               "coordinates must be of a rational number type.");
     return is_rational;
   }
 }

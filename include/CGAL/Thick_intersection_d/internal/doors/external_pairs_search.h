@@ -242,10 +242,10 @@ constexpr bool check_external_search()
   else {
     using Point = typename Elements_of<Range, NamedParameters>::value_type;
     constexpr bool is_callback = std::is_invocable_v<Callback&, std::uint64_t, std::uint64_t>;
-    static_assert(is_callback, "The callback is to take two positions of the type std::uint64_t.");
+    static_assert(is_callback, "The callback must take two positions of the type std::uint64_t.");
     constexpr bool is_stored = is_held_by_double_v<Coordinate_t<Point>>
                                && (dimension_or<Point>(0) == 2 || dimension_or<Point>(0) == 3);
-    static_assert(is_stored, "The points are to be points in the plane or in space whose "
+    static_assert(is_stored, "The points must be points in the plane or in space whose "
                              "coordinates are doubles, or numbers that doubles hold.");
     return is_callback && is_stored;
   }

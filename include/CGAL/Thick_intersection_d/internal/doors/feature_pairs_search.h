@@ -46,10 +46,10 @@ constexpr bool check_features()
   constexpr bool are_features
     = !std::is_void_v<Point> && !std::is_void_v<Point_of_features<Second>>;
   constexpr bool are_alike = !are_features || std::is_same_v<Point, Point_of_features<Second>>;
-  static_assert(are_features, "The elements of the range are to be polylines or polygons: ranges "
+  static_assert(are_features, "The elements of the range must be polylines or polygons: ranges "
                               "of Point_2 or Point_3, Polygon_2 or Polygon_with_holes_2. For "
                               "others, pass a property map to such features as point_map.");
-  static_assert(are_alike, "The features of the two ranges are to have points of one type.");
+  static_assert(are_alike, "The features of the two ranges must have points of one type.");
   if constexpr(are_features && are_alike)
     return check_no_traits<Point, NamedParameters>();
   else

@@ -127,7 +127,7 @@ class Few_near_pairs
   using Is_within = Plain_is_within<Point, NT>;
 
 public:
-  // The bound is to be neither negative nor NaN.
+  // The bound must be neither negative nor NaN.
   Few_near_pairs(const Elements& points, const Sets& sets, const Distance_bound<NT>& bound)
     : points_(points), first_size_(points.size()), is_within_(bound)
   {

@@ -158,7 +158,7 @@ constexpr bool check_known_objects()
   static_assert(!has_weight, "Weighted points have no distance here: pass a point_map to their "
                              "points, or make them balls: pairs of a center and a radius.");
   static_assert(are_known || !has_no_index || has_weight,
-                "The elements of the range are to be points or objects of a kernel of CGAL: pass a "
+                "The elements of the range must be points or objects of a kernel of CGAL: pass a "
                 "property map to such elements as point_map, or a model of ThickDistanceTraits_d "
                 "as geom_traits.");
   if constexpr(are_known && !has_weight)
@@ -177,7 +177,7 @@ constexpr bool check_near_objects()
   else {
     constexpr bool is_model = Has_distances<Given_traits<NamedParameters>, Object, Object,
                                             NT>::value;
-    static_assert(is_model, "geom_traits is to be a model of ThickDistanceTraits_d whose functors "
+    static_assert(is_model, "geom_traits must be a model of ThickDistanceTraits_d whose functors "
                             "take the elements of the range and the bound, or the kernel of "
                             "points.");
     return is_model;

@@ -60,7 +60,7 @@ constexpr bool check_kernel_objects()
   static_assert(!has_weight,
                 "A weighted point is no ball: make it a pair of a center and a radius.");
   static_assert(are_kinds || !has_no_index || has_weight,
-                "The elements of the range are to be objects with bbox() and do_intersect(): pass "
+                "The elements of the range must be objects with bbox() and do_intersect(): pass "
                 "a property map to such objects as point_map, or traits as geom_traits.");
   if constexpr(are_kinds && !has_weight)
     return check_one_dimension<Object>();
@@ -103,8 +103,8 @@ constexpr bool check_traits_of_two_types()
 {
   constexpr bool takes_two
     = Takes_two_types<Traits, typename Object::First, typename Object::Second>::value;
-  static_assert(takes_two, "The ranges hold objects of two types: geom_traits is to have intervals "
-                           "of both, and do_intersect_d_object() is to take one of each.");
+  static_assert(takes_two, "The ranges hold objects of two types: geom_traits must have intervals "
+                           "of both, and do_intersect_d_object() must take one of each.");
   return takes_two;
 }
 
@@ -131,14 +131,14 @@ constexpr bool check_traits()
   using Object_d = typename Object_of_traits<Traits>::type;
   constexpr bool is_model = !std::is_same_v<Object_d, No_objects>
                             && (Has_intervals<Traits>::value || Has_close_predicate<Traits>::value);
-  static_assert(is_model, "geom_traits is to be a model of ThickIntersectionIntervalTraits_d or of "
+  static_assert(is_model, "geom_traits must be a model of ThickIntersectionIntervalTraits_d or of "
                           "ThickIntersectionTraits_d.");
   if constexpr(is_model) {
     constexpr bool is_whole = do_functors_take_objects<Traits, Object_d>();
     constexpr bool takes_objects = std::is_convertible_v<const Object&, const Object_d&>;
-    static_assert(is_whole, "The functors of geom_traits are to take its type Object_d.");
+    static_assert(is_whole, "The functors of geom_traits must take its type Object_d.");
     static_assert(takes_objects || !is_whole,
-                  "The elements of the range are to be of the type Object_d of geom_traits: pass "
+                  "The elements of the range must be of the type Object_d of geom_traits: pass "
                   "a property map to such objects as point_map.");
     return is_whole && takes_objects;
   }

@@ -40,7 +40,7 @@ constexpr bool check_domain()
   constexpr bool fits
     = ((dimension_or<typename Elements::value_type>(0) != 0
         && dimension_or<typename Elements::value_type>(0) == domain_dimension_v<Domain>) && ...);
-  static_assert(fits, "The domain is to be an Iso_rectangle_2 for points in the plane, an "
+  static_assert(fits, "The domain must be an Iso_rectangle_2 for points in the plane, an "
                       "Iso_cuboid_3 in space, or a Periodic_lattice_d of this dimension.");
   return fits;
 }

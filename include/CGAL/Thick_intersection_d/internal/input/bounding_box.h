@@ -127,7 +127,7 @@ constexpr bool check_one_dimension()
 {
   constexpr bool has_one
     = Kinds<Object>::template are_all<Is_planar> || !Kinds<Object>::template is_any<Is_planar>;
-  static_assert(has_one, "The objects are to be all in the plane, or all in space.");
+  static_assert(has_one, "The objects must be all in the plane, or all in space.");
   return has_one;
 }
 

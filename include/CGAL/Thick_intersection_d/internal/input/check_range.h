@@ -62,7 +62,7 @@ constexpr bool check_range()
   if constexpr(!check_concurrency<ConcurrencyTag>() || !check_map_of_range<NamedParameters>())
     return false;
   else if constexpr(!Is_range<Range>::value) {
-    static_assert(Is_range<Range>::value, "The argument is to be a range with forward iterators.");
+    static_assert(Is_range<Range>::value, "The argument must be a range with forward iterators.");
     return false;
   }
   else {
@@ -70,7 +70,7 @@ constexpr bool check_range()
       = decltype(element_map(std::declval<Range&>(), std::declval<const NamedParameters&>()));
     using Element = Reference_of<Iterator_of<Read_range<Range>>>;
     static_assert(Maps_element<Map, Element>::value,
-                  "The property map point_map is to take the elements of the range.");
+                  "The property map point_map must take the elements of the range.");
     return Maps_element<Map, Element>::value;
   }
 }
@@ -103,7 +103,7 @@ template <class Point, class NamedParameters>
 constexpr bool check_no_traits()
 {
   constexpr bool has_traits = has_traits_v<Point, NamedParameters>;
-  static_assert(!has_traits, "geom_traits is to be the kernel of the points, if it is given: this "
+  static_assert(!has_traits, "geom_traits must be the kernel of the points, if it is given: this "
                              "function asks no other traits.");
   return !has_traits;
 }
@@ -116,7 +116,7 @@ constexpr bool check_points()
   constexpr bool is_point = Is_point<Point>::value || has_weight;
   static_assert(!has_weight, "Weighted points have no distance here: pass a point_map to their "
                              "points, or make them balls: pairs of a center and a radius.");
-  static_assert(is_point, "The elements of the range are to be points of a kernel of CGAL: pass a "
+  static_assert(is_point, "The elements of the range must be points of a kernel of CGAL: pass a "
                           "property map to such points as point_map.");
   if constexpr(is_point && !has_weight)
     return check_no_traits<Point, NamedParameters>();
@@ -148,7 +148,7 @@ inline constexpr bool has_bare_number_v
 template <class... Arguments>
 constexpr bool check_bound()
 {
-  static_assert(!has_bare_number_v<Arguments...>, "The bound is to be within_distance(r) or "
+  static_assert(!has_bare_number_v<Arguments...>, "The bound must be within_distance(r) or "
                 "within_squared_distance(r2), not a bare number.");
   return false;
 }

@@ -157,7 +157,7 @@ private:
   {
     if(!(periods < limit))
       throw std::length_error(std::string(what) + " is " + count_text(periods)
-                              + " periods long, and is to be shorter than " + count_text(limit)
+                              + " periods long, and must be shorter than " + count_text(limit)
                               + ".");
   }
 

@@ -166,7 +166,7 @@ private:
   {
     if(!(steps < max_offset / 2))
       throw std::length_error("An image of point " + std::to_string(position) + " is "
-                              + count_text(steps) + " periods away, and these are to be less than "
+                              + count_text(steps) + " periods away, and these must be less than "
                               + count_text(max_offset / 2) + ".");
   }
 

@@ -118,7 +118,7 @@ public:
   const Scaled_filter& filter_of_doubles() const { return filter_of_doubles_; }
 
   // Returns the least number of squared steps of the grid 2^e Z that is not within the bound. A
-  // reach is to have fewer than 2^31 steps.
+  // reach must have fewer than 2^31 steps.
   std::uint64_t first_square_beyond(int grid_exponent) const
   {
     return static_cast<std::uint64_t>(bound_.first_beyond(grid_exponent));

@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Doubles are to hold the coordinates of the points and the number of the bound.
+// Doubles must hold the coordinates of the points and the number of the bound.
 template <class Point, class NT>
 class Plain_is_within
 {
@@ -31,7 +31,7 @@ class Plain_is_within
   static constexpr int dimension = dimension_or<Point>(0);
 
 public:
-  // The bound is to be valid: neither negative nor NaN.
+  // The bound must be valid: neither negative nor NaN.
   explicit Plain_is_within(const Distance_bound<NT>& bound) : bound_(bound)
   {
     const double value = static_cast<double>(bound.value());

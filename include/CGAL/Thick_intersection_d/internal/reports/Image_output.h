@@ -44,13 +44,13 @@ public:
   static constexpr bool check()
   {
     constexpr bool takes = is_functor || Takes_triples<typename Target::type, Triple>::value;
-    static_assert(takes, "The callback is to take two positions and an offset: (std::size_t i, "
+    static_assert(takes, "The callback must take two positions and an offset: (std::size_t i, "
                          "std::size_t j, std::array<int, d> offset); or, in CGAL::with_elements(), "
                          "two elements and an offset.");
     if constexpr(is_functor) {
       constexpr bool tells = is_void_or_bool<
         std::invoke_result_t<typename Target::type&, A, B, const OffsetArray&>>;
-      static_assert(tells, "The callback is to return void, or bool to tell whether the search "
+      static_assert(tells, "The callback must return void, or bool to tell whether the search "
                            "goes on.");
       return tells;
     }

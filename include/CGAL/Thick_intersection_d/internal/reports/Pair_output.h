@@ -69,16 +69,16 @@ constexpr bool check_callback()
   if constexpr(std::is_invocable_v<typename Target::type&, A, B>) {
     using Result = std::invoke_result_t<typename Target::type&, A, B>;
     static_assert(is_void_or_bool<Result>,
-                  "The callback is to return void, or bool to tell whether the search goes on.");
+                  "The callback must return void, or bool to tell whether the search goes on.");
     return is_void_or_bool<Result>;
   }
   else {
     constexpr bool takes_pairs = Takes_pairs<typename Target::type, A, B>::value;
     static_assert(takes_pairs || Target::takes_elements,
-                  "The callback is to take two positions (std::size_t i, std::size_t j). For one "
+                  "The callback must take two positions (std::size_t i, std::size_t j). For one "
                   "that takes two elements of the range, pass CGAL::with_elements(callback).");
     static_assert(takes_pairs || !Target::takes_elements,
-                  "The callback in with_elements() is to take two elements of the range.");
+                  "The callback in with_elements() must take two elements of the range.");
     return takes_pairs;
   }
 }
