@@ -12,13 +12,17 @@
 
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Integer_distance.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Near_task.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Point_reader.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slab_column.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_sweep.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_window.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slabs.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/tuning.h>
-
-#include <CGAL/tags.h>
 
 #include <limits>
 
@@ -28,36 +32,43 @@ namespace {
 namespace internal = CGAL::Thick_intersection_d::internal;
 using Kernel = CGAL::Simple_cartesian<double>;
 
-// Points as slabs ask for them.
+// Points as slabs read them. They are counted when they are moved.
 template <int Dimension>
-class Counting_points
+class Counting_points final : public internal::Near_points<Dimension>
 {
 public:
-  using Point = internal::Slab_point<Dimension, double>;
+  using Task = internal::Near_task<Dimension>;
 
-  explicit Counting_points(const Made_scene& scene)
-    : boxes_(scene.boxes)
+  explicit Counting_points(const Made_scene& scene) : boxes_(scene.boxes)
   {
+    this->size = boxes_.size();
     for(const Made_box& box : boxes_)
       for(int axis = 0; axis < Dimension; ++axis)
-        intervals_[axis].add(box.low[axis]);
+        task.box[axis].add(box.low[axis]);
+    task.near.scale = 1;
   }
 
-  std::size_t size() const { return boxes_.size(); }
-  internal::Interval interval(int axis) const { return intervals_[axis]; }
-  double coordinate(std::size_t position, int axis) const { return boxes_[position].low[axis]; }
-  void put(std::size_t position, Point& place) const
+  void read(std::size_t first, std::size_t count, int axis, double* x) const override
   {
-    ++counted;
-    std::copy_n(boxes_[position].low.begin(), Dimension, place.x.begin());
-    place.position = static_cast<internal::Place>(position);
+    counted += axis == internal::Near_points<Dimension>::all_axes ? count : 0;
+    for(std::size_t i = 0; i < count; ++i, x += Dimension)
+      std::copy_n(boxes_[first + i].low.begin(), Dimension, x);
   }
+  void ask_for(std::size_t) const override {}
+  void read_numbers(std::size_t, std::size_t, internal::Place*) const override {}
+  std::size_t position(internal::Place number) const override { return number; }
+  const internal::Integer_distance* integers() const override { return nullptr; }
+  bool is_pair(std::size_t, std::size_t, internal::Decision_counts&) const override
+  {
+    return false;
+  }
+  bool advance(std::size_t) override { return true; }
 
+  Task task;
   mutable double counted = 0;
 
 private:
   const std::vector<Made_box>& boxes_;
-  std::array<internal::Interval, Dimension> intervals_;
 };
 
 // Sweeps nothing, and counts the points of runs and the pairs within reach along axis 0. The points
@@ -103,15 +114,17 @@ private:
 template <int Dimension>
 double count_work(const Made_scene& scene, const internal::Point_sets& sets)
 {
-  using Points = Counting_points<Dimension>;
-  using Point = typename Points::Point;
+  using Point = internal::Slab_point<Dimension, double>;
   using Sweep = Counting_sweep<typename Point::Run>;
-  const Points points(scene);
-  const internal::Slabs<Point> slabs(CGAL::Sequential_tag(), points, points.size(), scene.reach,
-                                     sets);
+  const Counting_points<Dimension> points(scene);
+  const internal::Slab_tuning tuning;
+  const internal::Slabs<Point> slabs(
+    internal::Point_reader<Dimension, double>(points, points.task), scene.reach, sets,
+    internal::Threads(), tuning);
+  const internal::Slab_column<Point> column(slabs, 0, scene.reach, false);
   Sweep counting(scene.reach, points.counted);
   internal::Slab_sweep<Point, Sweep> sweep(scene.reach, counting);
-  internal::Slab_window<Point> window(slabs, scene.reach, 0, internal::Slab_tuning());
+  internal::Slab_window<Point> window(column, scene.reach, 0, tuning);
   typename internal::Slab_window<Point>::Slabs_nearby nearby;
   for(; window.front(); window.pop()) {
     window.find_within_reach(window.front()->interval(Point::slab_axis).high, nearby);

@@ -32,14 +32,14 @@ KERNEL = "kernel"
 FILES = {  # file: the call, target for the time, limit of the text in kB of g++ 12 on x86-64
     KERNEL: ("the kernel alone", None, None),
     "near_points": ("`fixed_radius_near_neighbors`, plane", 1.6, None),
-    "near_points_in_space": ("`fixed_radius_near_neighbors`, space", 1.5, 102.5),
-    "neighbor_lists": ("`fixed_radius_neighbor_lists`, space", 1.6, 128.2),
+    "near_points_in_space": ("`fixed_radius_near_neighbors`, space", 1.5, 117),
+    "neighbor_lists": ("`fixed_radius_neighbor_lists`, space", 1.6, 145),
     "closest_pair": ("`closest_pair`, plane", None, None),
-    "closest_pair_in_space": ("`closest_pair`, space", 1.5, 89),
+    "closest_pair_in_space": ("`closest_pair`, space", 1.5, 98),
     "thick_objects": ("`thick_self_intersection_d`, segments", None, None),
-    "triangles": ("`thick_self_intersection_d`, triangles in space", 1.4, 71),
+    "triangles": ("`thick_self_intersection_d`, triangles in space", 1.4, 71.3),
     "near_segments": ("`fixed_radius_near_neighbors`, segments in space", None, 94.7),
-    "boxes": ("`thick_box_self_intersection_d`, boxes in space", 1.5, 59.7),
+    "boxes": ("`thick_box_self_intersection_d`, boxes in space", 1.5, 60),
     "box_intersection": ("`box_self_intersection_d`", None, None),
 }
 

@@ -60,20 +60,20 @@ template <int Dimension, class Point>
 void check_pairs(const std::vector<Point>& points, const CGAL::Distance_bound<double>& bound,
                  const Slab_tuning& tuning, const Pairs& expected)
 {
-  with_near_points<Dimension>(points, bound, [&](const auto& near) {
+  const auto check = [&](auto number, auto& near, internal::Near_task<Dimension> task) {
     std::mutex mutex;
     Pairs found;
     auto callback = [&](std::size_t i, std::size_t j) {
       const std::lock_guard<std::mutex> lock(mutex);
       found.emplace_back(i, j);
     };
-    internal::Pair_reporter<decltype(callback)> report(callback);
-    internal::Unwatched_progress progress;
-    const internal::Slab_route<CGAL::Parallel_tag, std::decay_t<decltype(near)>> route(near,
-                                                                                       tuning);
-    route.search(internal::One_set(), report, progress);
+    internal::Callback_taker<internal::One_set, decltype(callback)> taker({}, callback);
+    task.threads = internal::Threads(CGAL::Parallel_tag());
+    using Slab_point = internal::Slab_point<Dimension, decltype(number)>;
+    internal::Slab_route<Slab_point>(near, task, tuning).search(taker);
     BOOST_CHECK(sorted(found) == sorted(expected));
-  });
+  };
+  with_near_tasks<Dimension>(points, bound, check);
 }
 
 template <int Dimension>

@@ -6,15 +6,19 @@
 
 #include "support/pairs.h"
 #include "support/point_generators.h"
+#include "support/point_source.h"
 #include "support/run_of_points.h"
 
 #include <CGAL/Arithmetic_tier.h>
 
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/near_points/Callback_taker.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
-#include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
+#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_sweep.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Near_task.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Stop_flag.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
 
@@ -27,27 +31,29 @@
 BOOST_AUTO_TEST_SUITE(Near_sweep)
 
 using namespace test_support;
-namespace internal = CGAL::Thick_intersection_d::internal;
+
+using Point = internal::Slab_point<2, double>;
 
 // Pairs at most 1 apart along axis 0. The lanes decide all of them, or none, and then each second
 // one is a pair.
-struct Near_along_axis_0
+struct Near_along_axis_0 : Point_source<2>
 {
-  using Run = internal::Run<2, double>;
+  explicit Near_along_axis_0(const Points& no_points = {}) : Point_source<2>(no_points) {}
 
-  internal::Near_question<double> near;
-
-  const internal::Near_question<double>& question() const { return near; }
-
-  void ask_for(internal::Place) const {}
-
-  bool is_pair(const Run&, const Run&, internal::Found_pair, internal::Found_pair at,
-               internal::Decision_counts& counts) const
+  bool is_pair(std::size_t i, std::size_t j, internal::Decision_counts& counts) const override
   {
     counts.add(CGAL::Arithmetic_tier::INT64);
-    return (at.i + at.j) % 2 == 0;
+    return (i + j) % 2 == 0;
   }
 };
+
+// The filter leaves undecided what lanes do.
+internal::Near_task<2> undecided_task()
+{
+  internal::Near_task<2> task;
+  task.near = {1, 1, {-1, 1}};
+  return task;
+}
 
 const internal::Near_question<double> decided = {1, 1, 1};
 const internal::Near_question<double> undecided = {1, -1, 1};
@@ -81,9 +87,11 @@ Pairs by_sweeps(const Run_of_points<2>& a, const Run_of_points<2>* b,
 {
   Pairs pairs;
   auto callback = [&](std::size_t i, std::size_t j) { pairs.emplace_back(i, j); };
-  internal::Pair_reporter<decltype(callback)> report(callback);
-  const Near_along_axis_0 test = {question};
-  internal::Near_sweep<Near_along_axis_0, decltype(report)> sweep(test, report);
+  internal::Callback_taker<internal::One_set, decltype(callback)> taker({}, callback);
+  const Near_along_axis_0 near;
+  const internal::Near_task<2> task = undecided_task();
+  internal::Stop_flag stop;
+  internal::Near_sweep<Point> sweep(question, near, task, taker, stop);
   for(internal::Place block = 0; block < block_count; ++block) {
     sweep.take_block(block, block_count);
     if(b)
@@ -120,9 +128,11 @@ BOOST_AUTO_TEST_CASE(each_candidate_is_counted_once)
   const Run_of_points<2> a(identical_points(2, 100, 1));
   for(const internal::Near_question<double>& question : {decided, undecided}) {
     auto ignore = [](std::size_t, std::size_t) {};
-    internal::Pair_reporter<decltype(ignore)> report(ignore);
-    const Near_along_axis_0 test = {question};
-    internal::Near_sweep<Near_along_axis_0, decltype(report)> sweep(test, report);
+    internal::Callback_taker<internal::One_set, decltype(ignore)> taker({}, ignore);
+    const Near_along_axis_0 near;
+    const internal::Near_task<2> task = undecided_task();
+    internal::Stop_flag stop_flag;
+    internal::Near_sweep<Point> sweep(question, near, task, taker, stop_flag);
     sweep.within(a.run());
     const bool by_lanes = question.inside == 1;
     BOOST_CHECK_EQUAL(sweep.counts()[CGAL::Arithmetic_tier::DOUBLE], by_lanes ? 4950u : 0u);
@@ -135,9 +145,11 @@ BOOST_AUTO_TEST_CASE(a_sweep_stops_when_the_report_says_so)
   const Run_of_points<2> a(identical_points(2, 200, 1));
   int calls = 0;
   auto stop = [&](std::size_t, std::size_t) { return ++calls < 10; };
-  internal::Pair_reporter<decltype(stop)> report(stop);
-  const Near_along_axis_0 test = {decided};
-  internal::Near_sweep<Near_along_axis_0, decltype(report)> sweep(test, report);
+  internal::Callback_taker<internal::One_set, decltype(stop)> taker({}, stop);
+  const Near_along_axis_0 near;
+  const internal::Near_task<2> task = undecided_task();
+  internal::Stop_flag stop_flag;
+  internal::Near_sweep<Point> sweep(decided, near, task, taker, stop_flag);
   sweep.within(a.run());
   BOOST_CHECK(sweep.is_stopped());
   BOOST_CHECK_EQUAL(calls, 10);

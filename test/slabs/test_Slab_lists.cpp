@@ -6,7 +6,9 @@
 #include "support/counting_allocator.h"
 #include "support/point_generators.h"
 
+#include <CGAL/Thick_intersection_d/internal/reports/List_bins.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_lists.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -23,46 +25,45 @@ using namespace test_support;
 namespace internal = CGAL::Thick_intersection_d::internal;
 using internal::Place;
 
-struct Never_stopped
-{
-  bool is_stopped() const { return false; }
-};
-using Lists = internal::Slab_lists<Never_stopped>;
+using Lists = internal::Slab_lists;
 using Strips = internal::Strips<internal::Slab_point<2, double>>;
 using Numbers = std::vector<Place>; // by the order of the points of a slab
-using Neighbors = std::map<Place, std::vector<Place>>;
 
-// A list that is given in parts would not be sorted here.
-struct Some_bins
+// A slab in the window, and the numbers of its points.
+struct Numbered_slab
 {
-  Place* append_short(Place of, std::size_t size)
-  {
-    lists[of].resize(internal::Short_list::capacity);
-    sizes[of] = size;
-    return lists[of].data();
-  }
-  void append(Place of, const Place* first, const Place* last)
-  {
-    lists[of].assign(first, last);
-    sizes[of] = lists[of].size();
-  }
-
-  Neighbors lists;
-  std::map<Place, std::size_t> sizes;
+  Strips strips;
+  Numbers numbers;
 };
 
+// The lists in the bins.
+std::map<Place, std::vector<Place>> lists_of(const internal::List_bins& bins, Place size)
+{
+  std::map<Place, std::vector<Place>> lists;
+  const std::size_t bin_size = internal::List_bins::bin_size;
+  for(std::size_t bin = 0; bin * bin_size < size; ++bin)
+    bins.for_each(bin, [&](std::size_t of, const Place* first, const Place* last) {
+      std::vector<Place>& list = lists[static_cast<Place>(bin * bin_size + of)];
+      list.insert(list.end(), first, last);
+    });
+  return lists;
+}
+
 // A slab of points at the positions from `first` on.
-Numbers number(Place first, Place size, Lists& lists)
+Numbered_slab number(Place first, Place size, Lists& lists)
 {
   std::vector<internal::Slab_point<2, double>> points(size);
   for(Place i = 0; i < size; ++i)
     points[i] = {{double(i), 0}, first + i};
-  Strips strips;
-  strips.reset(size, 1);
-  strips.append(points.data(), points.data() + size, internal::Point_sets());
-  lists.number(strips);
-  const auto run = strips.run(strips.strips().front());
-  return Numbers(run.positions, run.positions + run.size);
+  Numbered_slab slab;
+  slab.strips.reset(size, 1);
+  slab.strips.append(points.data(), points.data() + size, internal::Point_sets());
+  Place* positions = nullptr;
+  const Place number = lists.add(slab.strips.place_count(), positions);
+  slab.strips.number_places(number, positions);
+  const auto run = slab.strips.run(slab.strips.strips().front());
+  slab.numbers.assign(run.positions, run.positions + run.size);
+  return slab;
 }
 
 // A window moves over slabs of various sizes. The pairs are of the first slab in the window, and of
@@ -70,11 +71,11 @@ Numbers number(Place first, Place size, Lists& lists)
 void check_window(std::size_t slab_count, std::size_t window_size, std::size_t pairs_per_slab)
 {
   Random random(pairs_per_slab);
-  const Never_stopped stop;
-  Lists lists(stop, slab_count);
+  Lists lists(slab_count);
+  const auto position = [&](Place number) { return (*lists.positions())[number]; };
   std::map<Place, std::set<Place>> expected;
-  Some_bins bins;
-  std::deque<Numbers> window;
+  internal::List_bins bins(100 * slab_count);
+  std::deque<Numbered_slab> window;
   Place end = 0;
   for(std::size_t s = 0; s < slab_count + window_size; ++s) {
     if(s < slab_count) {
@@ -85,28 +86,28 @@ void check_window(std::size_t slab_count, std::size_t window_size, std::size_t p
     if(s + 1 < window_size || window.empty())
       continue;
     for(std::size_t p = 0; p < pairs_per_slab; ++p) {
-      const Numbers& other = window[random.below(window.size())];
-      const Place i = window.front()[random.below(window.front().size())];
+      const Numbers& other = window[random.below(window.size())].numbers;
+      const Numbers& numbers = window.front().numbers;
+      const Place i = numbers[random.below(numbers.size())];
       const Place j = other[random.below(other.size())];
-      const Place a = lists.position(i);
-      const Place b = lists.position(j);
+      const Place a = position(i);
+      const Place b = position(j);
       if(a != b && expected[a].insert(b).second) {
         expected[b].insert(a);
-        BOOST_CHECK(lists(i, j));
+        const internal::Found_pair pair = {i, j};
+        BOOST_CHECK(lists.take(&pair, 1));
       }
     }
     if(s % 5 == 4) {
-      for(const Place n : window.front())
-        expected.erase(lists.position(n));
+      for(const Place n : window.front().numbers)
+        expected.erase(position(n));
       lists.drop();
     }
     else
-      lists.finish(bins);
+      lists.finish(window.front().strips, bins);
     window.pop_front();
   }
-  BOOST_CHECK(!lists.is_stopped());
-  for(auto& [of, list] : bins.lists) {
-    list.resize(bins.sizes[of]);
+  for(const auto& [of, list] : lists_of(bins, end)) {
     BOOST_CHECK(std::set<Place>(list.begin(), list.end()) == expected[of]);
     BOOST_CHECK(std::is_sorted(list.begin(), list.end()));
     expected.erase(of);
@@ -130,13 +131,15 @@ BOOST_AUTO_TEST_CASE(lists_take_memory_once)
     const std::size_t slabs_at_once = (std::min)(slab_count, std::size_t(3));
     const std::size_t before = current_bytes();
     reset_peak();
-    const Never_stopped stop;
-    Lists lists(stop, slab_count);
-    Some_bins bins;
+    Lists lists(slab_count);
+    internal::List_bins bins(slab_count * size);
+    std::deque<Numbered_slab> window;
     for(std::size_t s = 0; s < slab_count; ++s) {
-      if(s >= slabs_at_once)
-        lists.finish(bins);
-      number(static_cast<Place>(s) * size, size, lists);
+      if(s >= slabs_at_once) {
+        lists.finish(window.front().strips, bins);
+        window.pop_front();
+      }
+      window.push_back(number(static_cast<Place>(s) * size, size, lists));
     }
     BOOST_CHECK_LT(peak_bytes() - before,
                    (slabs_at_once + 2) * size * sizeof(internal::Short_list));

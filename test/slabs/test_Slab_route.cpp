@@ -206,16 +206,19 @@ double border_points(const Strips_of<Dimension>& a, const Strips_of<Dimension>& 
 template <int Dimension>
 Work work_of(const Points& points, double reach, const internal::Point_sets& sets)
 {
-  using Test = Undecided_points<Dimension>;
   using Point = internal::Slab_point<Dimension, double>;
-  const Test test(points, reach);
+  const Undecided_points<Dimension> undecided(points);
+  const internal::Near_task<Dimension> task = undecided.task(reach);
   const internal::Slab_tuning tuning;
-  const internal::Slabs<Point> slabs(CGAL::Sequential_tag(), test, points.size(), reach, sets);
+  const internal::Slabs<Point> slabs(undecided.reader(), reach, sets, internal::Threads(), tuning);
+  const internal::Slab_column<Point> column(slabs, 0, reach, false);
   const auto ignore = [](std::size_t, std::size_t) {};
-  internal::Pair_reporter<decltype(ignore)> report(ignore);
-  internal::Near_sweep<Test, decltype(report)> near_sweep(test, report);
+  internal::Callback_taker<internal::One_set, decltype(ignore)> taker({}, ignore);
+  internal::Stop_flag stop;
+  internal::Near_sweep<Point> near_sweep(internal::question_of<double>(task), undecided, task,
+                                         taker, stop);
   internal::Slab_sweep<Point> sweep(reach, near_sweep);
-  internal::Slab_window<Point> window(slabs, reach, 0, tuning);
+  internal::Slab_window<Point> window(column, reach, 0, tuning);
   typename internal::Slab_window<Point>::Slabs_nearby nearby;
   Work work;
   for(; window.front(); window.pop()) {
@@ -226,7 +229,7 @@ Work work_of(const Points& points, double reach, const internal::Point_sets& set
     for(const Strips_of<Dimension>* other : nearby)
       work.border_points += blocks * border_points<Dimension>(slab, *other, reach);
   }
-  work.candidates = static_cast<double>(test.count);
+  work.candidates = static_cast<double>(undecided.count);
   return work;
 }
 

@@ -5,8 +5,8 @@
 
 #include "support/point_source.h"
 
-#include <CGAL/tags.h>
-
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slab_column.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_stream.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_window.h>
 
@@ -21,7 +21,6 @@
 BOOST_AUTO_TEST_SUITE(Slab_window)
 
 using namespace test_support;
-namespace internal = CGAL::Thick_intersection_d::internal;
 
 template <int Dimension>
 using Point = internal::Slab_point<Dimension, double>;
@@ -46,7 +45,8 @@ std::vector<internal::Place> positions_of(const internal::Strips<Point<Dimension
 }
 
 template <int Dimension>
-std::vector<Listed_slab> list_of(const internal::Slabs<Point<Dimension>>& slabs, double reach)
+std::vector<Listed_slab> list_of(const internal::Slab_column<Point<Dimension>>& slabs,
+                                 double reach)
 {
   std::vector<Listed_slab> list;
   internal::Slab_stream<Point<Dimension>> stream(slabs, reach, 0, tuning_for_few_points());
@@ -86,9 +86,10 @@ std::vector<std::vector<internal::Place>> within_reach(const std::vector<Listed_
 template <int Dimension>
 void check_window(const internal::Slabs<Point<Dimension>>& slabs, double reach)
 {
-  const std::vector<Listed_slab> list = list_of<Dimension>(slabs, reach);
+  const internal::Slab_column<Point<Dimension>> column(slabs, 0, reach, false);
+  const std::vector<Listed_slab> list = list_of<Dimension>(column, reach);
   check_list(list, slabs.size());
-  internal::Slab_window<Point<Dimension>> window(slabs, reach, 0, tuning_for_few_points());
+  internal::Slab_window<Point<Dimension>> window(column, reach, 0, tuning_for_few_points());
   typename internal::Slab_window<Point<Dimension>>::Slabs_nearby nearby;
   for(std::size_t s = 0; s < list.size(); ++s) {
     BOOST_REQUIRE(window.front() != nullptr);
@@ -115,9 +116,10 @@ void check_scenes()
     for(const double reach : {1e-12, 1e-4, 1e-2, 0.3, 10.}) {
       BOOST_TEST_CONTEXT(name << ", reach " << reach)
       {
-        const internal::Slabs<Point<Dimension>> slabs(
-          CGAL::Sequential_tag(), Point_source<Dimension>(points), points.size(), reach,
-          internal::Point_sets(), tuning_for_few_points());
+        const Point_source<Dimension> source(points);
+        const internal::Slabs<Point<Dimension>> slabs(source.reader(), reach,
+                                                      internal::Point_sets(), internal::Threads(),
+                                                      tuning_for_few_points());
         check_window<Dimension>(slabs, reach);
       }
     }
@@ -129,12 +131,13 @@ BOOST_AUTO_TEST_CASE(slabs_within_reach_are_those_of_the_list_3) { check_scenes<
 BOOST_AUTO_TEST_CASE(a_window_may_start_at_any_slab)
 {
   const Points points = uniform_points(2, 1500, 0, 1, 1);
-  const internal::Slabs<Point<2>> slabs(CGAL::Sequential_tag(), Point_source<2>(points),
-                                        points.size(), 1e-3, internal::Point_sets(),
-                                        tuning_for_few_points());
+  const Point_source<2> source(points);
+  const internal::Slabs<Point<2>> slabs(source.reader(), 1e-3, internal::Point_sets(),
+                                        internal::Threads(), tuning_for_few_points());
+  const internal::Slab_column<Point<2>> column(slabs, 0, 1e-3, false);
   BOOST_REQUIRE_GT(slabs.count(), 50u);
   for(internal::Place first = 0; first <= slabs.count(); first += 7) {
-    internal::Slab_window<Point<2>> window(slabs, 1e-3, first, tuning_for_few_points());
+    internal::Slab_window<Point<2>> window(column, 1e-3, first, tuning_for_few_points());
     BOOST_CHECK_GE(window.slab(), first);
     std::size_t size = 0;
     for(; window.front() != nullptr; window.pop())

@@ -5,10 +5,8 @@
 
 #include "support/point_generators.h"
 #include "support/point_source.h"
-#include "support/undecided_points.h"
 
-#include <CGAL/tags.h>
-
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slabs.h>
 
 #include <boost/test/unit_test.hpp>
@@ -27,9 +25,9 @@ using namespace test_support;
 // points than its part of all and one slab.
 void check_blocks(const Points& points, double reach)
 {
-  const Undecided_points<2> source(points, reach);
-  const internal::Slabs<internal::Slab_point<2, double>> slabs(CGAL::Sequential_tag(), source,
-                                                       points.size(), reach);
+  const Point_source<2> source(points);
+  const internal::Slabs<internal::Slab_point<2, double>> slabs(
+    source.reader(), reach, internal::Point_sets(), internal::Threads(), internal::Slab_tuning());
   internal::Place largest = 0;
   std::vector<internal::Place> begins = {0};
   for(internal::Place s = 0; s < slabs.count(); ++s) {
@@ -60,6 +58,14 @@ BOOST_AUTO_TEST_CASE(blocks_of_slabs_share_the_points)
 
 template <int Dimension>
 using Slabs_of = internal::Slabs<internal::Slab_point<Dimension, double>>;
+
+template <int Dimension>
+Slabs_of<Dimension> slabs_of(const Points& points, double reach)
+{
+  const Point_source<Dimension> source(points);
+  return Slabs_of<Dimension>(source.reader(), reach, internal::Point_sets(), internal::Threads(),
+                             tuning_for_few_points());
+}
 
 // Each point is in one slab, with its coordinates, and slabs follow each other.
 template <int Dimension>
@@ -92,10 +98,7 @@ void check_scenes()
     for(const double reach : {1e-300, 1e-4, 0.1, 10.}) {
       BOOST_TEST_CONTEXT(name << ", reach " << reach)
       {
-        const Slabs_of<Dimension> slabs(CGAL::Sequential_tag(), Point_source<Dimension>(points),
-                                        points.size(), reach, internal::Point_sets(),
-                                        tuning_for_few_points());
-        check_slabs<Dimension>(slabs, points);
+        check_slabs<Dimension>(slabs_of<Dimension>(points, reach), points);
       }
     }
 }
@@ -110,8 +113,7 @@ BOOST_AUTO_TEST_CASE(points_in_a_plane_keep_their_coordinates)
     Points points = uniform_points(3, 2500, 0, 1, 1);
     for(Coordinates& c : points)
       c[flat_axis] = 0.3;
-    const Slabs_of<3> slabs(CGAL::Sequential_tag(), Point_source<3>(points), points.size(), 0.01,
-                            internal::Point_sets(), tuning_for_few_points());
+    const Slabs_of<3> slabs = slabs_of<3>(points, 0.01);
     BOOST_CHECK_GT(slabs.count(), 20u);
     for(Coordinates& c : points)
       std::swap(c[flat_axis], c[1]);
@@ -127,8 +129,7 @@ BOOST_AUTO_TEST_CASE(outliers_leave_the_others_in_many_slabs)
       Points points = uniform_points(2, 2500, 0, 1, 1);
       points[1000][1] = low;
       points[2000][1] = high;
-      const Slabs_of<2> slabs(CGAL::Sequential_tag(), Point_source<2>(points), points.size(), 1e-3,
-                              internal::Point_sets(), tuning_for_few_points());
+      const Slabs_of<2> slabs = slabs_of<2>(points, 1e-3);
       for(internal::Place s = 0; s < slabs.count(); ++s)
         BOOST_CHECK_LE(slabs.size(s), 100u);
     }

@@ -24,7 +24,6 @@
 BOOST_AUTO_TEST_SUITE(Strips)
 
 using namespace test_support;
-namespace internal = CGAL::Thick_intersection_d::internal;
 
 template <int Dimension>
 using Doubles = internal::Slab_point<Dimension, double>;

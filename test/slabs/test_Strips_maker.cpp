@@ -19,7 +19,6 @@
 BOOST_AUTO_TEST_SUITE(Strips_maker)
 
 using namespace test_support;
-namespace internal = CGAL::Thick_intersection_d::internal;
 
 template <int Dimension>
 void check_strips(const internal::Strips<internal::Slab_point<Dimension, double>>& strips,

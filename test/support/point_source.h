@@ -10,6 +10,10 @@
 
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Integer_distance.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Near_task.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Point_reader.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/tuning.h>
 
@@ -23,43 +27,60 @@
 
 namespace test_support {
 
+namespace internal = CGAL::Thick_intersection_d::internal;
+
+// Reads the points in blocks. Nothing decides pairs that lanes leave undecided.
 template <int Dimension>
-class Point_source
+class Point_source : public internal::Near_points<Dimension>
 {
 public:
-  explicit Point_source(const Points& points) : points_(points) {}
+  using Task = internal::Near_task<Dimension>;
+  using Reader = internal::Point_reader<Dimension, double>;
 
-  CGAL::Thick_intersection_d::internal::Interval interval(int axis) const
+  explicit Point_source(const Points& points) : points_(points) { this->size = points.size(); }
+
+  void read(std::size_t first, std::size_t count, int axis, double* x) const override
   {
-    CGAL::Thick_intersection_d::internal::Interval interval;
+    for(std::size_t i = 0; i < count; ++i, x += Dimension)
+      for(int a = 0; a < Dimension; ++a)
+        if(axis == a || axis == internal::Near_points<Dimension>::all_axes)
+          x[a] = points_[first + i][static_cast<std::size_t>(a)];
+  }
+  void ask_for(std::size_t) const override {}
+  void read_numbers(std::size_t, std::size_t, internal::Place*) const override {}
+  std::size_t position(internal::Place number) const override { return number; }
+  const internal::Integer_distance* integers() const override { return nullptr; }
+  bool is_pair(std::size_t, std::size_t, internal::Decision_counts&) const override
+  {
+    return false;
+  }
+  bool advance(std::size_t) override { return true; }
+
+  // The filter leaves all pairs undecided.
+  Task task(double reach = 0) const
+  {
+    Task task;
     for(const Coordinates& c : points_)
-      interval.add(c[static_cast<std::size_t>(axis)]);
-    return interval;
+      for(std::size_t axis = 0; axis < Dimension; ++axis)
+        task.box[axis].add(c[axis]);
+    task.near = {1, reach, {}};
+    return task;
   }
-  double coordinate(std::size_t position, int axis) const
-  {
-    return points_[position][static_cast<std::size_t>(axis)];
-  }
-  void put(std::size_t position,
-           CGAL::Thick_intersection_d::internal::Slab_point<Dimension, double>& place) const
-  {
-    std::copy_n(points_[position].begin(), Dimension, place.x.begin());
-    place.position = static_cast<CGAL::Thick_intersection_d::internal::Place>(position);
-  }
+
+  Reader reader() const { return Reader(*this, task()); }
 
 private:
   const Points& points_;
 };
 
 template <int Dimension>
-std::vector<CGAL::Thick_intersection_d::internal::Slab_point<Dimension, double>>
-slab_points(const Points& points)
+std::vector<internal::Slab_point<Dimension, double>> slab_points(const Points& points)
 {
-  using Point = CGAL::Thick_intersection_d::internal::Slab_point<Dimension, double>;
-  const Point_source<Dimension> source(points);
-  std::vector<Point> result(points.size());
-  for(std::size_t i = 0; i < points.size(); ++i)
-    source.put(i, result[i]);
+  std::vector<internal::Slab_point<Dimension, double>> result(points.size());
+  for(std::size_t i = 0; i < points.size(); ++i) {
+    std::copy_n(points[i].begin(), Dimension, result[i].x.begin());
+    result[i].position = static_cast<internal::Place>(i);
+  }
   return result;
 }
 
@@ -93,9 +114,9 @@ inline std::vector<std::pair<std::string, Points>> scenes_to_cut(int dimension, 
 }
 
 // A tuning that cuts few points often.
-inline CGAL::Thick_intersection_d::internal::Slab_tuning tuning_for_few_points()
+inline internal::Slab_tuning tuning_for_few_points()
 {
-  CGAL::Thick_intersection_d::internal::Slab_tuning tuning;
+  internal::Slab_tuning tuning;
   tuning.points_per_slab = 8;
   tuning.points_per_strip = 2;
   tuning.points_per_sorted_strip = 3;

@@ -10,12 +10,17 @@
 
 #include <CGAL/fixed_radius_near_neighbors.h>
 
+#include <CGAL/Thick_intersection_d/internal/near_points/Callback_taker.h>
+#include <CGAL/Thick_intersection_d/internal/near_points/Element_points.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/List_route.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slab_route.h>
+
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <optional>
-#include <type_traits>
 #include <vector>
 
 namespace test_support {
@@ -23,14 +28,14 @@ namespace test_support {
 namespace internal = CGAL::Thick_intersection_d::internal;
 using internal::Slab_tuning;
 
-// Calls task(points) with the points as the slab route sees them, at least one: as doubles, and as
-// 32-bit integers if a scale is usable, rounded ones and those of the grid.
-template <int Dimension, class Point, class NT, class Task>
-void with_near_points(const std::vector<Point>& points,
-                      const CGAL::Distance_bound<NT>& distance_bound, const Task& task)
+// Calls search(number, points, task) with the points as the slab route sees them, at least one: as
+// doubles, and as 32-bit integers if a scale is usable, rounded ones and those of the grid. The
+// type of `number` is that of the numbers in slabs.
+template <int Dimension, class Point, class NT, class Search>
+void with_near_tasks(const std::vector<Point>& points,
+                     const CGAL::Distance_bound<NT>& distance_bound, const Search& search)
 {
   using Elements = internal::Numbered_elements<std::vector<Point>>;
-  using Near = internal::Near_points<Dimension, Elements>;
   using Scale = internal::Narrow_scale<Dimension>;
   const Elements elements(points);
   internal::Doubles<Elements> doubles(elements);
@@ -41,19 +46,25 @@ void with_near_points(const std::vector<Point>& points,
     distance_bound);
   const CGAL::Scene_profile profile(scene, bound.reach());
   const internal::Is_within_distance<Point> is_within(bound, scene, profile.tier());
-  const Near near(elements, scene, doubles, is_within);
-  task(near);
-  std::array<internal::Interval, Dimension> box;
-  for(int axis = 0; axis < Dimension; ++axis)
-    box[axis] = near.interval(axis);
-  const auto with_scale = [&](const Scale& scale) {
+  internal::Unwatched_progress progress;
+  internal::Element_points<Dimension, Elements, internal::Unwatched_progress> near(
+    elements, doubles, is_within, progress);
+  internal::Near_task<Dimension> task;
+  std::copy_n(scene.box.begin(), Dimension, task.box.begin());
+  task.near = is_within.filter_of_doubles();
+  search(double(), near, task);
+  std::array<internal::Interval, Dimension> box = task.box;
+  for(internal::Interval& interval : box)
+    interval = {interval.low * task.near.scale, interval.high * task.near.scale};
+  const auto search_with = [&](const Scale& scale) {
+    task.scale = scale;
     if(scale.is_usable())
-      task(internal::Narrow_points<Dimension, Near>(near, scale));
+      search(std::int32_t(), near, task);
   };
-  with_scale(Scale(box, near.filter()));
+  search_with(Scale(box, task.near.filter));
   if(profile.tier() == CGAL::Arithmetic_tier::DOUBLE)
-    with_scale(Scale(box, profile.grid_exponent(), profile.units(),
-                     is_within.first_square_beyond(profile.grid_exponent())));
+    search_with(Scale(box, profile.grid_exponent(), profile.units(),
+                      is_within.first_square_beyond(profile.grid_exponent())));
 }
 
 // The pairs of points by slabs that are cut as `tuning` says: the same ones in whatever way the
@@ -64,24 +75,21 @@ Pairs slab_pairs(const std::vector<Point>& points, const CGAL::Distance_bound<NT
                  std::optional<std::size_t> first_set_size = std::nullopt)
 {
   std::optional<Pairs> pairs;
-  const auto check = [&](const auto& near) {
-    const internal::Slab_route<CGAL::Sequential_tag, std::decay_t<decltype(near)>> route(near,
-                                                                                         tuning);
+  const auto check = [&](auto number, auto& near, internal::Near_task<Dimension> task) {
     Pairs found;
     auto callback = [&](std::size_t i, std::size_t j) { found.emplace_back(i, j); };
-    internal::Pair_reporter<decltype(callback)> report(callback);
-    internal::Unwatched_progress progress;
+    internal::Callback_taker<internal::One_set, decltype(callback)> taker({}, callback);
     if(first_set_size)
-      route.search(internal::Two_sets{*first_set_size}, report, progress);
-    else
-      route.search(internal::One_set(), report, progress);
+      task.sets.first_size = static_cast<internal::Place>(*first_set_size);
+    using Slab_point = internal::Slab_point<Dimension, decltype(number)>;
+    internal::Slab_route<Slab_point>(near, task, tuning).search(taker);
     if(!pairs)
       pairs = found;
     BOOST_REQUIRE_MESSAGE(sorted(found) == sorted(*pairs), compare(*pairs, found));
   };
   if(points.empty())
     return {};
-  with_near_points<Dimension>(points, distance_bound, check);
+  with_near_tasks<Dimension>(points, distance_bound, check);
   return *pairs;
 }
 
@@ -93,12 +101,12 @@ CGAL::Neighbor_lists slab_lists(const std::vector<Point>& points,
 {
   using Collector = internal::Neighbor_collector<ConcurrencyTag>;
   std::optional<CGAL::Neighbor_lists> lists;
-  const auto check = [&](const auto& near) {
-    const internal::List_route<ConcurrencyTag, std::decay_t<decltype(near)>> route(near, tuning);
+  const auto check = [&](auto number, auto& near, internal::Near_task<Dimension> task) {
     Collector collector(points.size());
-    internal::Pair_reporter<Collector> report(collector);
-    internal::Unwatched_progress progress;
-    route.search(internal::One_set(), collector, report, progress);
+    internal::Collector_taker<ConcurrencyTag> taker(collector);
+    task.threads = internal::Threads(ConcurrencyTag());
+    using Slab_point = internal::Slab_point<Dimension, decltype(number)>;
+    internal::List_route<Slab_point>(near, task, tuning).search(taker);
     const CGAL::Neighbor_lists found = collector.lists();
     if(!lists)
       lists = found;
@@ -108,7 +116,7 @@ CGAL::Neighbor_lists slab_lists(const std::vector<Point>& points,
   };
   if(points.empty())
     return Collector(0).lists();
-  with_near_points<Dimension>(points, distance_bound, check);
+  with_near_tasks<Dimension>(points, distance_bound, check);
   return *lists;
 }
 

@@ -6,61 +6,25 @@
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_UNDECIDED_POINTS_H
 #define THICK_INTERSECTION_TEST_SUPPORT_UNDECIDED_POINTS_H
 
-#include "point_scene.h"
+#include "point_source.h"
 
-#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_pairs.h>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 
 namespace test_support {
 
-namespace internal = CGAL::Thick_intersection_d::internal;
-
-// Points as Slabs asks for them, and a test that decides nothing: lanes leave every pair to
-// is_pair().
 template <int Dimension>
-struct Undecided_points
+struct Undecided_points : Point_source<Dimension>
 {
-  using Point = internal::Slab_point<Dimension, double>;
-  using Run = typename Point::Run;
+  using Point_source<Dimension>::Point_source;
 
-  explicit Undecided_points(const Points& points, double reach)
-    : points(points), near{reach, filter.inside, filter.outside}
-  {}
-
-  internal::Interval interval(int axis) const
-  {
-    internal::Interval interval;
-    for(const Coordinates& c : points)
-      interval.add(c[axis]);
-    return interval;
-  }
-  double coordinate(std::size_t position, int axis) const { return points[position][axis]; }
-  void put(std::size_t position, Point& place) const
-  {
-    std::copy_n(points[position].begin(), Dimension, place.x.begin());
-    place.position = static_cast<internal::Place>(position);
-  }
-
-  const internal::Near_question<double>& question() const { return near; }
-  void ask_for(internal::Place) const {}
-  bool is_pair(const Run&, const Run&, internal::Found_pair, internal::Found_pair,
-               internal::Decision_counts&) const
+  bool is_pair(std::size_t, std::size_t, internal::Decision_counts&) const override
   {
     ++count;
     return false;
   }
 
-  const Points& points;
-  const internal::Distance_filter filter;
-  const internal::Near_question<double> near;
   mutable std::size_t count = 0;
 };
 

@@ -7,7 +7,7 @@
 
 // The step of a counting sort between counting the elements of buckets and moving the elements.
 
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 
 #include <boost/config.hpp> // BOOST_NOINLINE
 
@@ -37,12 +37,13 @@ Count replace_by_prefix_sums(Count* first, Count* last)
 // of its bucket in the blocks before it. Sets the totals of the buckets, which must be zero.
 //
 // The counts of a group of buckets, one cache line of each block, are one task.
-template <class ConcurrencyTag, class Count, class Total>
-BOOST_NOINLINE void replace_by_sums_over_blocks(Count* counts, std::size_t blocks, std::size_t size,
+template <class Count, class Total>
+BOOST_NOINLINE void replace_by_sums_over_blocks(const Threads& threads, Count* counts,
+                                                std::size_t blocks, std::size_t size,
                                                 Total* totals)
 {
   const std::size_t group = blocks == 1 ? size : 64 / sizeof(Count);
-  for_each_block<ConcurrencyTag>((size + group - 1) / group, [&](std::size_t g, std::size_t end) {
+  threads.run_blocks((size + group - 1) / group, [&](std::size_t g, std::size_t end) {
     for(; g != end; ++g)
       for(std::size_t block = 0; block != blocks; ++block) {
         Count* const row = counts + block * size;

@@ -11,6 +11,7 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Equal_cut.h>
 
@@ -49,7 +50,7 @@ public:
       }
     });
     for(std::size_t set = 0; set < boxes.set_count(); ++set)
-      replace_by_sums_over_blocks<ConcurrencyTag>(next_of(set, 0), blocks_, cut.count(),
+      replace_by_sums_over_blocks(Threads(ConcurrencyTag()), next_of(set, 0), blocks_, cut.count(),
                                                   begins_.data() + set * cut.count());
     size_ = replace_by_prefix_sums(begins_.data(), begins_.data() + begins_.size());
   }

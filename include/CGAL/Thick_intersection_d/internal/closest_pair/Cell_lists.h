@@ -15,6 +15,7 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/tuning.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 
 #include <algorithm>
@@ -86,8 +87,8 @@ public:
           ++counts[list];
         });
       });
-    replace_by_sums_over_blocks<Parallel_tag>(next.get(), block_count, list_count,
-                                              begins_.data());
+    replace_by_sums_over_blocks(Threads(Parallel_tag()), next.get(), block_count, list_count,
+                                begins_.data());
     replace_by_prefix_sums(begins_.data(), begins_.data() + begins_.size());
     entries_ = make_uninitialized<Cell_entry>(begins_.back());
     for_each_block<Parallel_tag>(block_count, [&](std::size_t block, std::size_t end) {

@@ -9,7 +9,7 @@
 
 #include <CGAL/Dimension.h>
 
-#include <CGAL/Thick_intersection_d/internal/doors/box_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/box_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/doors/segment_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/kinds.h>

@@ -13,9 +13,9 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
 #include <CGAL/Thick_intersection_d/internal/doors/Object_route.h>
-#include <CGAL/Thick_intersection_d/internal/doors/near_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/Ball_centers.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/near_points/near_points_search.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Ball_box_filter.h>
 
 #include <type_traits>

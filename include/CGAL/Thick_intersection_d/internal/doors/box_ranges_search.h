@@ -10,7 +10,7 @@
 #include <CGAL/Iterator_range.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/check_denormals.h>
-#include <CGAL/Thick_intersection_d/internal/doors/box_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/box_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_boxes.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>

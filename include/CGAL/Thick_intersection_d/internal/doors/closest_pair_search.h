@@ -24,16 +24,19 @@
 #include <CGAL/Thick_intersection_d/internal/input/few_coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
+#include <CGAL/Thick_intersection_d/internal/near_points/Callback_taker.h>
+#include <CGAL/Thick_intersection_d/internal/near_points/Element_points.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Is_within_distance.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Plain_is_within.h>
-#include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Near_points.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Slab_route.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Near_task.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/near_search.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -56,7 +59,7 @@ inline bool may_need_grid(const Scene_sample& sample)
 template <class ConcurrencyTag, class Elements>
 Scene scan_checked_points(const Elements& points)
 {
-  check_size(points.size(), max_place / 2); // crowds take slabs, as near_pairs_search.h does
+  check_size(points.size(), max_place / 2); // crowds take slabs, as near_points_search.h does
   return scan_points<ConcurrencyTag>(points, "point", may_need_grid(Scene_sample(points)));
 }
 
@@ -82,10 +85,13 @@ void report_near_points(const Elements& points, const Scene& scene,
           doubles.set(i, axis, coordinate_bounds(points[i], axis).first);
     });
   for_plane_and_space<Point>(scene.dimension(), [&](auto dimension) {
-    const Near_points<dimension, Elements> near(points, scene, doubles, is_within);
-    Pair_reporter<decltype(callback)> report(callback);
-    const Slab_route<ConcurrencyTag, Near_points<dimension, Elements>> route(near);
-    return route.search(One_set(), report, progress);
+    Element_points<dimension, Elements, Progress> near(points, doubles, is_within, progress);
+    Near_task<dimension> task;
+    std::copy_n(scene.box.begin(), int(dimension), task.box.begin());
+    task.near = is_within.filter_of_doubles();
+    task.threads = Threads(ConcurrencyTag());
+    auto&& taker = taker_of(One_set(), callback);
+    return search_near_pairs<dimension, double, may_share_slabs>(near, task, taker);
   }, [] { return false; });
 }
 

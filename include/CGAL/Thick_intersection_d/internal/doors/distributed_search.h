@@ -18,13 +18,13 @@
 #include <CGAL/Thick_intersection_d/internal/distributed/Stop_signal.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/run_together.h>
 #include <CGAL/Thick_intersection_d/internal/doors/Distributed_points.h>
-#include <CGAL/Thick_intersection_d/internal/doors/near_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/doors/pair_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
+#include <CGAL/Thick_intersection_d/internal/near_points/near_points_search.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Carried_points.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_points.h>
 

@@ -15,7 +15,6 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/check_denormals.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
-#include <CGAL/Thick_intersection_d/internal/doors/near_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/external/Chunk_store.h>
 #include <CGAL/Thick_intersection_d/internal/external/External_parts.h>
 #include <CGAL/Thick_intersection_d/internal/external/Searched_points.h>
@@ -24,10 +23,14 @@
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/near_points/near_points_search.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_points.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Near_task.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
+
+#include <CGAL/assertions.h> // CGAL_unreachable
 
 #include <boost/config.hpp> // BOOST_NOINLINE
 
@@ -46,59 +49,49 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// What a search of a part calls back: callback(i, j) with ids i < j.
+// Takes the pairs of a search of a part: calls callback(i, j) with ids i < j. Drops the pairs of
+// two points that were given: they are found elsewhere.
 template <int Dimension, class Callback>
-struct Part_report
-{
-  const Searched_points<Dimension>& points;
-  Callback& callback;
-};
-
-// Gets the numbers of points. Drops the pairs of two points that were given: they are found
-// elsewhere.
-template <int Dimension, class Callback>
-class Pair_reporter<const Part_report<Dimension, Callback>>
+class Part_taker final : public Result_taker
 {
   using Points = Searched_points<Dimension>;
 
 public:
-  explicit Pair_reporter(const Part_report<Dimension, Callback>& report)
-    : points_(report.points), report_(report.callback)
-  {}
+  Part_taker(const Points& points, Callback& callback) : points_(points), callback_(callback) {}
 
-  bool operator()(std::size_t i, std::size_t j)
+  // Most pairs have two ids. A loop of them alone stores nothing and looks up nothing. This makes
+  // short callbacks fast. It ends at the first other pair.
+  bool take(const Found_pair* pairs, std::size_t count) override
   {
-    if(!points_.is_owned(i) && !points_.is_owned(j))
-      return true;
-    const auto [low, high] = std::minmax({points_.id(i), points_.id(j)});
-    return report_(low, high);
-  }
-
-  // Most pairs have two ids. A loop of them alone stores nothing and looks up nothing, as that of
-  // Near_sweep. This makes short callbacks fast. It ends at the first other pair.
-  bool report_pairs(const Found_pair* pairs, Place count)
-  {
-    for(Place c = 0; c < count; ++c) {
+    for(std::size_t c = 0; c < count; ++c) {
       if(!Points::is_id(pairs[c].i & pairs[c].j))
-        return report_each(pairs + c, count - c);
-      if(!report_(Points::short_id(pairs[c].i), Points::short_id(pairs[c].j)))
+        return take_each(pairs + c, count - c);
+      if(!goes_on_after(callback_, Points::short_id(pairs[c].i), Points::short_id(pairs[c].j)))
         return false;
     }
     return true;
   }
 
-  void stop() { report_.stop(); }
-  bool is_stopped() const { return report_.is_stopped(); }
+  // Points have numbers, so there are no rows of positions.
+  bool take_row(Place, Place, Place) override { CGAL_unreachable(); }
 
 private:
-  BOOST_NOINLINE bool report_each(const Found_pair* pairs, Place count)
+  BOOST_NOINLINE bool take_each(const Found_pair* pairs, std::size_t count)
   {
     return std::all_of(pairs, pairs + count,
-                       [this](const Found_pair& pair) { return (*this)(pair.i, pair.j); });
+                       [this](const Found_pair& pair) { return take_one(pair.i, pair.j); });
+  }
+
+  bool take_one(std::size_t i, std::size_t j)
+  {
+    if(!points_.is_owned(i) && !points_.is_owned(j))
+      return true;
+    const auto [low, high] = std::minmax({points_.id(i), points_.id(j)});
+    return goes_on_after(callback_, low, high);
   }
 
   const Points& points_;
-  Pair_reporter<Callback> report_;
+  Callback& callback_;
 };
 
 // The share of the progress when the points are on disk; the search has the rest.
@@ -209,8 +202,8 @@ private:
   {
     const Searched_points<Dimension> points(loaded_);
     const auto go_on = [&](double done) { return go_on_(start + share * done); };
-    const Part_report<Dimension, Callback> report{points, callback_};
-    return report_pairs_of_points<ConcurrencyTag>(points, One_set(), bound_, report,
+    Part_taker<Dimension, Callback> taker(points, callback_);
+    return report_pairs_of_points<ConcurrencyTag>(points, One_set(), bound_, taker,
                                                   parameters::callback(go_on));
   }
 

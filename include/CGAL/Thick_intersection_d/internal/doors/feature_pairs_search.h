@@ -13,7 +13,7 @@
 #include <CGAL/Distance_bound.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/check_denormals.h>
-#include <CGAL/Thick_intersection_d/internal/doors/box_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/box_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/doors/near_objects_search.h>
 #include <CGAL/Thick_intersection_d/internal/features/Feature_boundaries.h>
 #include <CGAL/Thick_intersection_d/internal/features/Feature_insides.h>

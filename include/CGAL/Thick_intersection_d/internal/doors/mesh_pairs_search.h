@@ -15,7 +15,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/check_denormals.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
-#include <CGAL/Thick_intersection_d/internal/doors/box_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/box_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/Mesh_face.h>
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>

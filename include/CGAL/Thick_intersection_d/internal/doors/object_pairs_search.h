@@ -16,9 +16,9 @@
 #include <CGAL/Thick_object_traits_d.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/check_denormals.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/box_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/doors/Object_route.h>
 #include <CGAL/Thick_intersection_d/internal/doors/Two_type_traits.h>
-#include <CGAL/Thick_intersection_d/internal/doors/box_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>

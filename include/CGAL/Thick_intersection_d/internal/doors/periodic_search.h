@@ -15,10 +15,10 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 #include <CGAL/Thick_intersection_d/internal/doors/Periodic_scene.h>
 #include <CGAL/Thick_intersection_d/internal/doors/joined_profile.h>
-#include <CGAL/Thick_intersection_d/internal/doors/near_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/doors/periodic_sets.h>
 #include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
+#include <CGAL/Thick_intersection_d/internal/near_points/near_points_search.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Images.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Periods.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>

@@ -8,9 +8,9 @@
 // The search of two sets of objects, some of which may be segments: long ones are cut where that is
 // expected to be faster.
 
+#include <CGAL/Thick_intersection_d/internal/boxes/box_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/doors/Stretched_objects.h>
 #include <CGAL/Thick_intersection_d/internal/doors/Stretches.h>
-#include <CGAL/Thick_intersection_d/internal/doors/box_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/kinds.h>

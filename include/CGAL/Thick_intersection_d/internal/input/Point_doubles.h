@@ -10,12 +10,12 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
-#include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
 
 #include <array>
 #include <cstddef>
 #include <memory>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -31,7 +31,7 @@ class Doubles
   static constexpr bool are_held = is_held_by_double_v<Coordinate_t<typename Elements::value_type>>;
 
 public:
-  explicit Doubles(const Elements& points) : points_(points)
+  explicit Doubles(const Elements& points)
   {
     const int dimension = are_held || points.size() == 0 ? 0 : points[0].dimension();
     if(dimension == 2 || dimension == 3)
@@ -47,18 +47,6 @@ public:
         columns_[static_cast<std::size_t>(axis)][position] = x;
   }
 
-  // Asks for the memory of a point.
-  void ask_for([[maybe_unused]] std::size_t position) const
-  {
-    if constexpr(!are_held) {
-      for(const auto& column : columns_)
-        if(column)
-          prefetch_to_read(column.get() + position);
-    }
-    else
-      ask_for_point(points_, position);
-  }
-
   // Forgets the column of an axis along which all points have the coordinate x.
   void share([[maybe_unused]] int axis, [[maybe_unused]] double x)
   {
@@ -68,33 +56,17 @@ public:
     }
   }
 
-  double at(std::size_t position, int axis) const
+  // Returns where the doubles of an axis are, and how many bytes they are apart. Doubles that are
+  // held have no columns.
+  std::pair<const double*, std::ptrdiff_t> column(int axis) const
   {
-    if constexpr(are_held)
-      return static_cast<double>(coordinate(points_[position], axis));
-    else {
-      const auto& column = columns_[static_cast<std::size_t>(axis)];
-      return column ? column[position] : shared_[static_cast<std::size_t>(axis)];
-    }
-  }
-
-  template <int Dimension>
-  std::array<double, Dimension> at(std::size_t position) const
-  {
-    std::array<double, Dimension> x;
-    if constexpr(are_held) {
-      const auto& point = points_[position];
-      for(int axis = 0; axis < Dimension; ++axis)
-        x[axis] = static_cast<double>(coordinate(point, axis));
-    }
-    else
-      for(int axis = 0; axis < Dimension; ++axis)
-        x[axis] = at(position, axis);
-    return x;
+    const auto& column = columns_[static_cast<std::size_t>(axis)];
+    if(column)
+      return {column.get(), static_cast<std::ptrdiff_t>(sizeof(double))};
+    return {&shared_[static_cast<std::size_t>(axis)], 0};
   }
 
 private:
-  const Elements& points_;
   std::vector<std::unique_ptr<double[]>> columns_; // none of doubles that are held
   std::array<double, 3> shared_ = {};
 };

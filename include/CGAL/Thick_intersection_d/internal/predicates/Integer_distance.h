@@ -61,6 +61,11 @@ public:
       takes_64_bits_(tier == Arithmetic_tier::INT64)
   {}
 
+  Arithmetic_tier tier() const
+  {
+    return takes_64_bits_ ? Arithmetic_tier::INT64 : Arithmetic_tier::INT128;
+  }
+
   // Returns whether points with coordinates x(i) and y(i) are within the bound. Returns nothing if
   // they are not on the grid.
   template <class X, class Y>

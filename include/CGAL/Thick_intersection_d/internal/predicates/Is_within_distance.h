@@ -124,17 +124,27 @@ public:
     return static_cast<std::uint64_t>(bound_.first_beyond(grid_exponent));
   }
 
+  // Returns the integers that decide near ties of doubles, or nullptr if there are none.
+  const Integer_distance* integers() const
+  {
+    return !has_integers_ ? nullptr : &integers_.get([this] {
+      return Integer_distance(bound_, grid_exponent_, tier_);
+    });
+  }
+
+  // The counts that all threads share, or nullptr.
+  Shared_decision_counts* shared_counts() const { return shared_counts_; }
+
   // The second question: returns whether points with the coordinates x(i) and y(i), for i < `axes`,
   // are within the bound. Returns nothing if only the points themselves can show this.
   template <class X, class Y>
   std::optional<bool> decide_near_tie(const X& x, const Y& y, int axes,
                                       Decision_counts& counts) const
   {
-    if(!has_integers_)
+    const Integer_distance* const in_integers = integers();
+    if(in_integers == nullptr)
       return std::nullopt;
-    const std::optional<bool> is_within
-      = integers_.get([this] { return Integer_distance(bound_, grid_exponent_, tier_); })
-          .decide(x, y, axes);
+    const std::optional<bool> is_within = in_integers->decide(x, y, axes);
     if(is_within)
       counts.add(tier_);
     return is_within;

@@ -15,6 +15,18 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
+// Calls callback(i, j). Returns whether the search is to go on: unless the callback returns false.
+template <class Callback, class Position>
+bool goes_on_after(Callback& callback, Position i, Position j)
+{
+  if constexpr(std::is_void_v<std::invoke_result_t<Callback&, Position, Position>>) {
+    callback(i, j);
+    return true;
+  }
+  else
+    return static_cast<bool>(callback(i, j));
+}
+
 template <class Callback>
 class Pair_reporter
 {
@@ -41,16 +53,10 @@ public:
 private:
   bool call(std::size_t i, std::size_t j)
   {
-    if constexpr(std::is_void_v<std::invoke_result_t<Callback&, std::size_t, std::size_t>>) {
-      callback_(i, j);
-      return true;
-    }
-    else {
-      const bool goes_on = static_cast<bool>(callback_(i, j));
-      if(!goes_on)
-        stop();
-      return goes_on;
-    }
+    const bool goes_on = goes_on_after(callback_, i, j);
+    if(!goes_on)
+      stop();
+    return goes_on;
   }
 
   Callback& callback_;

@@ -86,6 +86,10 @@ public:
 
   const Near_question<std::int32_t>& question() const { return question_; }
 
+  // The lower ends of the axes, and the factor of narrow().
+  const std::array<double, Dimension>& low() const { return low_; }
+  double steps() const { return scale_; }
+
   std::int32_t narrow(double x, std::size_t axis) const
   {
     return static_cast<std::int32_t>((x - low_[axis]) * scale_);

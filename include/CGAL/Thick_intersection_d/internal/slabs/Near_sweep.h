@@ -5,132 +5,150 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_NEAR_SWEEP_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_NEAR_SWEEP_H
 
-// Sweeps one or two sorted runs of points: the test decides those pairs that lanes left undecided,
-// and the report gets the pairs.
+// Sweeps one or two sorted runs of points. Lanes find pairs, a thousand at a time. Then the
+// undecided ones are decided, and the taker gets all of them.
 
 #include <CGAL/Arithmetic_tier.h>
 
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Run_sweep.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Near_task.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Near_ties.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Stop_flag.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Flush.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/with_lanes.h>
 
 #include <boost/config.hpp> // BOOST_NOINLINE
 
-#include <type_traits>
+#include <cstddef>
 #include <utility>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Whether a report takes many pairs at once: report_pairs(pairs, count) takes `count` pairs of
-// positions.
-template <class Report, class = void>
-inline constexpr bool takes_found_pairs = false;
-
-template <class Report>
-inline constexpr bool
-  takes_found_pairs<Report, std::void_t<decltype(&Report::report_pairs)>> = true;
-
-// Whether a report has numbered the points of the runs: position(number) has their positions.
-template <class Report, class = void>
-inline constexpr bool has_positions = false;
-
-template <class Report>
-inline constexpr bool has_positions<Report, std::void_t<decltype(&Report::position)>> = true;
-
-// `Test` decides what a pair is. It has
-//
-//   Run                         sorted points in columns, with positions and block()
-//   question()                  the question that lanes ask
-//   ask_for(i)                  may ask for the memory that is_pair() reads of the point at i
-//   is_pair(a, b, pair, at, counts)  decides about a pair that lanes left undecided
-//
-// where `at` has the positions of the points, and `pair` their places in the runs.
-//
-// `Report` takes two positions, returns false to stop, and has is_stopped().
-template <class Test, class Report>
-class Near_sweep : public Run_sweep<typename Test::Run>
+// Collects the pairs of a run.
+template <class Run>
+BOOST_NOINLINE void collect_near_within(const Run& run,
+                                        const Near_question<typename Run::Coordinate>& question,
+                                        Near_pairs& found, const Flush& flush)
 {
-  using Run = typename Test::Run;
-  using Base = Run_sweep<Run>;
-  using Base::found_;
-  using Base::is_stopped_;
+  with_lanes([&](auto set) { set.collect_within(run, question, found, flush); });
+}
+
+// Collects the pairs of a point of run a and a point of run b.
+template <class Run>
+BOOST_NOINLINE void collect_near_between(const Run& a, const Run& b,
+                                         const Near_question<typename Run::Coordinate>& question,
+                                         Near_pairs& found, const Flush& flush)
+{
+  with_lanes([&](auto set) { set.collect_between(a, b, question, found, flush); });
+}
+
+template <class Point>
+class Near_sweep
+{
+  static constexpr int dimension = Point::dimension;
+  using Run = typename Point::Run;
+  using Question = Near_question<typename Point::Number>;
 
 public:
-  Near_sweep(const Test& test, Report& report)
-    : Base(test.question(), [](Base& sweep, const Run& a, const Run& b) {
-        return static_cast<Near_sweep&>(sweep).report_found(a, b);
-      }),
-      test_(test), report_(report)
+  // Points of runs have numbers instead of what they are reported by if `positions` is not null: it
+  // has the latter, by the numbers.
+  Near_sweep(const Question& question, const Near_points<dimension>& points,
+             const Near_task<dimension>& task, Pair_taker& taker, Stop_flag& stop,
+             const Place* const* positions = nullptr)
+    : question_(question), ties_(points, task), taker_(taker), stop_(stop), positions_(positions)
   {}
+
+  // From now on, starts from the points of one of `count` blocks of each run only.
+  void take_block(Place index, Place count)
+  {
+    block_index_ = index;
+    block_count_ = count;
+  }
+
+  bool is_stopped() const { return stop_.is_set(); }
 
   // How many pairs each arithmetic has decided so far.
   const Decision_counts& counts() const { return counts_; }
 
+  // Gives the pairs of a run to the taker.
+  BOOST_NOINLINE void within(const Run& run)
+  {
+    const Run a = block_of(run);
+    const auto flush = [&] { return give_found(a, a); };
+    collect_near_within(a, question_, found_, Flush(flush));
+    give_found(a, a);
+  }
+
+  // Gives the pairs of a point of one run and a point of another.
+  BOOST_NOINLINE void between(const Run& run, const Run& b)
+  {
+    const Run a = block_of(run);
+    const auto flush = [&] { return give_found(a, b); };
+    collect_near_between(a, b, question_, found_, Flush(flush));
+    give_found(a, b);
+  }
+
 private:
-  // Reports the found pairs that are pairs.
-  bool report_found(const Run& a, const Run& b)
+  Run block_of(const Run& run) const
+  {
+    return block_count_ == 1 ? run : run.block(block_index_, block_count_);
+  }
+
+  // Empties `found_`, and gives the pairs to the taker. Returns false to stop.
+  BOOST_NOINLINE bool give_found(const Run& a, const Run& b)
   {
     const Place count = std::exchange(found_.count, 0);
     const Place undecided_count = std::exchange(found_.undecided_count, 0);
-    is_stopped_ = report_.is_stopped();
-    if(!is_stopped_) {
-      counts_.add(Arithmetic_tier::DOUBLE, count);
-      is_stopped_ = !report_pairs(count)
-                    || (undecided_count != 0 && !report_undecided(a, b, undecided_count));
-    }
-    return !is_stopped_;
-  }
-
-  // The loop itself stores nothing. This makes short callbacks fast.
-  bool report_pairs(Place count)
-  {
-    if constexpr(takes_found_pairs<Report>)
-      return report_.report_pairs(found_.pairs.data(), count);
-    else {
-      for(Place c = 0; c < count; ++c)
-        if(!report_(found_.pairs[c].i, found_.pairs[c].j))
-          return false;
+    if(stop_.is_set())
+      return false;
+    counts_.add(Arithmetic_tier::DOUBLE, count);
+    if(give(count) && (undecided_count == 0 || give(decide(a, b, undecided_count))))
       return true;
-    }
+    stop_.set();
+    return false;
   }
 
-  BOOST_NOINLINE bool report_undecided(const Run& a, const Run& b, Place count)
+  bool give(Place count) { return count == 0 || taker_.take(found_.pairs.data(), count); }
+
+  // Replaces the found pairs by the undecided ones that are pairs. Returns how many they are.
+  BOOST_NOINLINE Place decide(const Run& a, const Run& b, Place undecided_count)
   {
-    for(Place c = 0; c < count; ++c) {
-      if(c + prefetch_distance < count)
-        ask_for(positions(a, b, found_.undecided[c + prefetch_distance]));
+    Place count = 0;
+    for(Place c = 0; c < undecided_count; ++c) {
+      if(c + prefetch_distance < undecided_count)
+        ties_.ask_for(reported(a, b, found_.undecided[c + prefetch_distance]));
       const Found_pair pair = found_.undecided[c];
-      if(test_.is_pair(a, b, pair, positions(a, b, pair), counts_)
-         && !report_pair(a.positions[pair.i], b.positions[pair.j]))
-        return false;
+      if(ties_.is_pair(a, b, pair, reported(a, b, pair), counts_)) {
+        const Place i = a.positions[pair.i], j = b.positions[pair.j];
+        found_.pairs[count++] = i < j ? Found_pair{i, j} : Found_pair{j, i};
+      }
     }
-    return true;
+    return count;
   }
 
-  void ask_for(Found_pair at) const
-  {
-    test_.ask_for(at.i);
-    test_.ask_for(at.j);
-  }
-
-  Found_pair positions(const Run& a, const Run& b, Found_pair pair) const
+  // Returns what the points at two places are reported by.
+  Found_pair reported(const Run& a, const Run& b, Found_pair pair) const
   {
     const Place i = a.positions[pair.i], j = b.positions[pair.j];
-    if constexpr(has_positions<Report>)
-      return {report_.position(i), report_.position(j)};
-    else
-      return {i, j};
+    return positions_ == nullptr ? Found_pair{i, j}
+                                 : Found_pair{(*positions_)[i], (*positions_)[j]};
   }
 
-  bool report_pair(Place i, Place j) { return i < j ? report_(i, j) : report_(j, i); }
-
-  const Test& test_;
-  Report& report_;
+  const Question question_;
+  Near_ties<Point> ties_;
+  Pair_taker& taker_;
+  Stop_flag& stop_;
+  const Place* const* const positions_;
+  Near_pairs found_;
   Decision_counts counts_;
+  Place block_index_ = 0;
+  Place block_count_ = 1;
 };
 
 } // namespace internal

@@ -14,31 +14,23 @@
 
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Slab_columns.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slabs.h>
 
+#include <boost/config.hpp> // BOOST_NOINLINE
+
 #include <algorithm>
 #include <limits>
-#include <type_traits>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-template <class ConcurrencyTag, class Test>
-using Slabs_of = Slabs<typename Test::Point,
-                       std::conditional_t<is_parallel_v<ConcurrencyTag> && !Test::has_numbers,
-                                          Slab_columns, One_column>>;
-
 template <class Point>
 class Slab_column
 {
 public:
-  using Sets = Column_sets;
-
-  Slab_column(const Slabs<Point, Slab_columns>& slabs, Place column, double reach,
+  Slab_column(const Slabs<Point>& slabs, Place column, double reach,
               bool has_border_below)
     : slabs_(slabs), first_(column * slabs.count())
   {
@@ -49,15 +41,26 @@ public:
       low_ = slabs.columns().below(column) - reach;
   }
 
-  Column_sets sets() const { return {slabs_.columns().count() > 1, slabs_.sets()}; }
+  Point_sets sets() const { return slabs_.sets(); }
   Place count() const { return slabs_.count(); }
 
   // Returns the first of the points of a slab, and of its border, and sets their number.
   const Point* points(Place slab, Buffer<Point>& buffer, Place& number) const
   {
+    if constexpr(Point::may_be_shared)
+      if(slabs_.columns().count() > 1)
+        return points_with_border(slab, buffer, number);
+    return slabs_.points(slab, buffer, number);
+  }
+
+private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr int axis = Point::slab_axis - 1;
+
+  BOOST_NOINLINE const Point* points_with_border(Place slab, Buffer<Point>& buffer,
+                                                 Place& number) const
+  {
     const Place own = first_ + slab;
-    if(slabs_.columns().count() == 1)
-      return slabs_.points(own, buffer, number);
     const Place above = own + count(), below = own - count();
     const Place size_above = high_ < infinity ? slabs_.size(above) : 0;
     const Place size_below = low_ > -infinity ? slabs_.size(below) : 0;
@@ -72,10 +75,6 @@ public:
     return points;
   }
 
-private:
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-  static constexpr int axis = Point::slab_axis - 1;
-
   // Copies the points of a slab that are in the border. Returns how many they are.
   template <class Is_in_border>
   Place copy_border(Place slab, Point* border, const Is_in_border& is_in_border) const
@@ -86,30 +85,21 @@ private:
     Place count = 0;
     for(Place i = 0; i < size; ++i) {
       border[count] = first[i];
-      border[count].position |= Column_sets::border_bit;
+      border[count].position |= Point_sets::border_bit;
       count += is_in_border(first[i].x[axis]); // no branch: the next point takes the place
     }
     return count;
   }
 
-  const Slabs<Point, Slab_columns>& slabs_;
+  const Slabs<Point>& slabs_;
   const Place first_; // the first slab of the column
   double low_ = -infinity;
   double high_ = infinity;
 };
 
-// Calls task(slabs, first, last).
-template <class Point, class Task>
-void for_each_column(const Slabs<Point>& slabs, Place first, Place last, double, bool,
-                     const Task& task)
-{
-  if(first != last)
-    task(slabs, first, last);
-}
-
 // Calls task(column, first, last) for the parts of the slabs [first, last) in each column.
 template <class Point, class Task>
-void for_each_column(const Slabs<Point, Slab_columns>& slabs, Place first, Place last, double reach,
+void for_each_column(const Slabs<Point>& slabs, Place first, Place last, double reach,
                      bool have_borders_below, const Task& task)
 {
   while(first != last) {

@@ -21,12 +21,6 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Slabs that are not cut.
-struct One_column
-{
-  static constexpr Place count() { return 1; }
-};
-
 class Slab_columns
 {
 public:

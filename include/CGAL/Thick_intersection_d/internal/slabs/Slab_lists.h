@@ -13,6 +13,9 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
+#include <CGAL/Thick_intersection_d/internal/reports/List_bins.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Near_task.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Place_numbers.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Strips.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
@@ -40,45 +43,35 @@ struct alignas(64) Short_list
 };
 static_assert(Short_list::capacity == max_run_size);
 
-// A report for Near_sweep. Points have numbers here: those of a slab in the window are consecutive,
-// and free for other slabs afterwards. `Stop` has is_stopped().
+// Takes pairs from Near_sweep. Points have numbers here: those of a slab in the window are
+// consecutive, and free for other slabs afterwards.
 //
 // The first neighbors of a point go to a short list of its own. There are few further ones in most
 // scenes; they are stored with the number of their point, and sorted by it in the end.
-template <class Stop>
-class Slab_lists
+class Slab_lists final : public Pair_taker, public Place_numbers
 {
 public:
   // There are `slab_count` slabs in all. The window has up to three of them in most scenes.
-  Slab_lists(const Stop& stop, std::size_t slab_count)
-    : stop_(stop), slabs_at_once_((std::min)(slab_count, std::size_t(3)))
+  explicit Slab_lists(std::size_t slab_count)
+    : slabs_at_once_((std::min)(slab_count, std::size_t(3)))
   {}
 
-  bool is_stopped() const { return stop_.is_stopped(); }
-
-  // Adds a slab behind those in the window. Its points get numbers instead of positions.
-  template <class Point>
-  BOOST_NOINLINE void number(Strips<Point>& slab)
+  // Adds a slab behind those in the window.
+  Place add(Place size, Place*& positions) override
   {
-    const Place size = slab.place_count();
     const Place first = find_room(size);
-    slab.number_places(first, positions_.data() + first);
+    first_position_ = positions_.data();
+    positions = positions_.data() + first;
     std::fill_n(sizes_.data() + first, size, Place(0));
     window_.push_back({first, first + size});
+    return first;
   }
 
-  // Returns the position of the point with a number.
-  Place position(Place number) const { return positions_[number]; }
+  // Returns where the positions of points begin, by their numbers. They move when a slab is added.
+  const Place* const* positions() const { return &first_position_; }
 
-  // Makes the points with two numbers neighbors of each other. Never stops.
-  bool operator()(Place i, Place j)
-  {
-    const Found_pair pair = {i, j};
-    return report_pairs(&pair, 1);
-  }
-
-  // Does so for `count` pairs of numbers.
-  bool report_pairs(const Found_pair* pairs, Place count)
+  // Makes the points of each pair of numbers neighbors of each other. Never stops.
+  bool take(const Found_pair* pairs, std::size_t count) override
   {
     const Place* const positions = positions_.data(); // copies stay in registers
     Place* const sizes = sizes_.data();
@@ -97,23 +90,14 @@ public:
     return true;
   }
 
-  // Removes the first slab from the window, and hands its lists to `bins` (List_bins.h), in
-  // ascending order.
-  template <class Bins>
-  void finish(Bins& bins)
-  {
-    take_further_neighbors(window_.front());
-    hand_over(bins);
-  }
-
-  // The same, without the lists of points in the border of a column. `strips` are the strips of
-  // the slab.
-  template <class Point, class Bins>
-  void finish_without_border(const Strips<Point>& strips, Bins& bins)
+  // Removes the first slab from the window, and hands its lists to `bins`, in ascending order,
+  // without those of points in the border of a column. `strips` are the strips of the slab.
+  template <class Point>
+  void finish(const Strips<Point>& strips, List_bins& bins)
   {
     take_further_neighbors(window_.front());
     for(const auto& strip : strips.strips())
-      if(strip.sides == Column_sets::side_of_border)
+      if(Point::may_be_shared && strip.sides == Point_sets::side_of_border)
         std::fill_n(sizes_.data() + window_.front().first + strip.begin, strip.size(), Place(0));
     hand_over(bins);
   }
@@ -169,8 +153,7 @@ private:
   }
 
   // Removes the first slab from the window, and hands its lists to `bins`.
-  template <class Bins>
-  BOOST_NOINLINE void hand_over(Bins& bins)
+  BOOST_NOINLINE void hand_over(List_bins& bins)
   {
     const Numbers slab = window_.front();
     for(Place number = slab.first; number != slab.end; ++number) {
@@ -211,8 +194,7 @@ private:
   }
 
   // `end` is where the further neighbors of the point end.
-  template <class Bins>
-  void finish_long_list(Place number, std::size_t end, Bins& bins)
+  void finish_long_list(Place number, std::size_t end, List_bins& bins)
   {
     const std::size_t size = sizes_[number];
     const Place* const last = sorted_.data() + end;
@@ -223,13 +205,13 @@ private:
     bins.append(positions_[number], list, list + size);
   }
 
-  const Stop& stop_;
   const std::size_t slabs_at_once_;
   const Run_sorter& sorter_ = run_sorter();
   std::deque<Numbers> window_;
 
   // By numbers.
   std::vector<Place> positions_;
+  const Place* first_position_ = nullptr;
   std::vector<Place> sizes_; // of the lists, with further neighbors
   std::vector<Short_list> lists_;
 

@@ -18,11 +18,12 @@ namespace Thick_intersection_d {
 namespace internal {
 
 // The coordinates of a point along the axes that are searched, as doubles or as 32-bit integers,
-// and its position.
-template <int Dimension, class CoordinateNumber>
+// and its position. What only threads need that share slabs is not compiled unless they may.
+template <int Dimension, class CoordinateNumber, bool MayBeShared = true>
 struct Slab_point
 {
   using Number = CoordinateNumber;
+  static constexpr bool may_be_shared = MayBeShared;
   static constexpr int dimension = Dimension;
   static constexpr int slab_axis = Dimension - 1; // the axis that slabs are cut along
 
@@ -32,26 +33,20 @@ struct Slab_point
   Place position;
 };
 
-// Whether the points are one set, or two: then the first set has the positions below its size.
+// Which points meet each other. If they are two sets, the first one has the positions below its
+// size, and only points of different sets meet. One set may be a column of slabs with its border
+// (Slab_column.h): points of the border do not meet each other. They have a bit more in their
+// positions.
 struct Point_sets
 {
   Place first_size = max_place; // of all points, if they are one set
-
-  bool are_two() const { return first_size != max_place; }
-  Place count() const { return are_two() ? 2 : 1; }
-};
-
-// The points of a column of slabs (Slab_column.h), which meet each other, and those of its border,
-// which do not. The latter have a bit more in their positions.
-struct Column_sets
-{
-  bool have_border;
-  Point_sets sets; // if there is no border
+  bool have_border = false; // only of points that may be shared
 
   static constexpr Place border_bit = Place(1) << 31;
   static constexpr Place side_of_border = 4;
 
-  Place count() const { return have_border ? 2 : sets.count(); }
+  bool are_two() const { return first_size != max_place; }
+  Place count() const { return are_two() || have_border ? 2 : 1; }
 };
 
 // The intervals of the coordinates of some points, one per axis.

@@ -5,24 +5,26 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_SLAB_ROUTE_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_SLAB_ROUTE_H
 
-// The fast route. It moves the elements into slabs. Then it makes one slab after another ready, and
+// The fast route. It moves the points into slabs. Then it makes one slab after another ready, and
 // sweeps it with the slabs within reach. It looks up only those candidates in the user's range that
 // doubles and integers do not decide.
 
-#include <CGAL/Arithmetic_tier.h>
-
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_sweep.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Near_task.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Point_reader.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_column.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_sweep.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_window.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slabs.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slabs_nearby.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Stop_flag.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Strips.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/report_all_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/tuning.h>
 
 #include <boost/config.hpp> // BOOST_NOINLINE
@@ -30,129 +32,125 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// `Test` is a source for Slabs and a test for Near_sweep. It also has a type Point, like
-// Slab_point, whose runs are its own, a constant has_numbers, and the functions size(), reach(),
-// number(position), are_all_pairs() and publish(counts), as Near_points does.
-template <class ConcurrencyTag, class Test>
+// Returns the question that lanes ask about numbers in slabs.
+template <class Number, int Dimension>
+Near_question<Number> question_of(const Near_task<Dimension>& task)
+{
+  if constexpr(std::is_same_v<Number, double>)
+    return {task.near.reach, task.near.filter.inside, task.near.filter.outside};
+  else
+    return task.scale.question();
+}
+
+template <class Point>
 class Slab_route
 {
-  using Point = typename Test::Point;
+  static constexpr int dimension = Point::dimension;
+  using Number = typename Point::Number;
   using Slabs_nearby = internal::Slabs_nearby<Point>;
-  using All_slabs = Slabs_of<ConcurrencyTag, Test>;
 
 public:
-  Slab_route(const Test& test, const Slab_tuning& tuning = Slab_tuning())
-    : test_(test), reach_(test.reach()), tuning_(tuning)
+  // The scale of the task must be usable if the numbers are integers.
+  Slab_route(Near_points<dimension>& points, const Near_task<dimension>& task,
+             const Slab_tuning& tuning = Slab_tuning())
+    : points_(points), task_(task), question_(question_of<Number>(task)), tuning_(tuning)
   {}
 
-  // Reports the pairs. Returns false iff the search was stopped.
-  template <class Sets, class Report, class Progress>
-  bool search(const Sets& sets, Report& report, Progress& progress) const
+  // Gives the pairs to the taker. Returns false iff the search was stopped.
+  bool search(Result_taker& taker)
   {
-    Point_sets point_sets;
-    if constexpr(Sets::are_two)
-      point_sets.first_size = static_cast<Place>(sets.first_size);
-    if(test_.are_all_pairs())
-      return report_all(point_sets, report, progress);
-    sweep_all_slabs(
-      All_slabs(ConcurrencyTag(), test_, test_.size(), reach_, point_sets, tuning_), report,
-      progress);
-    return !report.is_stopped();
+    if(are_all_pairs(task_))
+      report_all_pairs(points_, task_, taker, stop_);
+    else
+      sweep_all_slabs(slabs(), taker);
+    return !stop_.is_set();
   }
 
-  // Reports each element with all elements behind it; each element of the first of two sets with
-  // all elements of the second.
-  template <class Report, class Progress>
-  BOOST_NOINLINE bool report_all(const Point_sets& sets, Report& report, Progress& progress) const
+  const Near_question<Number>& question() const { return question_; }
+  double reach() const { return static_cast<double>(question_.reach); }
+  Stop_flag& stop() { return stop_; }
+
+  // Moves the points into slabs.
+  Slabs<Point> slabs() const
   {
-    const std::size_t first = sets.are_two() ? sets.first_size : 0;
-    const std::size_t end = sets.are_two() ? sets.first_size : test_.size();
-    for_each_block<ConcurrencyTag>(end, [&](std::size_t i, std::size_t last) {
-      Decision_counts counts;
-      for(; i != last && !report.is_stopped(); ++i) {
-        const std::size_t start = (std::max)(i + 1, first);
-        std::size_t j = start;
-        while(j < test_.size() && report(test_.number(i), test_.number(j)))
-          ++j;
-        counts.add(Arithmetic_tier::DOUBLE, j - start);
-        advance(progress, 1, report);
-      }
-      test_.publish(counts);
-    });
-    advance(progress, test_.size() - end, report);
-    return !report.is_stopped();
+    return Slabs<Point>(Point_reader<dimension, Number>(points_, task_), reach(), task_.sets,
+                        task_.threads, tuning_);
   }
 
   // Sweeps a slab with the slabs nearby, in blocks if there are very many candidates. The search
   // can stop after each block.
-  template <class Report, class Progress>
   void sweep_slab(const Strips<Point>& slab, const Slabs_nearby& nearby, Slab_sweep<Point>& sweep,
-                  typename Slab_sweep<Point>::Sweep_of_runs& blocks, Report& report,
-                  Progress& progress) const
+                  Near_sweep<Point>& blocks)
   {
     const Place count = sweep_block_count(slab, nearby);
-    for(Place block = 0; block != count && !report.is_stopped(); ++block)
-      sweep_block(slab, nearby, block, count, sweep, blocks, report, progress);
+    for(Place block = 0; block != count && !stop_.is_set(); ++block)
+      sweep_block(slab, nearby, block, count, sweep, blocks);
+  }
+
+  void publish(const Decision_counts& counts) const
+  {
+    if(task_.counts != nullptr)
+      task_.counts->add(counts);
   }
 
 private:
   static constexpr int axis = Point::slab_axis;
 
   // Sweeps all slabs, in blocks that threads may sweep at the same time.
-  template <class Report, class Progress>
-  void sweep_all_slabs(const All_slabs& slabs, Report& report, Progress& progress) const
+  void sweep_all_slabs(const Slabs<Point>& slabs, Pair_taker& taker)
   {
-    const std::size_t count = block_count<ConcurrencyTag>();
-    for_each_block<ConcurrencyTag>(count, [&](std::size_t block, std::size_t end) {
+    const std::size_t count = task_.threads.block_count();
+    stop_.run_blocks(task_.threads, count, [&](std::size_t block, std::size_t end) {
       for(; block != end; ++block) {
         const std::pair<Place, Place> range = slabs.block(block, count);
-        for_each_column(slabs, range.first, range.second, reach_, false,
-                        [&](const auto& column, Place first, Place last) {
-                          sweep_slabs(column, first, last, report, progress);
+        for_each_column(slabs, range.first, range.second, reach(), false,
+                        [&](const Slab_column<Point>& column, Place first, Place last) {
+                          sweep_slabs(column, first, last, taker);
                         });
       }
     });
   }
 
   // Sweeps each of the slabs [first, last) with itself and with the slabs within reach behind it.
-  template <class Source, class Report, class Progress>
   CGAL_THICK_INTERSECTION_D_RARELY_CALLED
-  void sweep_slabs(const Source& slabs, Place first, Place last, Report& report,
-                                      Progress& progress) const
+  void sweep_slabs(const Slab_column<Point>& slabs, Place first, Place last,
+                                      Pair_taker& taker)
   {
-    Slab_window<Point, Leave_slab, Source> window(slabs, reach_, first, tuning_);
-    Near_sweep<Test, Report> near_sweep(test_, report);
-    Slab_sweep<Point> sweep(reach_, near_sweep);
+    Slab_window<Point> window(slabs, reach(), first, tuning_);
+    Near_sweep<Point> near_sweep(question_, points_, task_, taker, stop_);
+    Slab_sweep<Point> sweep(reach(), near_sweep);
     Slabs_nearby nearby;
-    for(; window.slab() < last && !report.is_stopped(); window.pop()) {
+    for(; window.slab() < last && !stop_.is_set(); window.pop()) {
       window.find_within_reach(window.front()->interval(axis).high, nearby);
-      if constexpr(is_parallel_v<ConcurrencyTag>)
-        if(const Place count = sweep_block_count(*window.front(), nearby); count > 1) {
-          sweep_in_blocks(*window.front(), nearby, count, report, progress);
+      if constexpr(Point::may_be_shared)
+        if(const Place count = sweep_block_count(*window.front(), nearby);
+           count > 1 && task_.threads.are_many()) {
+          sweep_in_blocks(*window.front(), nearby, count, taker);
           continue;
         }
-      sweep_slab(*window.front(), nearby, sweep, near_sweep, report, progress);
+      sweep_slab(*window.front(), nearby, sweep, near_sweep);
     }
-    test_.publish(near_sweep.counts());
+    publish(near_sweep.counts());
   }
 
   // As sweep_slab(), in blocks that threads may sweep at the same time.
-  template <class Report, class Progress>
-  BOOST_NOINLINE void sweep_in_blocks(const Strips<Point>& slab, const Slabs_nearby& nearby,
-                                      Place count, Report& report, Progress& progress) const
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+  void sweep_in_blocks(const Strips<Point>& slab, const Slabs_nearby& nearby,
+                                          Place count, Pair_taker& taker)
   {
-    for_each_block<ConcurrencyTag>(count, [&](std::size_t block, std::size_t last) {
-      Near_sweep<Test, Report> near_sweep(test_, report);
-      Slab_sweep<Point> sweep_of_block(reach_, near_sweep);
-      for(; block != last && !report.is_stopped(); ++block)
-        sweep_block(slab, nearby, block, count, sweep_of_block, near_sweep, report, progress);
-      test_.publish(near_sweep.counts());
+    stop_.run_blocks(task_.threads, count, [&](std::size_t block, std::size_t last) {
+      Near_sweep<Point> near_sweep(question_, points_, task_, taker, stop_);
+      Slab_sweep<Point> sweep_of_block(reach(), near_sweep);
+      for(; block != last && !stop_.is_set(); ++block)
+        sweep_block(slab, nearby, block, count, sweep_of_block, near_sweep);
+      publish(near_sweep.counts());
     });
   }
 
@@ -170,28 +168,22 @@ private:
     return static_cast<Place>((std::min)(count, max_block_count)) + 1;
   }
 
-  template <class Report, class Progress>
-  static void sweep_block(const Strips<Point>& slab, const Slabs_nearby& nearby, std::size_t block,
-                          std::size_t count, Slab_sweep<Point>& sweep,
-                          typename Slab_sweep<Point>::Sweep_of_runs& blocks, Report& report,
-                          Progress& progress)
+  void sweep_block(const Strips<Point>& slab, const Slabs_nearby& nearby, std::size_t block,
+                   std::size_t count, Slab_sweep<Point>& sweep, Near_sweep<Point>& blocks)
   {
     blocks.take_block(static_cast<Place>(block), static_cast<Place>(count));
     sweep.between(slab, nearby);
-    const std::size_t size = is_parallel_v<ConcurrencyTag> ? slab.own_size() : slab.size();
-    advance(progress, size * (block + 1) / count - size * block / count, report);
+    const std::size_t size = slab.own_size();
+    const std::size_t finished = size * (block + 1) / count - size * block / count;
+    if(!stop_.is_set() && !points_.advance(finished))
+      stop_.set();
   }
 
-  template <class Progress, class Report>
-  static void advance(Progress& progress, std::size_t finished, Report& report)
-  {
-    if(!report.is_stopped() && !progress.advance(finished))
-      report.stop();
-  }
-
-  const Test& test_;
-  const double reach_;
+  Near_points<dimension>& points_;
+  const Near_task<dimension>& task_;
+  const Near_question<Number> question_;
   const Slab_tuning tuning_;
+  Stop_flag stop_;
 };
 
 } // namespace internal

@@ -13,7 +13,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Bucket_sorter.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Equal_cut.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Slabs.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slab_column.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Strips.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Strips_maker.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/tuning.h>
@@ -27,25 +27,24 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// A slab that is not ready: points of the last one of Slabs, or of a buffer. It has places instead
-// of pointers, so it is compiled once for all kinds of points.
+// A slab that is not ready: points of the last one of the slabs, or of a buffer. It has places
+// instead of pointers, so it is compiled once for all kinds of points.
 struct Pending_slab
 {
   Place begin;
   Place end;
   int cuts;   // how often the points were cut
-  int buffer; // negative for Slabs
+  int buffer; // negative for the slabs
 
   Place size() const { return end - begin; }
 };
 
-// `Source` is Slabs, or a column of them.
-template <class Point, class Source = Slabs<Point>>
+template <class Point>
 class Slab_stream
 {
 public:
   // Starts with the slab `first`.
-  Slab_stream(const Source& slabs, double reach, Place first, const Slab_tuning& tuning)
+  Slab_stream(const Slab_column<Point>& slabs, double reach, Place first, const Slab_tuning& tuning)
     : slabs_(slabs), reach_(reach), tuning_(tuning), next_slab_(first),
       maker_(reach, slabs.sets(), tuning)
   {}
@@ -143,7 +142,7 @@ private:
     std::reverse(pending_.begin() + bottom, pending_.end());
   }
 
-  const Source& slabs_;
+  const Slab_column<Point>& slabs_;
   const double reach_;
   const Slab_tuning tuning_;
   Place next_slab_;
@@ -151,7 +150,7 @@ private:
   Buffer<Point> unpacked_;            // the same, if they are stored otherwise
   std::vector<Pending_slab> pending_; // a stack: the last slab comes first
   std::array<Buffer<Point>, max_cut_depth + 1> scratch_; // the points of slabs that were cut
-  Strips_maker<Point, typename Source::Sets> maker_;
+  Strips_maker<Point> maker_;
   Bucket_sorter<Point> sorter_;
 };
 

@@ -11,7 +11,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Run_sweep.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Near_sweep.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slabs_nearby.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Strips.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
@@ -23,16 +23,14 @@ namespace Thick_intersection_d {
 namespace internal {
 
 // `Sweep` has the functions within(run), between(a, b) and is_stopped().
-template <class Point, class Sweep = Run_sweep<typename Point::Run>>
+template <class Point, class Sweep = Near_sweep<Point>>
 class Slab_sweep
 {
   static constexpr int dimension = Point::dimension;
   using Strip_of_points = Strip<dimension>;
 
 public:
-  using Sweep_of_runs = Sweep;
-
-  Slab_sweep(double reach, Sweep_of_runs& sweep) : reach_(reach), sweep_(sweep) {}
+  Slab_sweep(double reach, Sweep& sweep) : reach_(reach), sweep_(sweep) {}
 
   // Sweeps a slab with some slabs, which may include itself.
   void between(const Strips<Point>& a, const Slabs_nearby<Point>& slabs)
@@ -146,7 +144,7 @@ private:
   }
 
   const double reach_;
-  Sweep_of_runs& sweep_;
+  Sweep& sweep_;
   Strips<Point> slab_border_a_, slab_border_b_;
   Strips<Point> strip_border_a_, strip_border_b_;
 };

@@ -10,8 +10,9 @@
 
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Place_numbers.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slab_column.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_stream.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Slabs.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slabs_nearby.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Strips.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/tuning.h>
@@ -24,26 +25,17 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Leaves a slab as it is.
-struct Leave_slab
-{
-  template <class Point>
-  void operator()(Strips<Point>&) const
-  {}
-};
-
-// Calls number(slab) for each slab that becomes ready, in their order. `Source` is as for
-// Slab_stream.
-template <class Point, class Number = Leave_slab, class Source = Slabs<Point>>
+template <class Point>
 class Slab_window
 {
 public:
   using Slabs_nearby = internal::Slabs_nearby<Point>;
 
-  // Starts with the slab `first`.
-  Slab_window(const Source& slabs, double reach, Place first, const Slab_tuning& tuning,
-              const Number& number = Number())
-    : stream_(slabs, reach, first, tuning), reach_(reach), end_(slabs.count()), number_(number)
+  // Starts with the slab `first`. Points of slabs that become ready get numbers instead of
+  // positions, if there are numbers.
+  Slab_window(const Slab_column<Point>& slabs, double reach, Place first,
+              const Slab_tuning& tuning, Place_numbers* numbers = nullptr)
+    : stream_(slabs, reach, first, tuning), reach_(reach), end_(slabs.count()), numbers_(numbers)
   {}
 
   // Returns the first slab in the window, or nullptr if there is none.
@@ -90,15 +82,23 @@ private:
     if(!stream_.next(spare_->strips))
       return false;
     spare_->slab = stream_.slab();
-    number_(spare_->strips);
+    if(numbers_ != nullptr)
+      number(spare_->strips);
     place = std::move(spare_);
     return true;
   }
 
-  Slab_stream<Point, Source> stream_;
+  void number(Strips<Point>& slab) const
+  {
+    Place* positions = nullptr;
+    const Place first = numbers_->add(slab.place_count(), positions);
+    slab.number_places(first, positions);
+  }
+
+  Slab_stream<Point> stream_;
   const double reach_;
   const Place end_;
-  const Number number_;
+  Place_numbers* const numbers_;
   std::unique_ptr<Ready> first_; // of a list: strips stay where they are while others come and go
   std::unique_ptr<Ready> spare_; // at most one, whose memory is used again
 };

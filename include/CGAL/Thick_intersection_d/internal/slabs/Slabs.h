@@ -12,21 +12,19 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Equal_cut.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Point_reader.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_columns.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/tuning.h>
-
-#include <boost/config.hpp> // BOOST_NOINLINE
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -34,40 +32,38 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// `Columns` are Slab_columns if slabs that are too few for all threads are to be cut into columns.
-template <class Point, class Columns = One_column>
+template <class Point>
 class Slabs
 {
-public:
-  using Sets = Point_sets;
+  using Reader = Point_reader<Point::dimension, typename Point::Number>;
 
-  // Takes the `size` points of `source`. The source has the functions interval(axis),
-  // coordinate(position, axis) and put(position, place).
-  template <class ConcurrencyTag, class Source>
-  Slabs(ConcurrencyTag, const Source& source, std::size_t size, double reach,
-        const Point_sets& sets = Point_sets(), const Slab_tuning& tuning = Slab_tuning())
-    : sets_(sets)
+public:
+  // Takes all points of `source`. Cuts slabs into columns if they are too few for all threads.
+  Slabs(const Reader& source, double reach, const Point_sets& sets, const Threads& threads,
+        const Slab_tuning& tuning)
+    : sets_(sets), threads_(threads)
   {
     find_axes(source);
-    const Place places = static_cast<Place>(size);
+    const Place places = static_cast<Place>(source.size());
     const Interval trimmed = trim(source, places);
     const double count = piece_count(trimmed, places, reach, tuning.points_per_slab);
     const Equal_cut cut(trimmed, (std::min)(count, max_slab_count));
-    if constexpr(may_have_columns)
-      if(!sets.are_two() && !are_flat() && places < Column_sets::border_bit)
-        cut_columns(source.interval(column_axis), cut.count(), places, reach,
-                    block_count<ConcurrencyTag>(), tuning.points_per_column);
+    if(Point::may_be_shared && may_have_columns(source))
+      cut_columns(source.interval(column_axis), cut.count(), places, reach,
+                  tuning.points_per_column);
     if(are_flat())
-      distribute<ConcurrencyTag>(source, cut, places, flat_points_);
+      flat_points_ = make_uninitialized<Flat_point>(places);
     else
-      distribute<ConcurrencyTag>(source, cut, places, points_);
+      points_ = make_uninitialized<Point>(places);
+    distribute(source, cut);
   }
 
-  const Point_sets& sets() const { return sets_; }
+  // The points of a column have a border if there are several columns.
+  Point_sets sets() const { return {sets_.first_size, columns_.count() > 1}; }
 
   // The number of slabs in each column. The slabs of a column follow those of the column before.
   Place count() const { return (static_cast<Place>(begins_.size()) - 1) / columns_.count(); }
-  const Columns& columns() const { return columns_; }
+  const Slab_columns& columns() const { return columns_; }
 
   Place size() const { return begins_.back(); }
   Place size(Place slab) const { return begins_[slab + 1] - begins_[slab]; }
@@ -115,13 +111,11 @@ private:
 
   static constexpr int axis = Point::slab_axis;
   static constexpr int column_axis = axis - 1;
-  static constexpr bool may_have_columns = !std::is_same_v<Columns, One_column>;
 
   // How many points ahead the memory that a point goes to is asked for.
-  static constexpr int distance = 16;
+  static constexpr std::size_t distance = 16;
 
-  template <class Source>
-  void find_axes(const Source& source)
+  void find_axes(const Reader& source)
   {
     if constexpr(Point::dimension == 3)
       for(int flat_axis = 0; flat_axis < 3 && !are_flat(); ++flat_axis)
@@ -132,83 +126,124 @@ private:
   }
 
   bool are_flat() const { return Point::dimension == 3 && flat_axes_[1] != 0; }
+  int slab_axis() const { return are_flat() ? flat_axes_[1] : axis; }
+
+  // Columns need a free bit in what points are reported by (Slab_column.h).
+  bool may_have_columns(const Reader& source) const
+  {
+    return threads_.are_many() && !sets_.are_two() && !are_flat() && !source.are_numbered()
+           && source.size() < Point_sets::border_bit;
+  }
 
   // Sorts the points by slabs, by counting. Each block of points has its own counts, which become
-  // the places that the block writes to. There are too many slabs for the processor to have the
-  // ends of all of them at hand.
-  template <class ConcurrencyTag, class Source, class Stored>
-  BOOST_NOINLINE void distribute(const Source& source, const Equal_cut& cut, Place size,
-                                 std::unique_ptr<Stored[]>& points)
+  // the places that the block writes to.
+  void distribute(const Reader& source, const Equal_cut& cut)
   {
-    points = make_uninitialized<Stored>(size);
-    const int slab_axis = std::is_same_v<Stored, Flat_point> ? flat_axes_[1] : axis;
+    const std::size_t size = source.size();
     const Place count = cut.count() * columns_.count();
-    const std::size_t blocks = block_count<ConcurrencyTag>();
+    const std::size_t blocks = threads_.block_count();
     const std::unique_ptr<Place[]> next(new Place[blocks * count]);
-    for_each_numbered_block<ConcurrencyTag>(
-      blocks, size, [&](std::size_t block, std::size_t i, std::size_t end) {
+    threads_.run_numbered_blocks(
+      blocks, size, [&](std::size_t block, std::size_t first, std::size_t last) {
         Place* const counts = next.get() + block * count;
         std::fill_n(counts, count, Place(0));
-        for(; i != end; ++i)
-          ++counts[slab_of(source, cut, slab_axis, i)];
+        count_points(source, cut, first, last, counts);
       });
     begins_ = std::vector<Place>(count + std::size_t(1), 0);
-    replace_by_sums_over_blocks<ConcurrencyTag>(next.get(), blocks, count, begins_.data());
+    replace_by_sums_over_blocks(threads_, next.get(), blocks, count, begins_.data());
     replace_by_prefix_sums(begins_.data(), begins_.data() + begins_.size());
-    for_each_numbered_block<ConcurrencyTag>(
-      blocks, size, [&](std::size_t block, std::size_t i, std::size_t end) {
+    threads_.run_numbered_blocks(
+      blocks, size, [&](std::size_t block, std::size_t first, std::size_t last) {
         Place* const places = next.get() + block * count;
         add_begins(places, begins_.data(), count);
-        Place slabs[distance];
-        while(i != end) {
-          const std::size_t some = (std::min)(end - i, std::size_t(distance));
-          for(std::size_t p = 0; p < some; ++p) {
-            slabs[p] = slab_of(source, cut, slab_axis, i + p);
-            prefetch_to_write(&points[places[slabs[p]]]);
-          }
-          for(std::size_t p = 0; p < some; ++p, ++i)
-            put(source, i, points[places[slabs[p]]++]);
-        }
+        if(are_flat())
+          move_points(source, cut, first, last, places, flat_points_.get());
+        else
+          move_points(source, cut, first, last, places, points_.get());
       });
   }
 
-  // Returns the slab, in its column, that a point goes to.
-  template <class Source>
-  Place slab_of(const Source& source, const Equal_cut& cut, int slab_axis, std::size_t i) const
+  // Counts the points [first, last) of each slab.
+  void count_points(const Reader& source, const Equal_cut& cut, std::size_t first,
+                    std::size_t last, Place* counts) const
   {
-    const Place slab = cut(source.coordinate(i, slab_axis));
-    if constexpr(may_have_columns)
-      if(columns_.count() > 1)
-        return slab + cut.count() * columns_(source.coordinate(i, column_axis));
-    return slab;
+    const int axes = columns_.count() > 1 ? Reader::all_axes : slab_axis();
+    with_slab_of(source, cut, [&](const auto& finder) {
+      source.read_blocks(first, last, axes, [&](const Point_block& block) {
+        const auto slab_of = finder; // stays in registers
+        for(std::size_t p = 0; p < block.size; ++p)
+          ++counts[slab_of(block.point(p))];
+      });
+    });
   }
 
-  template <class Source>
-  void put(const Source& source, std::size_t position, Point& place) const
+  // Moves the points [first, last) to the places of their slabs. There are too many slabs for the
+  // processor to have the ends of all of them at hand.
+  template <class Stored>
+  void move_points(const Reader& source, const Equal_cut& cut, std::size_t first,
+                   std::size_t last, Place* places, Stored* points) const
   {
-    source.put(position, place);
+    with_slab_of(source, cut, [&](const auto& finder) {
+      source.read_blocks(first, last, Reader::all_axes, [&](const Point_block& block) {
+        const auto slab_of = finder; // copies stay in registers
+        const auto to_number = source.to_number();
+        Place slabs[distance];
+        for(std::size_t p = 0; p != block.size;) {
+          const std::size_t some = (std::min)(block.size - p, distance);
+          for(std::size_t i = 0; i < some; ++i) {
+            slabs[i] = slab_of(block.point(p + i));
+            prefetch_to_write(&points[places[slabs[i]]]);
+          }
+          for(std::size_t i = 0; i < some; ++i, ++p)
+            put(to_number, block.point(p), block.numbers[p], points[places[slabs[i]]++]);
+        }
+      });
+    });
   }
-  template <class Source>
-  void put(const Source& source, std::size_t position, Flat_point& place) const
+
+  // Calls task(slab_of) with the function that finds the slab, in its column, that a point goes to.
+  template <class Task>
+  void with_slab_of(const Reader& source, const Equal_cut& cut, const Task& task) const
   {
-    Point point;
-    source.put(position, point);
-    place = {{point.x[flat_axes_[0]], point.x[flat_axes_[1]]}, point.position};
+    const int cut_axis = slab_axis();
+    const auto slab_of = [cut, cut_axis, to_number = source.to_number()](const double* x) {
+      return cut(to_number(x[cut_axis], cut_axis));
+    };
+    if constexpr(Point::may_be_shared)
+      if(columns_.count() > 1)
+        return task([slab_of, this, to_number = source.to_number(), count = cut.count()](
+                      const double* x) {
+          return slab_of(x) + count * columns_(to_number(x[column_axis], column_axis));
+        });
+    task(slab_of);
+  }
+
+  using To_number_of_point = To_number<Point::dimension, Number>;
+
+  static void put(const To_number_of_point& to_number, const double* x, Place position,
+                  Point& place)
+  {
+    for(int c = 0; c < Point::dimension; ++c)
+      place.x[c] = to_number(x[c], c);
+    place.position = position;
+  }
+  void put(const To_number_of_point& to_number, const double* x, Place position,
+           Flat_point& place) const
+  {
+    place = {{to_number(x[flat_axes_[0]], flat_axes_[0]),
+              to_number(x[flat_axes_[1]], flat_axes_[1])}, position};
   }
 
   // Returns the interval of the coordinates. Leaves out ends that hold hardly any points, if the
   // interval is much shorter without them.
-  template <class Source>
-  CGAL_THICK_INTERSECTION_D_RARELY_CALLED Interval trim(const Source& source, Place size) const
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED Interval trim(const Reader& source, Place size) const
   {
-    const int slab_axis = are_flat() ? flat_axes_[1] : axis;
-    const Interval all = source.interval(slab_axis);
+    const Interval all = source.interval(slab_axis());
     if(size < 4 * sample_size)
       return all;
     std::array<double, sample_size> x;
     for(Place s = 0; s < sample_size; ++s)
-      x[s] = source.coordinate(static_cast<std::size_t>(s) * size / sample_size,
-                               slab_axis);
+      x[s] = source.coordinate(static_cast<std::size_t>(s) * size / sample_size, slab_axis());
     std::sort(x.begin(), x.end());
     const Interval sample = {x[sample_tail], x[sample_size - 1 - sample_tail]};
     if(!(all.length() > max_stretch * sample.length()) || sample.length() == 0)
@@ -219,15 +254,18 @@ private:
 
   // Cuts the slabs into columns if they are fewer than threads need.
   void cut_columns(const Interval& interval, Place slabs, Place size, double reach,
-                   std::size_t blocks, double points_per_column)
+                   double points_per_column)
   {
+    const std::size_t blocks = threads_.block_count();
     if(2 * static_cast<std::size_t>(slabs) < blocks)
-      columns_ = Columns(interval, reach, (std::min)(slabs_per_block * static_cast<double>(blocks),
-                                                     size / points_per_column) / slabs);
+      columns_ = Slab_columns(interval, reach,
+                              (std::min)(slabs_per_block * static_cast<double>(blocks),
+                                         size / points_per_column) / slabs);
   }
 
   const Point_sets sets_;
-  Columns columns_;
+  const Threads threads_;
+  Slab_columns columns_;
   std::array<int, 2> flat_axes_ = {}; // the axes along which flat points differ
   Number flat_coordinate_ = 0;
   std::unique_ptr<Flat_point[]> flat_points_; // or else

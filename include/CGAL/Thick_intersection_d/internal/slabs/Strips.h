@@ -96,31 +96,23 @@ public:
   }
 
   // Appends a strip of the points [first, last), which are sorted along axis 0. If there are two
-  // sets, appends a strip for each.
+  // sets, or a border, appends a strip for each. Takes the bit of the border away from positions.
   void append(const Point* first, const Point* last, const Point_sets& sets)
   {
-    if(!sets.are_two())
-      append_if(first, last, 0, [](Place) { return true; });
-    else
+    if(sets.are_two())
       for(const Place side : {1u, 2u})
         append_if(first, last, side, [&](Place position) {
           return (position < sets.first_size) == (side == 1);
         });
-  }
-
-  // The same. Takes the bit of the border away from positions.
-  template <class Sets>
-  void append(const Point* first, const Point* last, const Sets& sets)
-  {
-    if(!sets.have_border)
-      append(first, last, sets.sets);
-    else
-      for(const Place side : {Place(0), Sets::side_of_border})
+    else if(Point::may_be_shared && sets.have_border)
+      for(const Place side : {Place(0), Point_sets::side_of_border})
         append_if(first, last, side, [&](Place& position) {
-          const bool is_in_border = (position & Sets::border_bit) != 0;
-          position &= Sets::border_bit - 1;
+          const bool is_in_border = (position & Point_sets::border_bit) != 0;
+          position &= Point_sets::border_bit - 1;
           return is_in_border == (side != 0);
         });
+    else
+      append_if(first, last, 0, [](Place) { return true; });
   }
 
   // The number of points that are not in the border of a column.
@@ -128,7 +120,7 @@ public:
   {
     Place size = 0;
     for(const Strip_of_points& strip : strips_)
-      size += strip.sides == Column_sets::side_of_border ? 0 : strip.size();
+      size += strip.sides == Point_sets::side_of_border ? 0 : strip.size();
     return size;
   }
 

@@ -42,14 +42,13 @@ void for_each_sorted_piece(Point* first, Point* last, std::size_t axis, double l
   }
 }
 
-// `Sets` are Point_sets or Column_sets.
-template <class Point, class Sets = Point_sets>
+template <class Point>
 class Strips_maker
 {
   static constexpr bool is_in_plane = Point::dimension == 2;
 
 public:
-  Strips_maker(double reach, const Sets& sets, const Slab_tuning& tuning)
+  Strips_maker(double reach, const Point_sets& sets, const Slab_tuning& tuning)
     : reach_(reach), sets_(sets), tuning_(tuning)
   {}
 
@@ -194,7 +193,7 @@ private:
   }
 
   const double reach_;
-  const Sets sets_;
+  const Point_sets sets_;
   const Slab_tuning tuning_;
   const Point* first_ = nullptr;
   const Point* last_ = nullptr;

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_NEAR_OBJECT_BOXES_H
-#define CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_NEAR_OBJECT_BOXES_H
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_BOXES_NEAR_OBJECT_BOXES_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_BOXES_NEAR_OBJECT_BOXES_H
 
 // Points in any dimension, or objects, as the box route reads them. The intervals of two of them
 // are within the reach along an axis iff they meet when each is longer by the reach.
@@ -66,4 +66,4 @@ private:
 } // namespace Thick_intersection_d
 } // namespace CGAL
 
-#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_NEAR_OBJECT_BOXES_H
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_BOXES_NEAR_OBJECT_BOXES_H

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_BOX_PAIRS_SEARCH_H
-#define CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_BOX_PAIRS_SEARCH_H
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_BOXES_BOX_PAIRS_SEARCH_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_BOXES_BOX_PAIRS_SEARCH_H
 
 // The search of objects by their boxes, for objects of any type that have intervals.
 
@@ -116,4 +116,4 @@ bool report_meeting_boxes(const Objects& objects, const Sets& sets, Callback& ca
 } // namespace Thick_intersection_d
 } // namespace CGAL
 
-#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_BOX_PAIRS_SEARCH_H
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_BOXES_BOX_PAIRS_SEARCH_H

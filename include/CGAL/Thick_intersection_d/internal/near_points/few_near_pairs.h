@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_FEW_NEAR_PAIRS_H
-#define CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_FEW_NEAR_PAIRS_H
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_NEAR_POINTS_FEW_NEAR_PAIRS_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_NEAR_POINTS_FEW_NEAR_PAIRS_H
 
 // The search of near pairs of few points: each with each, without a scene and without memory but
 // the stack.
@@ -12,17 +12,19 @@
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/check_denormals.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
-#include <CGAL/Thick_intersection_d/internal/doors/box_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/box_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/input/few_coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/near_points/Element_points.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Plain_is_within.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Neighbor_collector.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Near_points.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Run_sweep.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Flush.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/near_search.h>
 
 #include <boost/config.hpp> // BOOST_NOINLINE
 
@@ -81,21 +83,26 @@ private:
 
 // Reports the pairs that lanes find among few points.
 template <class Elements, class Is_within, class Report>
-class Few_sweep : public Run_sweep<Run<dimension_or<typename Elements::value_type>(0), double>>
+class Few_sweep
 {
-  using Run = internal::Run<dimension_or<typename Elements::value_type>(0), double>;
-  using Base = Run_sweep<Run>;
-  using Base::found_;
+  static constexpr int dimension = dimension_or<typename Elements::value_type>(0);
+  using Run = internal::Run<dimension, double>;
 
 public:
   Few_sweep(const Elements& points, Is_within& is_within, Report& report)
-    : Base({std::numeric_limits<double>::infinity(), is_within.filter().inside,
-            is_within.filter().outside},
-           [](Base& sweep, const Run& a, const Run& b) {
-             return static_cast<Few_sweep&>(sweep).report_found(a, b);
-           }),
-      points_(points), is_within_(is_within), report_(report)
+    : points_(points), is_within_(is_within), report_(report)
   {}
+
+  // Reports the pairs of a run if `b` is null, or else those of a point of either run.
+  void run(const Run& a, const Run* b)
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const Distance_filter filter = is_within_.filter();
+    const auto flush = [&] { return report_found(a, b == nullptr ? a : *b); };
+    collect_few_pairs<dimension>(a, b, {infinity, filter.inside, filter.outside}, found_,
+                                 Flush(flush));
+    flush();
+  }
 
 private:
   bool report_found(const Run& a, const Run& b)
@@ -116,6 +123,7 @@ private:
   const Elements& points_;
   Is_within& is_within_;
   Report& report_;
+  Near_pairs found_;
 };
 
 // The pairs of at most `max_few_points` points: those of one set, or of a point of one set and a
@@ -174,11 +182,8 @@ private:
       b = runs.make(points_, first_size_, points_.size());
     if(!runs.are_finite())
       return false;
-    Few_sweep<Elements, Is_within, Report> sweep(points_, is_within_, report);
-    if constexpr(Sets::are_two)
-      sweep.between(a, b);
-    else
-      sweep.within(a);
+    Few_sweep<Elements, Is_within, Report>(points_, is_within_, report)
+      .run(a, Sets::are_two ? &b : nullptr);
     return true;
   }
 
@@ -211,4 +216,4 @@ std::optional<bool> report_few_near_pairs(const Elements& points, const Sets& se
 } // namespace Thick_intersection_d
 } // namespace CGAL
 
-#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_DOORS_FEW_NEAR_PAIRS_H
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_NEAR_POINTS_FEW_NEAR_PAIRS_H

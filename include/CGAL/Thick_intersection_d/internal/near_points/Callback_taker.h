@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_NEAR_POINTS_CALLBACK_TAKER_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_NEAR_POINTS_CALLBACK_TAKER_H
+
+// Hands the pairs that a search by slabs finds to a callback of positions in each set.
+
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/reports/List_bins.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Neighbor_collector.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
+#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Near_task.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
+
+#include <cstddef>
+#include <type_traits>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// `Taker` is Result_taker, or a class that derives from it.
+template <class Sets, class Callback, class Taker = Result_taker>
+class Callback_taker : public Taker
+{
+public:
+  Callback_taker(const Sets& sets, Callback& callback) : callback_(callback)
+  {
+    if constexpr(Sets::are_two)
+      first_of_second_ = sets.first_size;
+  }
+
+  // The loop itself stores nothing. This makes short callbacks fast.
+  bool take(const Found_pair* pairs, std::size_t count) override
+  {
+    const std::size_t second = first_of_second_;
+    for(const Found_pair* const end = pairs + count; pairs != end; ++pairs)
+      if(!goes_on_after(callback_, std::size_t(pairs->i), std::size_t(pairs->j) - second))
+        return false;
+    return true;
+  }
+
+  bool take_row(Place i, Place first, Place last) override
+  {
+    const std::size_t second = first_of_second_;
+    for(std::size_t j = first; j < last; ++j)
+      if(!goes_on_after(callback_, std::size_t(i), j - second))
+        return false;
+    return true;
+  }
+
+protected:
+  Callback& callback_;
+
+private:
+  std::size_t first_of_second_ = 0;
+};
+
+// Returns what hands pairs to a callback: the callback itself, if it is such a taker.
+template <class Sets, class Callback>
+decltype(auto) taker_of(const Sets& sets, Callback& callback)
+{
+  if constexpr(std::is_base_of_v<Result_taker, Callback>)
+    return (callback);
+  else
+    return Callback_taker<Sets, Callback>(sets, callback);
+}
+
+// Takes lists as well as pairs.
+template <class ConcurrencyTag>
+class Collector_taker final
+  : public Callback_taker<One_set, Neighbor_collector<ConcurrencyTag>, List_taker>
+{
+public:
+  explicit Collector_taker(Neighbor_collector<ConcurrencyTag>& collector)
+    : Callback_taker<One_set, Neighbor_collector<ConcurrencyTag>, List_taker>(One_set(), collector)
+  {}
+
+  List_bins& local_lists() override { return this->callback_.local_lists(); }
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_NEAR_POINTS_CALLBACK_TAKER_H

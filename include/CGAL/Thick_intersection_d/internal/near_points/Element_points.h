@@ -1,0 +1,183 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_NEAR_POINTS_ELEMENT_POINTS_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_NEAR_POINTS_ELEMENT_POINTS_H
+
+// The points of the user, as the search by slabs reads and asks them.
+
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
+#include <CGAL/Thick_intersection_d/internal/input/Point_doubles.h>
+#include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Integer_distance.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Is_within_distance.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Near_task.h>
+
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// Whether elements have numbers that they are reported by, instead of their positions. Then
+// place(number) finds the position; that of a position is itself.
+template <class Elements, class = void>
+inline constexpr bool have_numbers = false;
+
+template <class Elements>
+inline constexpr bool have_numbers<Elements, std::void_t<decltype(&Elements::number)>> = true;
+
+// Whether an iterator is known to go through an array of points that hold doubles.
+template <class Iterator, class Point>
+inline constexpr bool is_in_array_of_doubles
+  = (std::is_pointer_v<Iterator>
+     || std::is_same_v<Iterator, typename std::vector<Point>::const_iterator>)
+    && std::is_same_v<decltype(coordinate(std::declval<const Point&>(), 0)), const double&>;
+
+// Whether elements are one array of points that hold doubles, or two.
+template <class Elements>
+inline constexpr bool are_array_of_doubles = false;
+
+template <class Range>
+inline constexpr bool are_array_of_doubles<Numbered_elements<Range, No_map>>
+  = is_in_array_of_doubles<Iterator_of<Read_range<Range>>,
+                           typename Numbered_elements<Range, No_map>::value_type>;
+
+template <class First, class Second>
+inline constexpr bool are_array_of_doubles<Joined_elements<First, Second>>
+  = are_array_of_doubles<First> && are_array_of_doubles<Second>;
+
+// Returns the view of an array of points that hold doubles.
+template <int Dimension, class Elements>
+Doubles_view<Dimension> view_of(const Elements& points)
+{
+  Doubles_view<Dimension> view = {};
+  if(points.size() != 0)
+    for(int axis = 0; axis < Dimension; ++axis) {
+      view.x[axis] = reinterpret_cast<const char*>(&coordinate(points[0], axis));
+      view.step[axis] = sizeof(points[0]);
+    }
+  return view;
+}
+
+// Returns the view of the columns of doubles that stand for coordinates.
+template <int Dimension, class Elements>
+Doubles_view<Dimension> view_of_columns(const Doubles<Elements>& doubles)
+{
+  Doubles_view<Dimension> view = {};
+  for(int axis = 0; axis < Dimension; ++axis) {
+    const std::pair<const double*, std::ptrdiff_t> column = doubles.column(axis);
+    view.x[axis] = reinterpret_cast<const char*>(column.first);
+    view.step[axis] = column.second;
+  }
+  return view;
+}
+
+template <int Dimension, class Elements, class Progress>
+class Element_points final : public Near_points<Dimension>
+{
+  using Point = typename Elements::value_type;
+
+  static constexpr bool are_held = is_held_by_double_v<Coordinate_t<Point>>;
+
+public:
+  Element_points(const Elements& points, const Doubles<Elements>& doubles,
+                 const Is_within_distance<Point>& is_within, Progress& progress)
+    : points_(points), is_within_(is_within), progress_(progress)
+  {
+    this->size = points.size();
+    this->are_numbered = internal::have_numbers<Elements>;
+    this->are_viewed = !are_held || are_array_of_doubles<Elements>;
+    if constexpr(are_array_of_doubles<Elements>) {
+      this->first_size = points.first().size();
+      this->views[0] = view_of<Dimension>(points.first());
+      this->views[1] = view_of<Dimension>(points.second());
+    }
+    else if constexpr(!are_held) {
+      this->first_size = points.size();
+      this->views[0] = view_of_columns<Dimension>(doubles);
+    }
+  }
+
+  void read([[maybe_unused]] std::size_t first, [[maybe_unused]] std::size_t count,
+            [[maybe_unused]] int axis, [[maybe_unused]] double* x) const override
+  {
+    if constexpr(are_held && !are_array_of_doubles<Elements>) {
+      if(axis == Near_points<Dimension>::all_axes)
+        for_each_below(count, [&](std::size_t i) {
+          read_point(points_[first + i], x + i * Dimension);
+        });
+      else
+        for_each_below(count, [&](std::size_t i) {
+          x[i * Dimension + static_cast<std::size_t>(axis)]
+            = static_cast<double>(coordinate(points_[first + i], axis));
+        });
+    }
+  }
+
+  void ask_for(std::size_t position) const override { ask_for_point(points_, position); }
+
+  void read_numbers([[maybe_unused]] std::size_t first, [[maybe_unused]] std::size_t count,
+                    [[maybe_unused]] Place* numbers) const override
+  {
+    if constexpr(internal::have_numbers<Elements>)
+      for(std::size_t i = 0; i < count; ++i)
+        numbers[i] = points_.number(first + i);
+  }
+
+  std::size_t position(Place number) const override
+  {
+    if constexpr(internal::have_numbers<Elements>)
+      return points_.place(number);
+    else
+      return number;
+  }
+
+  const Integer_distance* integers() const override { return is_within_.integers(); }
+
+  bool is_pair(std::size_t i, std::size_t j, Decision_counts& counts) const override
+  {
+    return is_within_.decide_undecided(points_[i], points_[j], counts);
+  }
+
+  bool advance(std::size_t finished) override { return progress_.advance(finished); }
+
+private:
+  // Calls task(i) for each i in [0, count), four times in each step of the loop.
+  template <class Task>
+  static void for_each_below(std::size_t count, const Task& task)
+  {
+    std::size_t i = 0;
+    for(; i + 4 <= count; i += 4) {
+      task(i);
+      task(i + 1);
+      task(i + 2);
+      task(i + 3);
+    }
+    for(; i < count; ++i)
+      task(i);
+  }
+
+  static void read_point(const Point& point, double* x)
+  {
+    for(int axis = 0; axis < Dimension; ++axis)
+      x[axis] = static_cast<double>(coordinate(point, axis));
+  }
+
+  const Elements& points_;
+  const Is_within_distance<Point>& is_within_;
+  Progress& progress_;
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_NEAR_POINTS_ELEMENT_POINTS_H
