@@ -1,5 +1,6 @@
-# What `cmake --install` puts in place: the headers, the licence texts, and the files that
-# find_package(Thick_intersection_d) and `pkg-config Thick_intersection_d` read.
+# What `cmake --install` puts in place: the headers, the licence texts, the library of compiled
+# searches if it is built, and the files that find_package(Thick_intersection_d) and `pkg-config
+# Thick_intersection_d` read.
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 
@@ -13,8 +14,13 @@ if(NOT THICK_INTERSECTION_INSTALL)
   list(APPEND in_component EXCLUDE_FROM_ALL)
 endif()
 
-# Nothing here depends on the processor, hence share/ and ARCH_INDEPENDENT.
+# The headers do not depend on the processor, hence share/ and ARCH_INDEPENDENT. The library does.
 set(package_dir ${CMAKE_INSTALL_DATADIR}/cmake/Thick_intersection_d)
+set(independence ARCH_INDEPENDENT)
+if(THICK_INTERSECTION_COMPILED)
+  set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/Thick_intersection_d)
+  set(independence "")
+endif()
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/CGAL
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} ${in_component}
@@ -29,6 +35,18 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/LICENSE.GPL
   DESTINATION ${doc_dir} ${in_component})
 
 install(TARGETS Thick_intersection_d EXPORT Thick_intersection_dTargets)
+if(THICK_INTERSECTION_COMPILED)
+  install(TARGETS Thick_intersection_d_compiled EXPORT Thick_intersection_dTargets
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} ${in_component}
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} ${in_component}
+    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} ${in_component})
+  configure_file(
+    ${CMAKE_CURRENT_LIST_DIR}/Thick_intersection_d_compiled.pc.in
+    ${PROJECT_BINARY_DIR}/Thick_intersection_d_compiled.pc
+    @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/Thick_intersection_d_compiled.pc
+    DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig ${in_component})
+endif()
 install(EXPORT Thick_intersection_dTargets
   NAMESPACE Thick_intersection_d::
   DESTINATION ${package_dir} ${in_component})
@@ -43,7 +61,7 @@ configure_package_config_file(
 write_basic_package_version_file(
   ${PROJECT_BINARY_DIR}/Thick_intersection_dConfigVersion.cmake
   COMPATIBILITY SameMinorVersion
-  ARCH_INDEPENDENT)
+  ${independence})
 
 install(FILES
   ${CMAKE_CURRENT_LIST_DIR}/Thick_intersection_dMPI.cmake

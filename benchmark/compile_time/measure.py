@@ -34,6 +34,8 @@ FILES = {  # file: the call, target for the time, limit of the text in kB of g++
     "near_points": ("`fixed_radius_near_neighbors`, plane", 1.6, None),
     "near_points_in_space": ("`fixed_radius_near_neighbors`, space", 1.5, 117),
     "neighbor_lists": ("`fixed_radius_neighbor_lists`, space", 1.6, 145),
+    "linked_near_points": ("`fixed_radius_near_neighbors`, space, linked", 1.5, 26.3),
+    "linked_neighbor_lists": ("`fixed_radius_neighbor_lists`, space, linked", 1.6, 36),
     "closest_pair": ("`closest_pair`, plane", None, None),
     "closest_pair_in_space": ("`closest_pair`, space", 1.5, 98),
     "thick_objects": ("`thick_self_intersection_d`, segments", None, None),

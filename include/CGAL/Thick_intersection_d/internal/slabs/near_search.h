@@ -6,6 +6,9 @@
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_NEAR_SEARCH_H
 
 // The searches for near points by slabs, as those see them who know the types of the user.
+//
+// A program compiles them, unless it defines CGAL_THICK_INTERSECTION_D_COMPILED. Then it links the
+// library that src/near_points.cpp makes.
 
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Narrow_scale.h>
@@ -13,14 +16,22 @@
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Flush.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
+#ifndef CGAL_THICK_INTERSECTION_D_COMPILED
 #include <CGAL/Thick_intersection_d/internal/slabs/near_search.inc>
+#endif
+
+#include <cstdint>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Whether the threads of a program may share slabs.
+// Whether the threads of a program may share slabs. The searches of the library can do this.
+#ifdef CGAL_THICK_INTERSECTION_D_COMPILED
+inline constexpr bool may_share_slabs = true;
+#else
 inline constexpr bool may_share_slabs = has_tbb;
+#endif
 
 // Gives the near pairs of points to the taker. `Number` is what slabs have: std::int32_t if the
 // scale of the task is usable, or double. Returns false iff the search was stopped.
@@ -38,6 +49,33 @@ template <int Dimension>
 void collect_few_pairs(const Run<Dimension, double>& a, const Run<Dimension, double>* b,
                        const Near_question<double>& question, Near_pairs& found,
                        const Flush& flush);
+
+#ifdef CGAL_THICK_INTERSECTION_D_COMPILED
+extern template class Narrow_scale<2>;
+extern template bool search_near_pairs<2, double, true>(
+  Near_points<2>&, const Near_task<2>&, Result_taker&);
+extern template bool search_near_lists<2, double, true>(
+  Near_points<2>&, const Near_task<2>&, List_taker&);
+extern template bool search_near_pairs<2, std::int32_t, true>(
+  Near_points<2>&, const Near_task<2>&, Result_taker&);
+extern template bool search_near_lists<2, std::int32_t, true>(
+  Near_points<2>&, const Near_task<2>&, List_taker&);
+extern template void collect_few_pairs<2>(
+  const Run<2, double>&, const Run<2, double>*, const Near_question<double>&, Near_pairs&,
+  const Flush&);
+extern template class Narrow_scale<3>;
+extern template bool search_near_pairs<3, double, true>(
+  Near_points<3>&, const Near_task<3>&, Result_taker&);
+extern template bool search_near_lists<3, double, true>(
+  Near_points<3>&, const Near_task<3>&, List_taker&);
+extern template bool search_near_pairs<3, std::int32_t, true>(
+  Near_points<3>&, const Near_task<3>&, Result_taker&);
+extern template bool search_near_lists<3, std::int32_t, true>(
+  Near_points<3>&, const Near_task<3>&, List_taker&);
+extern template void collect_few_pairs<3>(
+  const Run<3, double>&, const Run<3, double>*, const Near_question<double>&, Near_pairs&,
+  const Flush&);
+#endif
 
 } // namespace internal
 } // namespace Thick_intersection_d
