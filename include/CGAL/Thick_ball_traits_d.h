@@ -159,7 +159,7 @@ private:
   void add(const BallRange& balls)
   {
     for(const Object_d& ball : balls) {
-      dimension_ = ball.first.dimension();
+      dimension_ = Thick_intersection_d::internal::dimension_of(ball.first);
       largest_radius_ = (std::max)(
         largest_radius_, Thick_intersection_d::internal::bounds(ball.second).second);
     }

@@ -203,7 +203,8 @@ public:
   }
   static constexpr bool do_boxes_decide
     = Thick_intersection_d::internal::Kinds<Object>::template are_all<
-      Thick_intersection_d::internal::Is_box_of_doubles>;
+        Thick_intersection_d::internal::Is_box_of_doubles>
+      && !Thick_intersection_d::internal::has_own_tests_v<Object>;
 
   // From now on, the intersection test takes `tier` as the first arithmetic after the filter, and
   // counts which arithmetic decides.

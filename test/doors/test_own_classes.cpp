@@ -64,6 +64,42 @@ bool do_intersect(const Wire& a, const Wire& b)
   return a.layer == b.layer && CGAL::do_intersect(Segment(a), Segment(b));
 }
 
+// The same of a class that no other derives from.
+struct Last_wire final : Wire
+{
+  using Wire::Wire;
+};
+
+bool do_intersect(const Last_wire& a, const Last_wire& b)
+{
+  return a.layer == b.layer;
+}
+
+// Two classes with a test of both, and none of one of them.
+struct Pin : Point
+{
+  using Point::Point;
+};
+
+bool do_intersect(const Wire& wire, const Pin&)
+{
+  return wire.layer == 1;
+}
+
+// A segment that has its box at hand.
+struct Boxed : Segment, CGAL::Bbox_2
+{
+  explicit Boxed(const Segment& segment) : Segment(segment), CGAL::Bbox_2(segment.bbox()) {}
+};
+
+// A point whose members hide those of its base.
+struct Misleading : Point
+{
+  Misleading(double x, double y) : Point(x, y) {}
+  double cartesian(int) const { return 0; }
+  int dimension() const { return 3; }
+};
+
 } // namespace plans
 
 namespace {
@@ -208,6 +244,47 @@ BOOST_AUTO_TEST_CASE(derived_object_with_a_test_of_its_own_is_asked)
   const Segment across({0, 0}, {2, 2}), other({0, 2}, {2, 0});
   const std::vector<plans::Wire> wires = {{across, 1}, {other, 2}, {other, 1}, {across, 2}};
   BOOST_CHECK(pairs_of(wires) == (Pairs{{0, 2}, {1, 3}}));
+  const std::vector<plans::Last_wire> last = {{across, 1}, {other, 2}, {other, 1}};
+  BOOST_CHECK(pairs_of(last) == (Pairs{{0, 2}}));
+
+  // An object of another class is tested as the segment that it is.
+  const auto pairs_between = [](const auto& a, const auto& b) {
+    Pairs pairs;
+    CGAL::thick_intersection_d(a, b, Pair_collector{pairs});
+    return sorted(pairs);
+  };
+  const std::vector<Segment> segments = nearly_touching_segments();
+  const auto middle = segments.begin() + 160;
+  const std::vector<Segment> long_ones(segments.begin(), middle);
+  const std::vector<Segment> short_ones(middle, segments.end());
+  std::vector<plans::Wire> long_wires;
+  for(const Segment& segment : long_ones)
+    long_wires.emplace_back(segment, 1);
+  BOOST_CHECK(pairs_between(long_wires, short_ones) == pairs_between(long_ones, short_ones));
+
+  // The test of two classes is asked in either order.
+  const std::vector<plans::Pin> pins = {{1, 1}};
+  BOOST_CHECK(pairs_between(wires, pins) == (Pairs{{0, 0}, {2, 0}}));
+  BOOST_CHECK(pairs_between(pins, wires) == (Pairs{{0, 0}, {0, 2}}));
+}
+
+BOOST_AUTO_TEST_CASE(segment_with_its_box_is_a_segment)
+{
+  const std::vector<Segment> segments = nearly_touching_segments();
+  std::vector<plans::Boxed> boxed;
+  for(const Segment& segment : segments)
+    boxed.emplace_back(segment);
+  BOOST_CHECK(pairs_of(boxed) == exact_pairs(segments));
+}
+
+BOOST_AUTO_TEST_CASE(members_that_hide_those_of_a_point_are_not_asked)
+{
+  std::vector<plans::Misleading> points;
+  for(int i = 0; i < 400; ++i)
+    points.emplace_back(i % 20, i / 20);
+  BOOST_CHECK_EQUAL(near_pairs_of(points, 1).size(), 2 * 19 * 20);
+  points.resize(16, {0, 0});
+  BOOST_CHECK_EQUAL(near_pairs_of(points, 1).size(), 15);
 }
 
 BOOST_AUTO_TEST_CASE(derived_features_are_what_their_base_is)
@@ -340,6 +417,23 @@ BOOST_AUTO_TEST_CASE(traits_that_derive_from_those_of_the_package_are_asked)
   check_derived(points,
                 Different_traits<CGAL::Thick_point_traits_d<Point>>(within_distance(1)),
                 {{0, 1}, {1, 2}});
+}
+
+// A functor that derives from that of the base is not cut down to it.
+BOOST_AUTO_TEST_CASE(derived_functor_is_asked)
+{
+  using Base = CGAL::Thick_point_traits_d<Point>;
+  struct Never : Base
+  {
+    using Base::Base;
+    struct Functor : Base::Do_intersect_d
+    {
+      explicit Functor(const Base::Do_intersect_d& base) : Base::Do_intersect_d(base) {}
+      bool operator()(const Point&, const Point&) const { return false; }
+    };
+    Functor do_intersect_d_object() const { return Functor(Base::do_intersect_d_object()); }
+  };
+  check_derived(std::vector<Point>{{0, 0}, {1, 0}}, Never(within_distance(1)), {});
 }
 
 BOOST_AUTO_TEST_CASE(distance_of_the_traits_is_that_of_points)

@@ -82,6 +82,7 @@ const std::vector<Ball> balls;
 const std::vector<std::pair<Point, std::size_t>> points_with_indices;
 const std::vector<std::pair<Point, int>> points_with_numbers;
 const std::vector<std::pair<Kernel::Point_3, Kernel::Vector_3>> points_with_normals;
+const std::vector<CGAL::Polygon_2<Kernel>> polygons;
 const std::vector<CGAL::Polygon_2<CGAL::Projection_traits_xy_3<Kernel>>> projected_polygons;
 const CGAL::Surface_mesh<Kernel::Point_3> mesh;
 const std::vector<Kernel::Circle_2> circles;
@@ -198,6 +199,21 @@ void make_mistakes()
   CGAL::thick_mesh_self_intersections(mesh, pairs_of_faces,
                                       CGAL::parameters::geom_traits(Traits_of_strings()));
 
+  // error: The last argument must be made of named parameters: pass traits by
+  // CGAL::parameters::geom_traits(traits).
+  CGAL::fixed_radius_near_neighbors(points, bound, report, Kernel());
+
+  // error: The first template argument must be Sequential_tag or Parallel_tag.
+  CGAL::fixed_radius_near_neighbors<int>(points, bound, report);
+
+  // error: The progress functor that is given as callback must take a double, and return bool to
+  // tell whether the search goes on.
+  CGAL::closest_pair(points, CGAL::parameters::callback([](double) {}));
+
+  // error: The elements of the range must be objects with bbox() and do_intersect(): pass a
+  // property map to such objects as point_map, or traits as geom_traits.
+  CGAL::thick_self_intersection_d(polygons, report);
+
   // error: vertex_point_map is for meshes: pass the map as point_map.
   CGAL::closest_pair(points, CGAL::parameters::vertex_point_map(mesh.points()));
 
@@ -244,7 +260,7 @@ void make_mistakes()
   CGAL::thick_self_intersection_d(
     points, report, CGAL::parameters::geom_traits(CGAL::Thick_ball_traits_d<Point>(balls)));
 
-  // error: The functors of geom_traits must take its type Object_d.
+  // error: The functors of geom_traits must take its type Object_d, as constant functors.
   CGAL::thick_self_intersection_d(strings, report,
                                   CGAL::parameters::geom_traits(Traits_of_other_objects()));
 

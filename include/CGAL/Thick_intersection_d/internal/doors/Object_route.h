@@ -205,7 +205,8 @@ bool report_objects(const Elements& objects, const Sets& sets, const Traits& tra
     const bool are_finite = boxes.template are_finite<ConcurrencyTag>();
     if(are_finite || !may_recurse) {
       if constexpr(Sets::are_two && Has_boxes<Traits>::value
-                   && Has_segments<typename Elements::value_type>::value)
+                   && Has_segments<typename Elements::value_type>::value
+                   && !has_own_tests_v<typename Elements::value_type>)
         return report_segment_pairs<ConcurrencyTag>(boxes, objects, sets, callback, progress);
       else
         return report_meeting_boxes<ConcurrencyTag>(boxes, sets, callback, progress);

@@ -31,7 +31,7 @@ Coordinate_t<Point> squared_distance_of(const Point& p, const Point& q)
 {
   using FT = Coordinate_t<Point>;
   FT sum(0);
-  const int dimension = p.dimension();
+  const int dimension = dimension_of(p);
   for(int axis = 0; axis < dimension; ++axis) {
     const FT difference(coordinate(p, axis) - coordinate(q, axis));
     sum += difference * difference;

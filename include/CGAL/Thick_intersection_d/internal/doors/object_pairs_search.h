@@ -20,6 +20,7 @@
 #include <CGAL/Thick_intersection_d/internal/doors/Object_route.h>
 #include <CGAL/Thick_intersection_d/internal/doors/Two_type_traits.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
+#include <CGAL/Thick_intersection_d/internal/input/base_kind.h>
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
@@ -45,10 +46,35 @@ template <class Object>
 struct Has_bounding_box<Object, std::void_t<decltype(std::declval<const Object&>().bbox())>>
   : std::true_type {};
 
-// Whether a search without traits takes objects of a kind.
+// Whether a search without traits takes objects of a kind, perhaps with those of another one.
 template <class Kind>
 struct Is_kind : std::bool_constant<Has_bounding_box<Kind>::value || Is_ball<Kind>::value>
 {};
+
+// Whether there is a test of an object of A and one of B in the namespace of their classes.
+template <class A, class B, class = void>
+struct Have_own_test : std::false_type {};
+template <class A, class B>
+struct Have_own_test<A, B,
+                     std::void_t<decltype(do_intersect(std::declval<const A&>(),
+                                                       std::declval<const B&>()))>>
+  : std::true_type {};
+
+// Whether the package has a test of objects of a type, or says more about why it has none.
+template <class Object>
+inline constexpr bool is_answered_v
+  = Is_known_kind<Base_kind_t<Object>>::value || Is_hypersphere<Base_kind_t<Object>>::value;
+
+// Whether two objects of a range, or of two, can be tested. Variants are not asked.
+template <class A, class B = A>
+constexpr bool have_test()
+{
+  if constexpr(Is_one_of_two<A>::value)
+    return have_test<typename A::First, typename A::Second>();
+  else
+    return Is_variant<A>::value || Is_variant<B>::value || (is_answered_v<A> && is_answered_v<B>)
+           || Have_own_test<A, B>::value;
+}
 
 // Checks the objects of a search without traits.
 template <class Object>
@@ -56,7 +82,8 @@ constexpr bool check_kernel_objects()
 {
   constexpr bool has_weight = Kinds<Object>::template is_any<Is_weighted_point>;
   constexpr bool has_no_index = check_no_index<Object>();
-  constexpr bool are_kinds = Kinds<Object>::template are_all<Is_kind>;
+  constexpr bool have_boxes = Kinds<Object>::template are_all<Is_kind>;
+  constexpr bool are_kinds = have_boxes && have_test<Object>();
   static_assert(!has_weight,
                 "A weighted point is no ball: make it a pair of a center and a radius.");
   static_assert(are_kinds || !has_no_index || has_weight,
@@ -112,31 +139,41 @@ constexpr bool check_traits_of_two_types()
 template <class Traits, class Object>
 constexpr bool do_functors_take_objects()
 {
-  if constexpr(!std::is_invocable_v<decltype(std::declval<const Traits&>().do_intersect_d_object()),
-                                    const Object&, const Object&>)
+  using Do_intersect
+    = std::decay_t<decltype(std::declval<const Traits&>().do_intersect_d_object())>;
+  if constexpr(!std::is_invocable_r_v<bool, const Do_intersect&, const Object&, const Object&>)
     return false;
   else if constexpr(Has_intervals<Traits>::value)
-    return std::is_invocable_r_v<std::pair<double, double>,
-                                 decltype(std::declval<const Traits&>().interval_d_object()),
-                                 const Object&, int>;
-  else
-    return std::is_invocable_v<
-      decltype(std::declval<const Traits&>().is_close_along_axis_d_object()), const Object&,
+    return std::is_invocable_r_v<
+      std::pair<double, double>,
+      const std::decay_t<decltype(std::declval<const Traits&>().interval_d_object())>&,
       const Object&, int>;
+  else
+    return std::is_invocable_r_v<
+      bool,
+      const std::decay_t<decltype(std::declval<const Traits&>().is_close_along_axis_d_object())>&,
+      const Object&, const Object&, int>;
 }
+
+template <class Traits, class = void>
+struct Has_dimension : std::false_type {};
+template <class Traits>
+struct Has_dimension<Traits, std::void_t<decltype(std::declval<const Traits&>().dimension())>>
+  : std::is_convertible<decltype(std::declval<const Traits&>().dimension()), int> {};
 
 template <class Traits, class Object>
 constexpr bool check_traits()
 {
   using Object_d = typename Object_of_traits<Traits>::type;
-  constexpr bool is_model = !std::is_same_v<Object_d, No_objects>
+  constexpr bool is_model = !std::is_same_v<Object_d, No_objects> && Has_dimension<Traits>::value
                             && (Has_intervals<Traits>::value || Has_close_predicate<Traits>::value);
   static_assert(is_model, "geom_traits must be a model of ThickIntersectionIntervalTraits_d or of "
                           "ThickIntersectionTraits_d.");
   if constexpr(is_model) {
     constexpr bool is_whole = do_functors_take_objects<Traits, Object_d>();
     constexpr bool takes_objects = std::is_convertible_v<const Object&, const Object_d&>;
-    static_assert(is_whole, "The functors of geom_traits must take its type Object_d.");
+    static_assert(is_whole, "The functors of geom_traits must take its type Object_d, as constant "
+                            "functors.");
     static_assert(takes_objects || !is_whole,
                   "The elements of the range must be of the type Object_d of geom_traits: pass "
                   "a property map to such objects as point_map.");

@@ -33,7 +33,7 @@ class Doubles
 public:
   explicit Doubles(const Elements& points)
   {
-    const int dimension = are_held || points.size() == 0 ? 0 : points[0].dimension();
+    const int dimension = are_held || points.size() == 0 ? 0 : dimension_of(points[0]);
     if(dimension == 2 || dimension == 3)
       for(int axis = 0; axis < dimension; ++axis)
         columns_.push_back(make_uninitialized<double>(points.size()));

@@ -31,14 +31,14 @@ public:
     if(points.size() == 0)
       return;
     const std::size_t count = (std::min)(points.size(), max_count);
-    const int dimension = points[0].dimension();
+    const int dimension = dimension_of(points[0]);
     Double_grid grid;
     std::vector<double> coordinates;
     for(int axis = 0; axis < dimension; ++axis) {
       coordinates.clear();
       for(std::size_t i = 0; i < count; ++i) {
         const auto& point = points[i * points.size() / count];
-        if(point.dimension() == dimension)
+        if(dimension_of(point) == dimension)
           add(coordinate_bounds(point, axis), coordinates);
       }
       std::sort(coordinates.data(), coordinates.data() + coordinates.size()); // as in Slabs.h

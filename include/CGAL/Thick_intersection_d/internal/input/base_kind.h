@@ -58,51 +58,79 @@ template <class K>
 Named_type<Circle_2<K>> base_of(const Circle_2<K>*);
 template <class K>
 Named_type<Sphere_3<K>> base_of(const Sphere_3<K>*);
-// Templates, so that no base of a class with two of these bases comes first.
-template <int = 2>
-Named_type<Bbox_2> base_of(const Bbox_2*);
-template <int = 3>
-Named_type<Bbox_3> base_of(const Bbox_3*);
-
-// The class of CGAL that a class derives from, or else the class itself.
+// The class of CGAL that a class derives from, or else the class itself. A Bbox may be a part of a
+// kernel object that has its box at hand.
 template <class Object, class = void>
-struct Base_kind : Named_type<Object> {};
+struct Base_kind
+  : Named_type<std::conditional_t<
+      std::is_convertible_v<const Object*, const Bbox_2*>, Bbox_2,
+      std::conditional_t<std::is_convertible_v<const Object*, const Bbox_3*>, Bbox_3, Object>>>
+{};
 template <class Object>
 struct Base_kind<Object, std::void_t<decltype(base_of(std::declval<const Object*>()))>>
   : decltype(base_of(std::declval<const Object*>())) {};
 
-// A stand-in for the intersection test of objects of a class of CGAL.
-template <class Kind>
-struct Test_of_kind
+template <class Object>
+using Base_kind_t = typename Base_kind<Object>::type;
+
+// Returns an object as one of the class that it derives from.
+template <class Object>
+const Base_kind_t<Object>& as_base(const Object& object)
 {
-  friend Test_of_kind do_intersect(const Kind&, const Kind&) { return {}; }
+  return object;
+}
+
+// Whether a class is that of points of a kernel in the plane or in space, or derives from it.
+template <class Object, class = void>
+struct Is_kernel_point : std::false_type {};
+template <class K>
+struct Is_kernel_point<Point_2<K>> : std::true_type {};
+template <class K>
+struct Is_kernel_point<Point_3<K>> : std::true_type {};
+template <class Object>
+struct Is_kernel_point<Object, std::enable_if_t<!std::is_same_v<Base_kind_t<Object>, Object>>>
+  : Is_kernel_point<Base_kind_t<Object>> {};
+
+// ---- own tests ----------------------------------------------------------------------------------
+
+// A stand-in for the intersection test of objects of two classes of CGAL.
+template <class Kind_a, class Kind_b>
+struct Test_of_kinds
+{
+  friend Test_of_kinds do_intersect(const Kind_a&, const Kind_b&) { return {}; }
 };
 
-// An object of a class, which does_intersect() takes as such if it can, and else as its base.
-template <class Object, class Kind>
-struct Asked_object : Object, Test_of_kind<Kind> {};
+// An object of a class, which do_intersect() takes as such if it can, and else as its base.
+template <class Object, class Test, bool = std::is_final_v<Object>>
+struct Asked_object : Object, Test {};
+template <class Object, class Test>
+struct Asked_object<Object, Test, true> : Test
+{
+  operator const Object&() const;
+};
 
-// Whether a class that derives from one of CGAL has an intersection test of its own, which is a
-// better match than that of its base.
-template <class Object, class Kind, class = void>
+template <class A, class B>
+using Own_test_t = decltype(do_intersect(
+  std::declval<const Asked_object<A, Test_of_kinds<Base_kind_t<A>, Base_kind_t<B>>>&>(),
+  std::declval<const Asked_object<B, Test_of_kinds<Base_kind_t<A>, Base_kind_t<B>>>&>()));
+
+// Whether objects of two classes, one of which derives from a class of CGAL, have an intersection
+// test of their own, which is a better match than that of their bases.
+template <class A, class B, class = void>
 struct Has_own_test : std::false_type {};
-template <class Object, class Kind>
-struct Has_own_test<
-  Object, Kind,
-  std::void_t<std::enable_if_t<!std::is_same_v<Object, Kind> && !std::is_final_v<Object>>,
-              decltype(do_intersect(std::declval<const Asked_object<Object, Kind>&>(),
-                                    std::declval<const Asked_object<Object, Kind>&>()))>>
+template <class A, class B>
+struct Has_own_test<A, B,
+                    std::void_t<std::enable_if_t<!std::is_same_v<Base_kind_t<A>, A>
+                                                 || !std::is_same_v<Base_kind_t<B>, B>>,
+                                Own_test_t<A, B>>>
   : std::bool_constant<
-      !std::is_same_v<decltype(do_intersect(std::declval<const Asked_object<Object, Kind>&>(),
-                                            std::declval<const Asked_object<Object, Kind>&>())),
-                      Test_of_kind<Kind>>>
+      !std::is_same_v<Own_test_t<A, B>, Test_of_kinds<Base_kind_t<A>, Base_kind_t<B>>>>
 {};
 
-// The class whose predicates decide about an object.
+// The class whose predicates decide about an object. With a test of its own, a class that derives
+// from one of CGAL is as another class of the user.
 template <class Object>
-using Kind_t
-  = std::conditional_t<Has_own_test<Object, typename Base_kind<Object>::type>::value, Object,
-                       typename Base_kind<Object>::type>;
+using Kind_t = std::conditional_t<Has_own_test<Object, Object>::value, Object, Base_kind_t<Object>>;
 
 // Returns an object as one of its kind.
 template <class Object>

@@ -32,9 +32,40 @@ namespace internal {
 template <class ConcurrencyTag>
 constexpr bool check_concurrency()
 {
+  constexpr bool is_tag
+    = is_parallel_v<ConcurrencyTag> || std::is_convertible_v<ConcurrencyTag, Sequential_tag>;
   constexpr bool is_possible = has_tbb || !is_parallel_v<ConcurrencyTag>;
+  static_assert(is_tag, "The first template argument must be Sequential_tag or Parallel_tag.");
   static_assert(is_possible, "Parallel_tag is enabled but TBB is unavailable.");
-  return is_possible;
+  return is_tag && is_possible;
+}
+
+template <class T>
+inline constexpr bool are_named_parameters_v = false;
+template <class T, class Tag, class Base>
+inline constexpr bool are_named_parameters_v<Named_function_parameters<T, Tag, Base>> = true;
+
+// Checks the named parameters that all functions take.
+template <class NamedParameters>
+constexpr bool check_named_parameters()
+{
+  if constexpr(!are_named_parameters_v<NamedParameters>) {
+    static_assert(are_named_parameters_v<NamedParameters>,
+                  "The last argument must be made of named parameters: pass traits by "
+                  "CGAL::parameters::geom_traits(traits).");
+    return false;
+  }
+  else if constexpr(parameters::is_default_parameter<NamedParameters,
+                                                     internal_np::callback_t>::value)
+    return true;
+  else {
+    using Functor = std::decay_t<decltype(parameters::get_parameter(
+      std::declval<const NamedParameters&>(), internal_np::callback))>;
+    constexpr bool tells = std::is_invocable_r_v<bool, Functor&, double>;
+    static_assert(tells, "The progress functor that is given as callback must take a double, and "
+                         "return bool to tell whether the search goes on.");
+    return tells;
+  }
 }
 
 // The map of the named parameters, which may not fit the range.
@@ -59,7 +90,11 @@ constexpr bool check_map_of_range()
 template <class ConcurrencyTag, class Range, class NamedParameters>
 constexpr bool check_range()
 {
-  if constexpr(!check_concurrency<ConcurrencyTag>() || !check_map_of_range<NamedParameters>())
+  if constexpr(!check_concurrency<ConcurrencyTag>())
+    return false;
+  else if constexpr(!check_named_parameters<NamedParameters>())
+    return false;
+  else if constexpr(!check_map_of_range<NamedParameters>())
     return false;
   else if constexpr(!Is_range<Range>::value) {
     static_assert(Is_range<Range>::value, "The argument must be a range with forward iterators.");
@@ -79,13 +114,25 @@ template <class NamedParameters>
 using Given_traits = std::decay_t<decltype(parameters::get_parameter_reference(
   std::declval<const NamedParameters&>(), internal_np::geom_traits))>;
 
+// The kernel of an object, or of the center of a ball.
+template <class Kind, bool = Is_ball<Kind>::value>
+struct Kernel_of_kind
+{
+  using type = typename Kernel_traits<Kind>::Kernel;
+};
+template <class Ball>
+struct Kernel_of_kind<Ball, true>
+{
+  using type = typename Kernel_traits<typename Ball::first_type>::Kernel;
+};
+
 // Whether traits are given that know something else than the type of the objects does: any but the
 // kernel of the objects, which other functions of CGAL take as geom_traits.
 template <class Object, class NamedParameters>
 inline constexpr bool has_traits_v
   = !parameters::is_default_parameter<NamedParameters, internal_np::geom_traits_t>::value
     && !std::is_same_v<Given_traits<NamedParameters>,
-                       typename Kernel_traits<typename Kinds<Object>::First>::Kernel>;
+                       typename Kernel_of_kind<typename Kinds<Object>::First>::type>;
 
 // Refuses pairs that are balls to nobody who has read examples of CGAL.
 template <class Object>

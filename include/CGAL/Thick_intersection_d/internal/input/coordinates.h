@@ -12,6 +12,7 @@
 #include <CGAL/assertions.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/input/base_kind.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
@@ -36,7 +37,13 @@ decltype(auto) coordinate(const Point& p, int i)
 {
   if constexpr(dimension_or<Point>(0) != 0)
     CGAL_assume(0 <= i && i < dimension_or<Point>(0));
-  return p.cartesian(i);
+  return as_base(p).cartesian(i); // a class that derives from that of points may hide it
+}
+
+template <class Point>
+int dimension_of(const Point& p)
+{
+  return as_base(p).dimension();
 }
 
 // The number type of the coordinates of Point.
@@ -190,8 +197,8 @@ void throw_not_finite(const char* name, std::size_t position, int axis)
 template <class Point>
 void check_point(const Point& p, int dimension, const char* name, std::size_t position)
 {
-  if(p.dimension() != dimension)
-    throw_wrong_dimension(name, position, p.dimension(), dimension);
+  if(dimension_of(p) != dimension)
+    throw_wrong_dimension(name, position, dimension_of(p), dimension);
   for(int i = 0; i < dimension; ++i)
     if(!is_finite_number(coordinate(p, i)))
       throw_not_finite(name, position, i);

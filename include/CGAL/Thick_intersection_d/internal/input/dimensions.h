@@ -35,7 +35,8 @@ using Point_dimension_t = typename Point_dimension<Point>::type;
 template <class T, class = void>
 struct Is_weighted_point : std::false_type {};
 template <class T>
-struct Is_weighted_point<T, std::void_t<typename T::Weight, typename T::Point>> : std::true_type {};
+struct Is_weighted_point<T, std::void_t<typename T::Weight, typename T::Point>>
+  : std::bool_constant<!Is_kernel_point<T>::value> {};
 
 template <class T, class = void>
 struct Is_point : std::false_type {};

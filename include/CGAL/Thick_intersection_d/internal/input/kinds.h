@@ -49,6 +49,7 @@ struct Is_ball : std::false_type {};
 template <class Object>
 struct Is_ball<Object, std::void_t<typename Object::second_type>>
   : std::bool_constant<Is_point<typename Object::first_type>::value
+                       && Is_kernel_point<typename Object::first_type>::value
                        && is_number_v<typename Object::second_type>
                        && !Is_point_with_index<Object>::value>
 {};
@@ -87,23 +88,52 @@ private:
   std::variant<Range_object<A>, Range_object<B>> object_;
 };
 
-// The kinds that an object may be of.
+// The types that an object may be of.
 template <class Object>
-struct Kinds_of
+struct Types_of
 {
-  using type = std::tuple<Kind_t<Object>>;
+  using type = std::tuple<Object>;
 };
-template <class... Kinds>
-struct Kinds_of<std::variant<Kinds...>>
+template <class... Types>
+struct Types_of<std::variant<Types...>>
 {
-  using type = decltype(std::tuple_cat(std::declval<typename Kinds_of<Kinds>::type>()...));
+  using type = decltype(std::tuple_cat(std::declval<typename Types_of<Types>::type>()...));
 };
 template <class A, class B>
-struct Kinds_of<One_of_two<A, B>>
+struct Types_of<One_of_two<A, B>>
 {
-  using type = decltype(std::tuple_cat(std::declval<typename Kinds_of<std::decay_t<A>>::type>(),
-                                       std::declval<typename Kinds_of<std::decay_t<B>>::type>()));
+  using type = decltype(std::tuple_cat(std::declval<typename Types_of<std::decay_t<A>>::type>(),
+                                       std::declval<typename Types_of<std::decay_t<B>>::type>()));
 };
+
+template <class Types>
+struct Kinds_of_types;
+template <class... Types>
+struct Kinds_of_types<std::tuple<Types...>>
+{
+  using type = std::tuple<Kind_t<Types>...>;
+};
+
+// The kinds that an object may be of.
+template <class Object>
+struct Kinds_of : Kinds_of_types<typename Types_of<Object>::type>
+{};
+
+template <class A, class... Types>
+constexpr bool has_own_test_with(std::tuple<Types...>*)
+{
+  return (Has_own_test<A, Types>::value || ...);
+}
+template <class... Types>
+constexpr bool has_own_tests(std::tuple<Types...>* types)
+{
+  return (has_own_test_with<Types>(types) || ...);
+}
+
+// Whether two objects of a range, or of two, may have an intersection test of their own.
+template <class Object>
+inline constexpr bool has_own_tests_v
+  = has_own_tests(static_cast<typename Types_of<Object>::type*>(nullptr));
 
 template <class Kinds>
 struct Kind_list;
@@ -165,26 +195,42 @@ bool of_ranges(const Object& a, const Object& b, const Test& test)
     return test(a, b);
 }
 
-// Returns task(object) for what an object is. The result has the same type for all kinds.
+// Returns task(object) for what an object holds. The result has the same type for all types.
+template <class Object, class Task>
+auto with_type(const Object& object, const Task& task)
+{
+  if constexpr(Is_variant<Object>::value)
+    return std::visit([&](const auto& x) { return with_type(x, task); }, object);
+  else if constexpr(Is_one_of_two<Object>::value)
+    return of_range(object, [&](const auto& x) { return with_type(x, task); });
+  else
+    return task(object);
+}
+
+// The same for what an object is.
 template <class Object, class Task>
 auto with_kind(const Object& object, const Task& task)
 {
-  if constexpr(Is_variant<Object>::value)
-    return std::visit([&](const auto& kind) { return with_kind(kind, task); }, object);
-  else if constexpr(Is_one_of_two<Object>::value)
-    return of_range(object, [&](const auto& x) { return with_kind(x, task); });
-  else
-    return task(as_kind(object));
+  return with_type(object, [&](const auto& x) { return task(as_kind(x)); });
 }
 
-// Returns test(a, b) for what two objects of a range are, or one of each of two ranges.
+// Returns test(a, b) for what two objects of a range hold, or one of each of two ranges.
+template <class Object, class Test>
+bool with_types(const Object& a, const Object& b, const Test& test)
+{
+  return of_ranges(a, b, [&](const auto& range_a, const auto& range_b) {
+    return with_type(range_a, [&](const auto& x) {
+      return with_type(range_b, [&](const auto& y) { return test(x, y); });
+    });
+  });
+}
+
+// The same for what the objects are.
 template <class Object, class Test>
 bool with_kinds(const Object& a, const Object& b, const Test& test)
 {
-  return of_ranges(a, b, [&](const auto& x, const auto& y) {
-    return with_kind(x, [&](const auto& kind_a) {
-      return with_kind(y, [&](const auto& kind_b) { return test(kind_a, kind_b); });
-    });
+  return with_types(a, b, [&](const auto& x, const auto& y) {
+    return test(as_kind(x), as_kind(y));
   });
 }
 

@@ -113,7 +113,7 @@ private:
       if(position + points_ahead < last)
         ask_for_approximation(points, position + points_ahead);
       const auto& point = points[position];
-      bool is_good = point.dimension() == dimension;
+      bool is_good = dimension_of(point) == dimension;
       for(int axis = 0; is_good && axis < dimension; ++axis) {
         const std::pair<double, double> x = coordinate_bounds(point, axis);
         is_good = are_bounds_of_finite(x);
@@ -143,7 +143,7 @@ template <class ConcurrencyTag, class Elements, class Store>
 CGAL_THICK_INTERSECTION_D_RARELY_CALLED
 Scene scan_points(const Elements& points, const char* name, bool finds_grid, const Store& store)
 {
-  const int dimension = points.size() == 0 ? 0 : points[0].dimension();
+  const int dimension = points.size() == 0 ? 0 : dimension_of(points[0]);
   Scene_scan all(dimension, finds_grid);
   Per_thread<ConcurrencyTag, Scene_scan> scans(all);
   for_each_block<ConcurrencyTag>(points.size(), [&](std::size_t first, std::size_t last) {

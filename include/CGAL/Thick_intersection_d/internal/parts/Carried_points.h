@@ -43,7 +43,7 @@ public:
   template <class Point>
   explicit Carried_doubles(const Point& point)
   {
-    resize(point.dimension());
+    resize(dimension_of(point));
     for(std::size_t axis = 0; axis < x_.size(); ++axis)
       x_[axis] = coordinate_bounds(point, static_cast<int>(axis)).first;
   }

@@ -12,6 +12,7 @@
 #include <CGAL/Distance_bound.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
+#include <CGAL/Thick_intersection_d/internal/input/base_kind.h>
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/kinds.h>
 #include <CGAL/Thick_intersection_d/internal/input/vertices.h>
@@ -77,13 +78,11 @@ constexpr int degree_of()
                                   static_cast<typename Kinds_of<B>::type*>(nullptr));
 }
 
-// Whether objects of one kind each intersect.
+// Whether objects of one known kind each intersect.
 template <class A, class B>
 bool do_kinds_intersect(const A& a, const B& b, Arithmetic_tier& tier)
 {
-  if constexpr(!Is_known_kind<A>::value || !Is_known_kind<B>::value)
-    return do_intersect(a, b); // found in the namespace of the objects
-  else if constexpr(Is_ball<A>::value || Is_ball<B>::value) {
+  if constexpr(Is_ball<A>::value || Is_ball<B>::value) {
     using Exact = typename Common_exact_number<std::tuple<A, B>>::type;
     const auto no_distance = [] { return Squared_bound<Exact>(within_distance(0)); };
     return are_kinds_near(a, b, Hull_bound(), no_distance, tier);
@@ -92,13 +91,28 @@ bool do_kinds_intersect(const A& a, const B& b, Arithmetic_tier& tier)
     return do_kernel_objects_intersect(a, b, tier);
 }
 
+// Whether objects of one type each intersect. The test of a class of the user with another class is
+// found in their namespaces.
+template <class A, class B>
+bool do_types_intersect(const A& a, const B& b, Arithmetic_tier& tier)
+{
+  constexpr bool are_known
+    = Is_known_kind<Base_kind_t<A>>::value && Is_known_kind<Base_kind_t<B>>::value;
+  if constexpr(Has_own_test<A, B>::value || (!are_known && !Has_own_test<B, A>::value))
+    return do_intersect(a, b);
+  else if constexpr(Has_own_test<B, A>::value)
+    return do_intersect(b, a);
+  else
+    return do_kinds_intersect(as_base(a), as_base(b), tier);
+}
+
 // Whether two objects whose bounding boxes meet intersect. `tier` is the first arithmetic after the
 // filter, and becomes the one that was needed.
 template <class Object>
 bool do_objects_intersect(const Object& a, const Object& b, Arithmetic_tier& tier)
 {
-  return with_kinds(a, b, [&](const auto& x, const auto& y) {
-    return do_kinds_intersect(x, y, tier);
+  return with_types(a, b, [&](const auto& x, const auto& y) {
+    return do_types_intersect(x, y, tier);
   });
 }
 

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -103,9 +104,9 @@ private:
 
   const Elements& elements_;
   Sets sets_;
-  typename Traits::Less_coordinate_d less_;
-  typename Traits::Is_close_along_axis_d is_close_;
-  typename Traits::Do_intersect_d do_intersect_;
+  decltype(std::declval<const Traits&>().less_coordinate_d_object()) less_;
+  decltype(std::declval<const Traits&>().is_close_along_axis_d_object()) is_close_;
+  decltype(std::declval<const Traits&>().do_intersect_d_object()) do_intersect_;
   int dimension_;
 };
 
