@@ -7,6 +7,7 @@
 
 #include "decimal.h"
 #include "error.h"
+#include "text.h"
 
 #include <string_view>
 
@@ -26,6 +27,13 @@ bool is_of_number(char letter)
   return letter == '.' || (letter >= '0' && letter <= '9');
 }
 
+// Whether a line is that of an atom, but not as the format has it.
+bool is_misspelt_atom(const std::string& line)
+{
+  const std::string word = lower_case(std::string(trimmed(line.substr(0, 8))));
+  return word.compare(0, 4, "atom") == 0 || word.compare(0, 6, "hetatm") == 0;
+}
+
 // The number in these columns, which are counted from 0. Lines may be shifted, as those of a long
 // serial number often are: then the point is not where it should be, and digits may be outside.
 std::string number_in(const std::string& line, std::size_t begin, std::size_t width,
@@ -33,7 +41,8 @@ std::string number_in(const std::string& line, std::size_t begin, std::size_t wi
 {
   const std::size_t end = begin + width;
   const auto cuts = [&](std::size_t at) {
-    return at < line.size() && is_of_number(line[at - 1]) && is_of_number(line[at]);
+    return at < line.size() && (is_of_number(line[at - 1]) || line[at - 1] == '-')
+           && is_of_number(line[at]);
   };
   if(line[end - decimals - 1] != '.' && (cuts(begin) || cuts(end)))
     throw Error("columns " + std::to_string(begin + 1) + " to " + std::to_string(end)
@@ -65,6 +74,8 @@ bool Pdb_reader::next(Row& row)
       read_atom(row);
       return true;
     }
+    else if(is_misspelt_atom(line_))
+      throw Error(lines_.file(), lines_.number(), "the line of an atom begins with ATOM or HETATM");
     else if(frame.count + !is_in_model_ <= frame.number)
       take_cell(name);
   }

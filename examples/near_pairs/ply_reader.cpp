@@ -40,6 +40,8 @@ Ply_reader::Ply_reader(const Input& input, const Read_options& options)
   vertices_ = std::find_if(elements_.begin(), elements_.end(), has_vertices) - elements_.begin();
   if(vertices_ == elements_.size())
     throw Error(file_, "the header has no element vertex");
+  if(std::count_if(elements_.begin(), elements_.end(), has_vertices) > 1)
+    throw Error(file_, "the header has several elements of vertices");
   choose_coordinates(options.dimension);
   for(std::size_t element = 0; element < vertices_; ++element)
     skip_items(elements_[element]);
@@ -66,13 +68,18 @@ void Ply_reader::read_head()
   std::string line;
   if(!numbers_.next_line(line) || words(line, 2) != std::vector<std::string>{"ply"})
     throw Error(file_, "does not begin with a line 'ply'");
+  bool has_format = false;
   while(numbers_.next_line(line)) {
     const std::vector<std::string> texts = words(line, 6);
     const std::string keyword = texts.empty() ? "comment" : texts.front();
+    if(keyword == "end_header" && !has_format)
+      throw wrong_line("the header has no format");
     if(keyword == "end_header")
       return;
-    if(keyword == "format" && texts.size() == 3)
+    if(keyword == "format" && texts.size() == 3) {
       read_format(texts[1]);
+      has_format = true;
+    }
     else if(keyword == "element" && texts.size() == 3 && parse_count(texts[2]))
       elements_.push_back({texts[1], *parse_count(texts[2]), {}});
     else if(keyword == "property" && !elements_.empty())

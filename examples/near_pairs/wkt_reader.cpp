@@ -66,11 +66,8 @@ public:
     if(sign() == end_of_file)
       return false;
     feature_ = Feature();
-    if(take("SRID")) {
-      expect('=');
-      take_while(is_of_number);
-      expect(';');
-    }
+    if(take("SRID"))
+      reference_system();
     geometry(0);
     const std::size_t line = lines_.number();
     take(';');
@@ -192,6 +189,17 @@ private:
     return vertices;
   }
 
+  // Coordinates of two systems of reference cannot be compared.
+  void reference_system()
+  {
+    expect('=');
+    const std::string system = take_while(is_of_number);
+    if(!system_.empty() && system != system_)
+      fail("SRID " + system + " is not the one before, " + system_);
+    system_ = system;
+    expect(';');
+  }
+
   void point()
   {
     const Vertices vertices = positions();
@@ -224,6 +232,14 @@ private:
     check(add_polygon(feature_, std::move(rings)));
   }
 
+  void triangle()
+  {
+    polygon();
+    const bool is_triangle = feature_.polygons.empty() || feature_.polygons.back().size() != 1
+                             || feature_.polygons.back().front().size() <= 3;
+    check(is_triangle ? "" : "a triangle has more than three vertices");
+  }
+
   // Reads a kind of geometry, with Z, M or ZM at its end or behind it. No kind ends with these.
   std::string take_kind()
   {
@@ -249,14 +265,18 @@ private:
       line();
     else if(kind == "LINEARRING")
       ring();
-    else if(kind == "POLYGON" || kind == "TRIANGLE")
+    else if(kind == "POLYGON")
       polygon();
+    else if(kind == "TRIANGLE")
+      triangle();
     else if(kind == "MULTIPOINT")
       list([&] { point_of_list(); });
     else if(kind == "MULTILINESTRING")
       list([&] { line(); });
-    else if(kind == "MULTIPOLYGON" || kind == "TIN" || kind == "POLYHEDRALSURFACE")
+    else if(kind == "MULTIPOLYGON" || kind == "POLYHEDRALSURFACE")
       list([&] { polygon(); });
+    else if(kind == "TIN")
+      list([&] { triangle(); });
     else if(kind == "GEOMETRYCOLLECTION")
       list([&] { geometry(depth + 1); });
     else
@@ -267,7 +287,8 @@ private:
   std::string line_;
   std::size_t at_ = 0; // in the line
   Feature feature_;
-  int numbers_ = 0; // of each position of the geometry; 0: not known yet
+  std::string system_; // of reference; empty if no geometry has told it
+  int numbers_ = 0;    // of each position of the geometry; 0: not known yet
 };
 
 } // namespace
