@@ -125,6 +125,12 @@ BOOST_AUTO_TEST_CASE(points_are_read_from_wherever_they_are)
       source.views[0] = array.view();
       source.views[1] = other_array.view();
       check_points(source, points);
+      In_array shared(first); // an array, but for axis 1
+      for(std::size_t i = 1; i < first_size; ++i)
+        shared.elements[i].x[1] = 7;
+      source.views[0] = shared.view();
+      source.views[0].step[1] = 0;
+      check_points(source, points);
       source.views[0] = columns.view();
       check_points(source, points);
       source.views[1] = other_columns.view();
