@@ -6,7 +6,7 @@
 // for near points by slabs, for all kernels. It does not depend on oneTBB: a program that has it
 // hands its threads to the searches.
 
-#include <CGAL/Thick_intersection_d/internal/slabs/near_search.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/near_search.inc>
 
 #include <cstdint>
 
