@@ -6,8 +6,7 @@
 #include "support/point_generators.h"
 
 #include <CGAL/Thick_intersection_d/internal/arrays/prefix_sums.h>
-
-#include <CGAL/tags.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -19,6 +18,7 @@
 BOOST_AUTO_TEST_SUITE(prefix_sums)
 
 using namespace test_support;
+using CGAL::Thick_intersection_d::internal::Threads;
 using CGAL::Thick_intersection_d::internal::replace_by_prefix_sums;
 using CGAL::Thick_intersection_d::internal::replace_by_sums_over_blocks;
 
@@ -48,7 +48,7 @@ BOOST_AUTO_TEST_CASE(each_count_becomes_the_sum_of_those_in_blocks_before)
         counts.push_back(static_cast<std::uint32_t>(random.below(4)));
       std::vector<std::uint32_t> sums = counts;
       std::vector<std::uint64_t> totals(size, 0);
-      replace_by_sums_over_blocks<CGAL::Sequential_tag>(sums.data(), blocks, size, totals.data());
+      replace_by_sums_over_blocks(Threads(), sums.data(), blocks, size, totals.data());
       for(std::size_t i = 0; i < size; ++i) {
         std::uint64_t sum = 0;
         for(std::size_t block = 0; block < blocks; ++block) {

@@ -86,6 +86,22 @@ bool do_intersect(const Wire& wire, const Pin&)
   return wire.layer == 1;
 }
 
+// A wire that is wider than its base, and has a box of its own.
+struct Wide_wire : Segment
+{
+  using Segment::Segment;
+  CGAL::Bbox_2 bbox() const
+  {
+    const CGAL::Bbox_2 box = Segment::bbox();
+    return {box.xmin() - 1, box.ymin() - 1, box.xmax() + 1, box.ymax() + 1};
+  }
+};
+
+bool do_intersect(const Wide_wire& a, const Wide_wire& b)
+{
+  return CGAL::do_overlap(a.bbox(), b.bbox());
+}
+
 // A segment that has its box at hand.
 struct Boxed : Segment, CGAL::Bbox_2
 {
@@ -246,6 +262,11 @@ BOOST_AUTO_TEST_CASE(derived_object_with_a_test_of_its_own_is_asked)
   BOOST_CHECK(pairs_of(wires) == (Pairs{{0, 2}, {1, 3}}));
   const std::vector<plans::Last_wire> last = {{across, 1}, {other, 2}, {other, 1}};
   BOOST_CHECK(pairs_of(last) == (Pairs{{0, 2}}));
+
+  // Its box is its own, too.
+  const std::vector<plans::Wide_wire> wide
+    = {{Point(0, 0), Point(9, 0)}, {Point(0, 2), Point(9, 2)}, {Point(0, 5), Point(9, 5)}};
+  BOOST_CHECK(pairs_of(wide) == (Pairs{{0, 1}}));
 
   // An object of another class is tested as the segment that it is.
   const auto pairs_between = [](const auto& a, const auto& b) {

@@ -9,6 +9,8 @@
 
 #include <CGAL/Dimension.h>
 
+#include <CGAL/Thick_intersection_d/internal/input/base_kind.h>
+
 #include <type_traits>
 #include <utility>
 

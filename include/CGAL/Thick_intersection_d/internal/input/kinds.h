@@ -48,8 +48,7 @@ template <class Object, class = void>
 struct Is_ball : std::false_type {};
 template <class Object>
 struct Is_ball<Object, std::void_t<typename Object::second_type>>
-  : std::bool_constant<Is_point<typename Object::first_type>::value
-                       && Is_kernel_point<typename Object::first_type>::value
+  : std::bool_constant<Is_kernel_point<typename Object::first_type>::value
                        && is_number_v<typename Object::second_type>
                        && !Is_point_with_index<Object>::value>
 {};
