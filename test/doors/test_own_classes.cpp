@@ -7,6 +7,7 @@
 #include "support/pairs.h"
 
 #include <CGAL/Bbox_2.h>
+#include <CGAL/Cartesian.h>
 #include <CGAL/Cartesian_converter.h>
 #include <CGAL/Dimension.h>
 #include <CGAL/Distance_bound.h>
@@ -253,6 +254,15 @@ BOOST_AUTO_TEST_CASE(box_and_point_with_an_id_are_known)
   const std::vector<std::pair<With_id<Point>, double>> balls = {{points[0], 2}, {points[2], 3}};
   BOOST_CHECK(pairs_of(balls) == (Pairs{{0, 1}}));
   BOOST_CHECK(near_pairs_of(balls, 0) == (Pairs{{0, 1}}));
+}
+
+// Points of a kernel that counts references have their coordinates elsewhere, and not in the array.
+BOOST_AUTO_TEST_CASE(points_may_have_their_coordinates_elsewhere)
+{
+  std::vector<CGAL::Cartesian<double>::Point_2> points;
+  for(int i = 0; i < 400; ++i)
+    points.emplace_back(i % 20, i / 20);
+  BOOST_CHECK_EQUAL(near_pairs_of(points, 1).size(), 2 * 19 * 20);
 }
 
 BOOST_AUTO_TEST_CASE(derived_object_with_a_test_of_its_own_is_asked)

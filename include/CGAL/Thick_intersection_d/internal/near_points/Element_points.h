@@ -10,7 +10,9 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/input/Point_doubles.h>
+#include <CGAL/Thick_intersection_d/internal/input/base_kind.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Integer_distance.h>
@@ -34,12 +36,26 @@ inline constexpr bool have_numbers = false;
 template <class Elements>
 inline constexpr bool have_numbers<Elements, std::void_t<decltype(&Elements::number)>> = true;
 
-// Whether an iterator is known to go through an array of points that hold doubles.
+// Whether a point of a kernel has its coordinates in itself, as doubles. Those of kernels that
+// count references have a pointer to them, and so have points whose type tells no dimension.
+template <class Point>
+constexpr bool has_doubles_inside()
+{
+  if constexpr(Is_kernel_point<Point>::value
+               && std::is_same_v<decltype(coordinate(std::declval<const Point&>(), 0)),
+                                 const double&>)
+    return sizeof(Base_kind_t<Point>)
+           >= static_cast<std::size_t>(dimension_or<Point>(0)) * sizeof(double);
+  else
+    return false;
+}
+
+// Whether an iterator is known to go through an array of such points.
 template <class Iterator, class Point>
 inline constexpr bool is_in_array_of_doubles
   = (std::is_pointer_v<Iterator>
      || std::is_same_v<Iterator, typename std::vector<Point>::const_iterator>)
-    && std::is_same_v<decltype(coordinate(std::declval<const Point&>(), 0)), const double&>;
+    && has_doubles_inside<Point>();
 
 // Whether elements are one array of points that hold doubles, or two.
 template <class Elements>
