@@ -1,6 +1,6 @@
 # Finds what the internal headers do not include although they use it: reads all headers twice, first
 # for the names that each of them defines in the namespace, then for the names that each of them uses.
-# Prints "header: name is of <wing>/<header>" for each that is missing. The same for names of the
+# Prints "header: name is of <room>/<header>" for each that is missing. The same for names of the
 # standard library that one header has, and that other standard headers may include or not.
 #
 # Names are found by the layout of the code: what is defined in a namespace begins in column 1. A

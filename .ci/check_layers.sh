@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Checks what the headers include and name. Each wing includes the wings and the public headers that
+# Checks what the headers include and name. Each room includes the rooms and the public headers that
 # the table in doc/design.md allows, and directly what it uses; there are no cycles. oneTBB, calls of
-# an operating system and processor instructions stand in one wing each. No part of CGAL under the
+# an operating system and processor instructions stand in one room each. No part of CGAL under the
 # GPL is included, and some things have no place in a header at all.
 #
 # Prints each offending line; exits with 1 if there is one.
@@ -36,29 +36,23 @@ find_lines() {  # extended regular expression, grep option...
 
 mapfile -t headers < <(find CGAL -name '*.h' -o -name '*.inc' | sort)
 (( ${#headers[@]} > 0 )) || { echo "No headers found." >&2; exit 1; }
-doors=$(grep -lE "include <$internal/doors/" CGAL/*.h | paste -sd ' ')
 
-# The table of wings: may_include[wing] has words such as internal/input/ and CGAL/Neighbor_lists.h.
+# The table of rooms: may_include[room] has words such as internal/input/ and CGAL/Neighbor_lists.h.
 declare -A may_include=()
-wings=()
-while IFS='|' read -r _ wing others vocabulary _; do
-  wing=$(tr -d ' \`' <<< "$wing")
-  words=" $internal/$wing"
-  if [[ $others == *all* ]]; then
-    for other in "${wings[@]}"; do words+=" $internal/$other"; done
-    for header in CGAL/*.h; do [[ " $doors " == *" $header "* ]] || words+=" $header"; done
-  else
-    for other in $others; do
-      [[ " ${wings[*]} " == *" $other/ "* ]] ||
-        { echo "doc/design.md: $wing may include $other/, which does not stand above it." >&2; exit 1; }
-      words+=" $internal/$other/"
-    done
-    for header in $(tr -d '\`' <<< "$vocabulary"); do words+=" CGAL/$header"; done
-  fi
-  may_include[$wing]="$words "
-  wings+=("$wing")
-done < <(sed -n '/^| wing | may include wings/,/^$/p' "$top/doc/design.md" | grep '^| `')
-(( ${#wings[@]} > 0 )) || { echo "doc/design.md has no table of wings." >&2; exit 1; }
+rooms=()
+while IFS='|' read -r _ room others vocabulary _; do
+  room=$(tr -d ' \`' <<< "$room")
+  words=" $internal/$room"
+  for other in $others; do
+    [[ " ${rooms[*]} " == *" $other/ "* ]] ||
+      { echo "doc/design.md: $room may include $other/, which does not stand above it." >&2; exit 1; }
+    words+=" $internal/$other/"
+  done
+  for header in $(tr -d '\`' <<< "$vocabulary"); do words+=" CGAL/$header"; done
+  may_include[$room]="$words "
+  rooms+=("$room")
+done < <(sed -n '/^| room | may include rooms/,/^$/p' "$top/doc/design.md" | grep '^| `')
+(( ${#rooms[@]} > 0 )) || { echo "doc/design.md has no table of rooms." >&2; exit 1; }
 
 # The includes of our headers by our headers, as lines "header included". One process reads them all:
 # a process for each header would take longer than all other checks.
@@ -74,7 +68,7 @@ for header in "${headers[@]}"; do
   [[ $header == "$internal"/* ]] || continue
   folder=${header#"$internal"/}
   [[ -n ${may_include[${folder%/*}/]-} ]] ||
-    forbid "${folder%/*}/ is not in the table of wings" <<< "$header"
+    forbid "${folder%/*}/ is not in the table of rooms" <<< "$header"
 done
 while read -r header included; do
   [[ $header == "$internal"/* ]] || continue
@@ -102,9 +96,9 @@ forbid 'only machine/ names oneTBB and calls an operating system' < <(
 forbid 'only distributed/ calls MPI, and one public header takes a communicator' < <(
   find_lines '(^|[^_[:alnum:]])MPI_[A-Z]' | grep -v "^$internal/distributed/" |
     grep -v '^CGAL/distributed_fixed_radius_near_neighbors.h:')
-forbid 'only slabs/lanes/ has processor instructions' < <(
+forbid 'only lanes/ has processor instructions' < <(
   find_lines '(_mm[0-9]*_|__m[0-9]+|immintrin|arm_neon|__builtin_(ia32|cpu)|target *\(")' |
-    grep -v "^$internal/slabs/lanes/")
+    grep -v "^$internal/lanes/")
 forbid 'the recursion knows no number, kernel or named parameter' < <(
   find_lines '(Named_function|parameters::|coordinate\(|cartesian|Exact_)' |
     grep "^$internal/recursion/")

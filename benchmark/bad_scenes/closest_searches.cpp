@@ -12,7 +12,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/closest_pair.h>
 
-#include <CGAL/Thick_intersection_d/internal/doors/closest_pair_search.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/find_closest_pair.h>
 
 namespace thick_benchmark {
 namespace {

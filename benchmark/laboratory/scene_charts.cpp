@@ -170,7 +170,8 @@ int main(int, char** arguments)
   const std::string folder = arguments[1];
   Csv_file certificates(
     folder, "certificates.csv",
-    "Scene_profile itself; test/doors/test_data.cpp checks the pairs of these scenes in integers",
+    "Scene_profile itself; test/functions/test_data.cpp checks the pairs of these scenes in "
+    "integers",
     "file,view,dimension,radius,stored,log2_extent,log2_reach,bits,tier");
   write_certificates(certificates);
 

@@ -12,10 +12,10 @@
 #define THICK_INTERSECTION_BENCHMARK_METHODS_INCREMENTAL_CELLS_H
 
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Hashed_cells.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Pair_minimum.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
-#include <CGAL/Thick_intersection_d/internal/input/positions.h>
 
 #include <algorithm>
 #include <cmath>

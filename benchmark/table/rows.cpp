@@ -11,7 +11,7 @@
 
 #include "support/counting_allocator.h"
 
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/instruction_set.h>
+#include <CGAL/Thick_intersection_d/internal/lanes/instruction_set.h>
 
 #include <malloc.h>
 

@@ -10,10 +10,10 @@
 #include <CGAL/Dimension.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
-#include <CGAL/Thick_intersection_d/internal/doors/ball_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/Ball_centers.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
+#include <CGAL/Thick_intersection_d/internal/objects/ball_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Do_balls_intersect.h>
 
 #include <algorithm>

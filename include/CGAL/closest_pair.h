@@ -11,7 +11,7 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
 
-#include <CGAL/Thick_intersection_d/internal/doors/closest_pair_search.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/find_closest_pair.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 

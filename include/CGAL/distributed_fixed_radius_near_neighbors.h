@@ -16,8 +16,8 @@
 #include <CGAL/tags.h>
 
 #include <CGAL/Thick_intersection_d/internal/distributed/Communicator.h>
-#include <CGAL/Thick_intersection_d/internal/doors/distributed_lists_search.h>
-#include <CGAL/Thick_intersection_d/internal/doors/distributed_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/distributed/distributed_lists_search.h>
+#include <CGAL/Thick_intersection_d/internal/distributed/distributed_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 
 #include <mpi.h>

@@ -12,7 +12,7 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
 
-#include <CGAL/Thick_intersection_d/internal/doors/external_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/external/external_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 
 #include <type_traits>

@@ -14,9 +14,9 @@
 #include <CGAL/fixed_radius_neighbor_lists.h>
 #include <CGAL/tags.h>
 
-#include <CGAL/Thick_intersection_d/internal/doors/near_pairs_search.h>
-#include <CGAL/Thick_intersection_d/internal/doors/pair_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
+#include <CGAL/Thick_intersection_d/internal/objects/near_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
 
 #include <type_traits>
 

@@ -12,8 +12,8 @@
 #include <CGAL/Neighbor_lists.h>
 #include <CGAL/tags.h>
 
-#include <CGAL/Thick_intersection_d/internal/doors/neighbor_lists_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
+#include <CGAL/Thick_intersection_d/internal/lists/neighbor_lists_search.h>
 
 #include <type_traits>
 

@@ -10,7 +10,7 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Neighbor_lists.h>
 
-#include <CGAL/Thick_intersection_d/internal/doors/neighbor_distances.h>
+#include <CGAL/Thick_intersection_d/internal/lists/neighbor_distances.h>
 
 namespace CGAL {
 

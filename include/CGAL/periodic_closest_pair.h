@@ -11,7 +11,7 @@
 #include <CGAL/Periodic_lattice_d.h>
 #include <CGAL/tags.h>
 
-#include <CGAL/Thick_intersection_d/internal/doors/periodic_closest_pair_search.h>
+#include <CGAL/Thick_intersection_d/internal/periodic/periodic_closest_pair_search.h>
 
 namespace CGAL {
 

@@ -15,9 +15,9 @@
 #include <CGAL/Scene_profile.h>
 #include <CGAL/tags.h>
 
-#include <CGAL/Thick_intersection_d/internal/doors/periodic_lists_search.h>
-#include <CGAL/Thick_intersection_d/internal/doors/periodic_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
+#include <CGAL/Thick_intersection_d/internal/periodic/periodic_lists_search.h>
+#include <CGAL/Thick_intersection_d/internal/periodic/periodic_search.h>
 
 #include <type_traits>
 

@@ -9,8 +9,8 @@
 
 #include <CGAL/tags.h>
 
-#include <CGAL/Thick_intersection_d/internal/doors/box_ranges_search.h>
-#include <CGAL/Thick_intersection_d/internal/input/Numbered_boxes.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Numbered_boxes.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/box_ranges_search.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
 #include <cstddef>

@@ -13,8 +13,8 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
 
-#include <CGAL/Thick_intersection_d/internal/doors/feature_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/features/Feature_boundaries.h>
+#include <CGAL/Thick_intersection_d/internal/features/feature_pairs_search.h>
 
 namespace CGAL {
 

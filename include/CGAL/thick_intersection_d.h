@@ -13,8 +13,8 @@
 #include <CGAL/Thick_object_traits_d.h>
 #include <CGAL/tags.h>
 
-#include <CGAL/Thick_intersection_d/internal/doors/object_pairs_search.h>
-#include <CGAL/Thick_intersection_d/internal/doors/pair_search.h>
+#include <CGAL/Thick_intersection_d/internal/objects/object_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
 
 namespace CGAL {
 

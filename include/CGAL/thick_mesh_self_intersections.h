@@ -11,7 +11,7 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
 
-#include <CGAL/Thick_intersection_d/internal/doors/mesh_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/meshes/mesh_pairs_search.h>
 
 namespace CGAL {
 

@@ -3,7 +3,7 @@
 
 // The box of a part, the points near it, and which parts receive a point.
 
-#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_box.h>
 
 #include <boost/test/unit_test.hpp>

@@ -6,9 +6,9 @@
 #include "support/counting_allocator.h"
 #include "support/point_generators.h"
 
+#include <CGAL/Thick_intersection_d/internal/lanes/Found_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/reports/List_bins.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_lists.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
 
 #include <boost/test/unit_test.hpp>
 

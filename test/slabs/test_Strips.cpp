@@ -6,11 +6,11 @@
 #include "support/instruction_sets.h"
 #include "support/point_source.h"
 
-#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
-#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
+#include <CGAL/Thick_intersection_d/internal/lanes/Run.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Strips.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
 
 #include <boost/test/unit_test.hpp>
 

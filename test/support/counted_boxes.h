@@ -10,7 +10,7 @@
 #include "number_boxes.h"
 
 #include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/lanes/Found_pairs.h>
 
 namespace test_support {
 

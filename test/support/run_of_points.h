@@ -8,8 +8,8 @@
 
 #include "point_scene.h"
 
-#include <CGAL/Thick_intersection_d/internal/input/positions.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
+#include <CGAL/Thick_intersection_d/internal/lanes/Run.h>
 
 #include <algorithm>
 #include <array>

@@ -7,13 +7,13 @@
 
 // The boxes of a piece in the order of their lower ends, as columns.
 
+#include <CGAL/Thick_intersection_d/internal/arrays/Equal_cut.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/radix_sort.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
-#include <CGAL/Thick_intersection_d/internal/input/positions.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Equal_cut.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Box_run.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
+#include <CGAL/Thick_intersection_d/internal/lanes/Box_run.h>
+#include <CGAL/Thick_intersection_d/internal/lanes/Run.h>
 
 #include <algorithm>
 #include <array>

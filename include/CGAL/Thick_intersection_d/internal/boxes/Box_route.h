@@ -8,6 +8,8 @@
 // The divide and conquer of [V03] for boxes of any sizes: boxes are cut into pieces, with copies of
 // those that meet several pieces, and each piece is swept. doc/searches.md describes it.
 
+#include <CGAL/Thick_intersection_d/internal/arrays/Equal_cut.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Box_order.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Box_planner.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Box_sweep.h>
@@ -18,9 +20,7 @@
 #include <CGAL/Thick_intersection_d/internal/boxes/has_groups.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/search_tree.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/tuning.h>
-#include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Equal_cut.h>
 
 #include <algorithm>
 #include <array>

@@ -8,12 +8,12 @@
 // The pairs of crowded boxes, by a segment tree that is never stored: Zomorodian and Edelsbrunner,
 // "Fast software for box intersections", 2002. O(n log^(d-1) n + k) time, whatever the boxes are.
 
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/radix_sort.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Box_scan.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Group_scan.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/begins_before.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/has_groups.h>
-#include <CGAL/Thick_intersection_d/internal/input/positions.h>
 
 #include <algorithm>
 #include <cmath>

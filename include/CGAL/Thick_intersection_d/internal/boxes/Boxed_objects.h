@@ -10,14 +10,14 @@
 
 #include <CGAL/Uncertain.h>
 
+#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/has_groups.h>
-#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
-#include <CGAL/Thick_intersection_d/internal/input/positions.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Box_run.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Flush.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/with_lanes.h>
+#include <CGAL/Thick_intersection_d/internal/lanes/Box_run.h>
+#include <CGAL/Thick_intersection_d/internal/lanes/Flush.h>
+#include <CGAL/Thick_intersection_d/internal/lanes/Found_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/lanes/with_lanes.h>
 
 #include <array>
 #include <cstddef>

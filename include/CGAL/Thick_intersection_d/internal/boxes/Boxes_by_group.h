@@ -8,7 +8,7 @@
 // The boxes of a list from some place on, by their groups. Who looks for the boxes of some groups
 // takes one step for each other group, and none for each of its boxes.
 
-#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 
 #include <vector>
 

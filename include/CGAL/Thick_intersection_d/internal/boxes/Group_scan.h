@@ -8,9 +8,9 @@
 // The last step of a tree, as Box_scan, for boxes that have groups: of the boxes of a group that is
 // not wanted, only the first one is looked at.
 
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Boxes_by_group.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/begins_before.h>
-#include <CGAL/Thick_intersection_d/internal/input/positions.h>
 
 #include <algorithm>
 #include <cstddef>

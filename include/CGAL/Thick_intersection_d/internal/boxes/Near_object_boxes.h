@@ -8,7 +8,7 @@
 // Points in any dimension, or objects, as the box route reads them. The intervals of two of them
 // are within the reach along an axis iff they meet when each is longer by the reach.
 
-#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/input/kinds.h>

@@ -7,7 +7,7 @@
 
 // Boxes of doubles, as the box route moves them.
 
-#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 
 #include <array>
 #include <cstddef>

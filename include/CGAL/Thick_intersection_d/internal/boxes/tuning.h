@@ -8,7 +8,7 @@
 // The constants that the box route is tuned by. Any values give the same pairs; these give them
 // fast.
 
-#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 
 #include <cstddef>
 #include <cstdint>

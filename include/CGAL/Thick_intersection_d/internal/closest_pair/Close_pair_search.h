@@ -17,6 +17,7 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_tier.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Cell_join.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Close_pair_buckets.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Closest_pair_divide.h>
@@ -28,7 +29,6 @@
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
-#include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Is_within_distance.h>
 
 #include <algorithm>

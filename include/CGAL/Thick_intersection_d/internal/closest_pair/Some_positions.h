@@ -8,9 +8,9 @@
 // The positions of some points: of the first ones, or of a random sample.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/prefix_sums.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/tuning.h>
-#include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 
 #include <boost/config.hpp> // BOOST_NOINLINE

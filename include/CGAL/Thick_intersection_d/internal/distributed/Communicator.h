@@ -5,7 +5,7 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_DISTRIBUTED_COMMUNICATOR_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_DISTRIBUTED_COMMUNICATOR_H
 
-// The processes that search together. Only the files of this wing call MPI.
+// The processes that search together. Only the files of this room call MPI.
 
 #include <mpi.h>
 

@@ -8,8 +8,8 @@
 // The points of a part, as a search in memory takes them.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/external/Chunk_store.h>
-#include <CGAL/Thick_intersection_d/internal/input/positions.h>
 
 #include <boost/config.hpp> // BOOST_NOINLINE
 

@@ -7,8 +7,8 @@
 
 // Lists of points that are too long for the memory, and the tiles that a sample cuts points into.
 
+#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/external/Chunk_store.h>
-#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_box.h>
 

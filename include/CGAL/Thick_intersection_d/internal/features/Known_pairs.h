@@ -8,7 +8,7 @@
 // The pairs that are found already, in hash tables: several threads ask and add at once.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
-#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 
 #include <algorithm>

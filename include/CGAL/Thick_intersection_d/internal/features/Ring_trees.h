@@ -16,10 +16,10 @@
 
 #include <CGAL/Bbox_2.h>
 
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
+#include <CGAL/Thick_intersection_d/internal/features/ray_crossings.h>
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
-#include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/input/vertices.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/ray_crossings.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -5,10 +5,10 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_SCENE_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_SCENE_H
 
-// The scene, as all wings see it. One pass over the coordinates finds it.
+// The scene, as all rooms see it. One pass over the coordinates finds it.
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Double_grid.h>
-#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 
 #include <algorithm>
 #include <cstddef>

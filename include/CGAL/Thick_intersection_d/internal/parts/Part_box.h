@@ -8,7 +8,7 @@
 // The closed box of the points of a part, the points that are near it, and which parts receive a
 // point.
 
-#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 
 #include <cstddef>
 #include <utility>

@@ -11,7 +11,7 @@
 #include <CGAL/Uncertain.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/squared_sums.h>
-#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 
 #include <array>
 #include <cmath>

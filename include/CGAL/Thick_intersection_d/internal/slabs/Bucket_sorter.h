@@ -8,12 +8,12 @@
 // Sorts points along an axis by buckets, and by buckets of buckets where the points are not spread
 // evenly. It takes linear time for evenly spread points, and O(n log n) time in the worst case.
 
+#include <CGAL/Thick_intersection_d/internal/arrays/Equal_cut.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/prefix_sums.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/radix_sort.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
-#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
-#include <CGAL/Thick_intersection_d/internal/input/positions.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Equal_cut.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/tuning.h>
 
 #include <boost/config.hpp> // BOOST_NOINLINE

@@ -8,7 +8,7 @@
 // The slab route for lists of neighbors. Lists grow while their slab is in the window, and are
 // complete when it leaves. So no pair is stored, and each list is moved as a whole.
 
-#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/reports/List_bins.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_sweep.h>

@@ -9,11 +9,11 @@
 // half the memory of doubles. They leave a few pairs undecided, which the coordinates themselves
 // decide; or none, on a grid whose steps fit. doc/arithmetic.md has the proof of the bounds.
 
-#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/lanes/Near_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/lanes/Run.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_pairs.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
 
 #include <CGAL/assertions.h>
 

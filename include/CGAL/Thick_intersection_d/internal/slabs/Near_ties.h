@@ -10,13 +10,13 @@
 
 #include <CGAL/Arithmetic_tier.h>
 
-#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
+#include <CGAL/Thick_intersection_d/internal/lanes/Found_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Integer_distance.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Narrow_scale.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_task.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Point_reader.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Found_pairs.h>
 
 #include <boost/config.hpp> // BOOST_NOINLINE
 

@@ -8,7 +8,7 @@
 // Numbers for the points of slabs that become ready. Searches of pairs need none, and do not
 // compile what gives them.
 
-#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 
 namespace CGAL {
 namespace Thick_intersection_d {

@@ -8,8 +8,8 @@
 // Reads points in blocks, and turns their doubles into the numbers that slabs have: scaled doubles
 // or 32-bit integers.
 
-#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
-#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_task.h>
 

@@ -8,9 +8,9 @@
 // Cuts slabs into columns of equal width, along the axis before that of slabs. So threads share
 // slabs that are too few for them.
 
-#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
-#include <CGAL/Thick_intersection_d/internal/input/positions.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Equal_cut.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/Equal_cut.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/tuning.h>
 
 #include <algorithm>

@@ -9,7 +9,8 @@
 // sweeps it with the slabs within reach. It looks up only those candidates in the user's range that
 // doubles and integers do not decide.
 
-#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
+#include <CGAL/Thick_intersection_d/internal/lanes/Near_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_sweep.h>
@@ -23,7 +24,6 @@
 #include <CGAL/Thick_intersection_d/internal/slabs/Slabs_nearby.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Stop_flag.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Strips.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/report_all_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/tuning.h>
 

@@ -9,12 +9,12 @@
 // it. The strips of two slabs meet if they are within reach. Each two strips meet once, so no pair
 // is reported twice.
 
-#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
-#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
+#include <CGAL/Thick_intersection_d/internal/lanes/Run.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_sweep.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slabs_nearby.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Strips.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
 
 #include <boost/config.hpp> // BOOST_NOINLINE
 

@@ -8,14 +8,14 @@
 // The points of one or two sets in the order of their slabs: the divide step of [V03], made
 // multiway. [V03] is cited in Recursive_route.h.
 
+#include <CGAL/Thick_intersection_d/internal/arrays/Equal_cut.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/prefix_sums.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
-#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
-#include <CGAL/Thick_intersection_d/internal/input/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Equal_cut.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Point_reader.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_columns.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>

@@ -8,7 +8,7 @@
 // A list of slabs that are ready, and a part of it. Lists and vectors of the standard library, too,
 // are compiled for each kind of points, but take longer.
 
-#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Strips.h>
 

@@ -8,12 +8,12 @@
 // A slab that is ready for the sweep: strips of points, each sorted along axis 0. In the plane a
 // slab is one strip. In space it is cut along axis 1.
 
+#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
-#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
-#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/lanes/Run.h>
+#include <CGAL/Thick_intersection_d/internal/lanes/with_lanes.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/with_lanes.h>
 
 #include <algorithm>
 #include <array>

@@ -10,12 +10,12 @@
 // A program compiles them, unless it defines CGAL_THICK_INTERSECTION_D_COMPILED. Then it links the
 // library that src/near_points.cpp makes.
 
+#include <CGAL/Thick_intersection_d/internal/lanes/Flush.h>
+#include <CGAL/Thick_intersection_d/internal/lanes/Near_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/lanes/Run.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Narrow_scale.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_task.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Flush.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Near_pairs.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/Run.h>
 #ifndef CGAL_THICK_INTERSECTION_D_COMPILED
 #include <CGAL/Thick_intersection_d/internal/slabs/near_search.inc>
 #endif

@@ -12,8 +12,8 @@
 // of 10^6 points (5 or 3 of 10^7) on an AMD EPYC with AVX-512. "Sparse" are uniform points with k =
 // n/2, "dense" with k = 10 n; clusters and Levy flights have fewer pairs.
 
-#include <CGAL/Thick_intersection_d/internal/input/Interval.h>
-#include <CGAL/Thick_intersection_d/internal/input/positions.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 
 #include <algorithm>
 

@@ -6,8 +6,8 @@
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_PLAIN_LANES_WITH_LANES_H
 #define THICK_INTERSECTION_TEST_SUPPORT_PLAIN_LANES_WITH_LANES_H
 
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/instruction_set.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/lanes/lanes_plain.h>
+#include <CGAL/Thick_intersection_d/internal/lanes/instruction_set.h>
+#include <CGAL/Thick_intersection_d/internal/lanes/lanes_plain.h>
 
 namespace CGAL {
 namespace Thick_intersection_d {

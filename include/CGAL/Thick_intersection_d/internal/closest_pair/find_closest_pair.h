@@ -1,0 +1,173 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_FIND_CLOSEST_PAIR_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_FIND_CLOSEST_PAIR_H
+
+// The searches behind closest_pair() and find_close_pair().
+
+#include <CGAL/Distance_bound.h>
+#include <CGAL/Named_function_parameters.h>
+
+#include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/Close_pair_search.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/Closest_pair_search.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/few_closest_pair.h>
+#include <CGAL/Thick_intersection_d/internal/input/Point_doubles.h>
+#include <CGAL/Thick_intersection_d/internal/input/Scene.h>
+#include <CGAL/Thick_intersection_d/internal/input/Scene_sample.h>
+#include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
+#include <CGAL/Thick_intersection_d/internal/input/few_coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
+#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
+#include <CGAL/Thick_intersection_d/internal/near_points/Callback_taker.h>
+#include <CGAL/Thick_intersection_d/internal/near_points/Element_points.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Is_within_distance.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Plain_is_within.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
+#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Near_task.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/near_search.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <stdexcept>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// Whether doubles may decide ties on the grid of the scene, or integers ties of a lattice. To read
+// the grid of other scenes takes a seventh of the search for nothing.
+inline bool may_need_grid(const Scene_sample& sample)
+{
+  return sample.may_have_coarse_grid() || sample.is_repetitive();
+}
+
+// Returns the scene of the points. Throws if there are too many points, if points differ in
+// dimension, or if a coordinate is not finite. Finds the grid of the scene if it may be of use.
+template <class ConcurrencyTag, class Elements>
+Scene scan_checked_points(const Elements& points)
+{
+  check_size(points.size(), max_place / 2); // crowds take slabs, as near_points_search.h does
+  return scan_points<ConcurrencyTag>(points, "point", may_need_grid(Scene_sample(points)));
+}
+
+// Reports the pairs of points of a scene in the plane or in space within a bound. There may be as
+// many near ties as pairs, so coordinates are not rounded to 32 bits. The type of the callback is
+// the same for all searches, because the slab route takes long to compile.
+template <class ConcurrencyTag, class Elements, class NT, class Progress>
+CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+void report_near_points(const Elements& points, const Scene& scene,
+                        const Distance_bound<NT>& bound,
+                        const std::function<bool(std::size_t, std::size_t)>& callback,
+                        Progress& progress)
+{
+  using Point = typename Elements::value_type;
+  const Squared_bound<Exact_number_t<Coordinate_t<Point>>> squared_bound(bound);
+  const Is_within_distance<Point> is_within(
+    squared_bound, scene, near_tie_tier(squared_bound.reach(), scene));
+  Doubles<Elements> doubles(points);
+  if constexpr(!is_held_by_double_v<Coordinate_t<Point>>)
+    for_each_block<ConcurrencyTag>(points.size(), [&](std::size_t i, std::size_t last) {
+      for(; i != last; ++i)
+        for(int axis = 0; axis < scene.dimension(); ++axis)
+          doubles.set(i, axis, coordinate_bounds(points[i], axis).first);
+    });
+  for_plane_and_space<Point>(scene.dimension(), [&](auto dimension) {
+    Element_points<dimension, Elements, Progress> near(points, doubles, is_within, progress);
+    Near_task<dimension> task;
+    std::copy_n(scene.box.begin(), int(dimension), task.box.begin());
+    task.near = is_within.filter_of_doubles();
+    task.threads = Threads(ConcurrencyTag());
+    auto&& taker = taker_of(One_set(), callback);
+    return search_near_pairs<dimension, double, may_share_slabs>(near, task, taker);
+  }, [] { return false; });
+}
+
+template <class ConcurrencyTag, class Elements, class NamedParameters>
+CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+Position_pair find_closest_pair_of_many(const Elements& points, const NamedParameters& np)
+{
+  const Scene scene = scan_checked_points<ConcurrencyTag>(points);
+  if(points.size() < 2)
+    throw std::invalid_argument("There is no closest pair of fewer than two points.");
+  const std::uint64_t seed = parameters::choose_parameter(
+    parameters::get_parameter(np, internal_np::random_seed), seed_of_process());
+  auto progress = make_progress(np, points.size());
+  const auto report_near = [&](const auto&, const auto& bound, const auto& callback,
+                               auto& progress_of_search) {
+    report_near_points<ConcurrencyTag>(points, scene, bound, callback, progress_of_search);
+  };
+  Closest_pair_search<ConcurrencyTag, Elements, decltype(progress), decltype(report_near)> search(
+    points, scene, seed, progress, report_near);
+  const Position_pair pair = search.find();
+  progress.finish();
+  return pair;
+}
+
+template <class ConcurrencyTag, class Elements, class NamedParameters>
+Position_pair find_closest_pair(const Elements& points, const NamedParameters& np)
+{
+  if constexpr(has_few_doubles<typename Elements::value_type>())
+    if(Few_closest_pair<Elements>::takes(points))
+      if(const Few_closest_pair<Elements> few(points); few.are_finite()) {
+        const Position_pair pair = few.find();
+        make_progress(np, points.size()).finish();
+        return pair;
+      }
+  return find_closest_pair_of_many<ConcurrencyTag>(points, np);
+}
+
+template <class ConcurrencyTag, class Elements, class NT, class NamedParameters>
+CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+std::optional<Position_pair> find_pair_of_many_within(const Elements& points,
+                                                      const Distance_bound<NT>& bound,
+                                                      const NamedParameters& np)
+{
+  using Number = Coordinate_t<typename Elements::value_type>;
+  const Squared_bound<Exact_number_t<Number>> squared_bound(bound);
+  const Scene scene = scan_checked_points<ConcurrencyTag>(points);
+  auto progress = make_progress(np, points.size());
+  const auto report_near = [&](const auto& callback, auto& progress_of_search) {
+    report_near_points<ConcurrencyTag>(points, scene, bound, callback, progress_of_search);
+  };
+  const Close_pair_search<ConcurrencyTag, Elements, decltype(progress), decltype(report_near)>
+    search(points, squared_bound, scene, progress, report_near);
+  const std::optional<Position_pair> pair = search.find();
+  progress.finish();
+  return pair;
+}
+
+template <class ConcurrencyTag, class Elements, class NT, class NamedParameters>
+std::optional<Position_pair> find_pair_within(const Elements& points,
+                                              const Distance_bound<NT>& bound,
+                                              const NamedParameters& np)
+{
+  using Point = typename Elements::value_type;
+  if constexpr(has_few_doubles<Point>() && is_held_by_double_v<NT>)
+    if(Few_closest_pair<Elements>::takes(points) && bound.value() >= NT(0))
+      if(const Few_closest_pair<Elements> few(points); few.are_finite()) {
+        Plain_is_within<Point, NT> is_within(bound);
+        const Position_pair pair = few.find_within(is_within);
+        make_progress(np, points.size()).finish();
+        return pair.first != pair.second ? std::optional<Position_pair>(pair) : std::nullopt;
+      }
+  return find_pair_of_many_within<ConcurrencyTag>(points, bound, np);
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_FIND_CLOSEST_PAIR_H

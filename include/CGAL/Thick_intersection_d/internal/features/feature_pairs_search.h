@@ -1,0 +1,239 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_FEATURE_PAIRS_SEARCH_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_FEATURE_PAIRS_SEARCH_H
+
+// The searches behind thick_feature_self_intersection_d(), thick_feature_intersection_d() and
+// fixed_radius_near_features(): the segments of all features take the box route, and then the first
+// vertices of features and the polygons that these may be inside.
+
+#include <CGAL/Arithmetic_tier.h>
+#include <CGAL/Distance_bound.h>
+
+#include <CGAL/Thick_intersection_d/internal/arithmetic/check_denormals.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/box_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/features/Feature_boundaries.h>
+#include <CGAL/Thick_intersection_d/internal/features/Feature_insides.h>
+#include <CGAL/Thick_intersection_d/internal/features/Feature_segments.h>
+#include <CGAL/Thick_intersection_d/internal/features/Known_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/features/feature_kinds.h>
+#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
+#include <CGAL/Thick_intersection_d/internal/input/check_range.h>
+#include <CGAL/Thick_intersection_d/internal/objects/near_objects_search.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
+#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+template <class Elements>
+using Point_of_features = Feature_point_t<typename Elements::value_type>;
+
+// Checks the features of one range, or of two.
+template <class First, class Second, class NamedParameters>
+constexpr bool check_features()
+{
+  using Point = Point_of_features<First>;
+  constexpr bool are_features
+    = !std::is_void_v<Point> && !std::is_void_v<Point_of_features<Second>>;
+  constexpr bool are_alike = !are_features || std::is_same_v<Point, Point_of_features<Second>>;
+  static_assert(are_features, "The elements of the range must be polylines or polygons: ranges "
+                              "of Point_2 or Point_3, Polygon_2 or Polygon_with_holes_2. For "
+                              "others, pass a property map to such features as point_map.");
+  static_assert(are_alike, "The features of the two ranges must have points of one type.");
+  if constexpr(are_features && are_alike)
+    return check_no_traits<Point, NamedParameters>();
+  else
+    return false;
+}
+
+// Pairs of features that are within a bound. If one is inside the other, their distance is zero.
+template <class Segment>
+class Segments_near
+{
+public:
+  template <class NT>
+  explicit Segments_near(const Distance_bound<NT>& bound)
+    : are_near_(bound, Arithmetic_tier::INT64, nullptr),
+      takes_zero_(!bound.is_open() || bound.value() != NT(0))
+  {}
+
+  bool operator()(const Segment& a, const Segment& b) const { return are_near_(a, b); }
+
+  // Two intervals meet if their distance is at most the reach.
+  Interval grown(const Interval& interval) const { return longer(interval, are_near_.reach()); }
+
+  bool takes_insides() const { return takes_zero_; }
+
+private:
+  const Are_objects_near<Segment> are_near_;
+  const bool takes_zero_;
+};
+
+// The test of segments for features that intersect, or that are within a bound.
+template <class Segment, class Relation>
+struct Segment_test
+{
+  using type = Relation;
+};
+template <class Segment, class NT>
+struct Segment_test<Segment, Distance_bound<NT>>
+{
+  using type = Segments_near<Segment>;
+};
+
+// Where the second range begins, in the numberings of features, parts and segments. If there is one
+// range, this is at zero.
+struct Feature_ranges
+{
+  std::size_t features = 0;
+  std::size_t parts = 0;
+  std::size_t segments = 0;
+};
+
+template <class ConcurrencyTag, class Sets, class Segments, class Report, class Progress>
+class Feature_search
+{
+public:
+  Feature_search(const Segments& segments, const Feature_ranges& second, Report& report,
+                 Progress& progress)
+    : segments_(segments), second_(second), report_(report), progress_(progress)
+  {}
+
+  // Reports the pairs of features whose segments pass the test, and then those of which one is
+  // inside the other. Returns false iff the search was stopped.
+  template <class Test>
+  bool search(const Test& test)
+  {
+    const Feature_boundaries<ConcurrencyTag, Segments, Test> boundaries(segments_, test, known_);
+    Sets sets = {};
+    if constexpr(Sets::are_two)
+      sets.first_size = second_.segments;
+    const auto take = [&](std::size_t i, std::size_t j) {
+      return put(segments_.feature_of(i), segments_.feature_of(second_.segments + j));
+    };
+    return report_meeting_boxes<ConcurrencyTag>(boundaries, sets, take, progress_)
+           && (segments_.polygon_count() == 0 || !test.takes_insides() || search_insides());
+  }
+
+private:
+  bool search_insides()
+  {
+    const Part_range first = {0, second_.parts}, last = {second_.parts, segments_.part_count()};
+    if constexpr(Sets::are_two)
+      return search_insides(first, last) && search_insides(last, first);
+    else
+      return search_insides(last, last);
+  }
+
+  bool search_insides(const Part_range& points, const Part_range& parts)
+  {
+    if constexpr(Segments::dimension == 2) {
+      const Feature_insides<ConcurrencyTag, Segments> insides(segments_, points, parts, known_);
+      const auto take = [&](std::size_t i, std::size_t j) {
+        return put(insides.feature_of(i), insides.feature_of(insides.point_count() + j));
+      };
+      return report_meeting_boxes<ConcurrencyTag>(insides, Two_sets{insides.point_count()}, take,
+                                                  progress_);
+    }
+    else
+      return true;
+  }
+
+  // Reports a pair of features. Those of the first range have the smaller numbers.
+  auto put(std::size_t a, std::size_t b)
+  {
+    return report_((std::min)(a, b), (std::max)(a, b) - second_.features);
+  }
+
+  const Segments& segments_;
+  const Feature_ranges second_;
+  Report& report_;
+  Progress& progress_;
+  Known_pairs<ConcurrencyTag> known_;
+};
+
+// Reads the features, and reports the pairs. `relation` is a bound, or the test of segments itself.
+// Returns false iff the search was stopped.
+template <class ConcurrencyTag, class Sets, class First, class Second, class Relation,
+          class Callback, class NamedParameters>
+bool report_feature_pairs(const First& first, const Second& second, const Relation& relation,
+                          Callback& callback, const NamedParameters& np)
+{
+  check_denormals();
+  using Segments = Feature_segments<Point_of_features<First>>;
+  const typename Segment_test<typename Segments::Segment, Relation>::type test(relation);
+  Segments segments;
+  Feature_ranges ranges;
+  segments.add_features(first);
+  if constexpr(Sets::are_two) {
+    ranges = {segments.feature_count(), segments.part_count(), segments.size()};
+    segments.add_features(second);
+  }
+  const bool has_insides = segments.polygon_count() != 0 && test.takes_insides();
+  auto&& report = pair_output<ConcurrencyTag>(first, second, callback);
+  auto progress = make_progress(
+    np, segments.size() + (has_insides ? segments.part_count() + segments.polygon_count() : 0));
+  using Report = std::remove_reference_t<decltype(report)>;
+  return Feature_search<ConcurrencyTag, Sets, Segments, Report, decltype(progress)>(
+           segments, ranges, report, progress)
+    .search(test);
+}
+
+template <class ConcurrencyTag, class Callback, class NamedParameters, class First, class Second>
+constexpr bool check_feature_search()
+{
+  if constexpr(check_range<ConcurrencyTag, First, NamedParameters>()
+               && check_range<ConcurrencyTag, Second, NamedParameters>()) {
+    using A = Elements_of<First, NamedParameters>;
+    using B = Elements_of<Second, NamedParameters>;
+    if constexpr(check_features<A, B, NamedParameters>())
+      return check_callback<Callback, A, B>();
+    else
+      return false;
+  }
+  else
+    return false;
+}
+
+// Reports the pairs of features of a range.
+template <class ConcurrencyTag, class Range, class Relation, class Callback, class NamedParameters>
+bool search_features(Range& range, const Relation& relation, Callback& callback,
+                     const NamedParameters& np)
+{
+  if constexpr(check_feature_search<ConcurrencyTag, Callback, NamedParameters, Range, Range>()) {
+    const auto elements = make_elements(range, np);
+    return report_feature_pairs<ConcurrencyTag, One_set>(elements, elements, relation, callback,
+                                                         np);
+  }
+  else
+    return false;
+}
+
+// The same of two ranges.
+template <class ConcurrencyTag, class First, class Second, class Relation, class Callback,
+          class NamedParameters>
+bool search_features(First& first, Second& second, const Relation& relation, Callback& callback,
+                     const NamedParameters& np)
+{
+  if constexpr(check_feature_search<ConcurrencyTag, Callback, NamedParameters, First, Second>())
+    return report_feature_pairs<ConcurrencyTag, Two_sets>(
+      make_elements(first, np), make_elements(second, np), relation, callback, np);
+  else
+    return false;
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_FEATURE_PAIRS_SEARCH_H

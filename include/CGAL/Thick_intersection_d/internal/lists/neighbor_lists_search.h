@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_LISTS_NEIGHBOR_LISTS_SEARCH_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_LISTS_NEIGHBOR_LISTS_SEARCH_H
+
+// The search behind fixed_radius_neighbor_lists().
+
+#include <CGAL/Distance_bound.h>
+#include <CGAL/Neighbor_lists.h>
+
+#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
+#include <CGAL/Thick_intersection_d/internal/input/check_range.h>
+#include <CGAL/Thick_intersection_d/internal/objects/near_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Neighbor_collector.h>
+#include <CGAL/Thick_intersection_d/internal/reports/mutual_neighbors.h>
+#include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
+
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// Throws if there are too many points, of one range or two, for the positions in lists.
+inline void check_list_size(std::size_t size)
+{
+  if(size > (std::numeric_limits<Neighbor_lists::Position>::max)())
+    throw std::length_error("There are more points than lists of neighbors have positions for.");
+}
+
+// Replaces `lists`, in the memory that they have, by those of numbered points. Of two sets, the
+// lists have positions in the second one, for each point of the first. Returns false iff the search
+// was stopped.
+template <class ConcurrencyTag, class Elements, class Sets, class NT, class NamedParameters>
+bool collect_neighbors_of(Neighbor_lists& lists, const Elements& points, const Sets& sets,
+                          const Distance_bound<NT>& bound, const NamedParameters& np)
+{
+  check_list_size(points.size());
+  if constexpr(Sets::are_two) {
+    Neighbor_collector<ConcurrencyTag> collector(sets.first_size);
+    const auto add = [&](std::size_t i, std::size_t j) { collector.add(i, j); };
+    const bool is_complete = report_near_pairs<ConcurrencyTag>(points, sets, bound, add, np);
+    lists = collector.lists(false, std::move(lists));
+    return is_complete;
+  }
+  else {
+    Neighbor_collector<ConcurrencyTag> collector(points.size());
+    const bool is_complete
+      = report_near_pairs<ConcurrencyTag>(points, sets, bound, collector, np);
+    lists = collector.lists(true, std::move(lists));
+    if(!is_complete)
+      lists = mutual_neighbors(lists);
+    return is_complete;
+  }
+}
+
+// The same, for points of one range or of two.
+template <class ConcurrencyTag, class NT, class NamedParameters, class... Ranges>
+bool collect_neighbors(Neighbor_lists& lists, const Distance_bound<NT>& bound,
+                       const NamedParameters& np, Ranges&... ranges)
+{
+  if constexpr((check_range<ConcurrencyTag, Ranges, NamedParameters>() && ...)) {
+    const auto collect = [&](const auto& points, const auto& sets) {
+      return collect_neighbors_of<ConcurrencyTag>(lists, points, sets, bound, np);
+    };
+    return with_sets(collect, make_elements(ranges, np)...);
+  }
+  else
+    return false;
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_LISTS_NEIGHBOR_LISTS_SEARCH_H

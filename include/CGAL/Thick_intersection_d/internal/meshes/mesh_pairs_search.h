@@ -1,0 +1,259 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_MESHES_MESH_PAIRS_SEARCH_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_MESHES_MESH_PAIRS_SEARCH_H
+
+// The search behind thick_mesh_self_intersections(): the faces of the mesh take the box route.
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <CGAL/Thick_intersection_d/internal/arithmetic/check_denormals.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/box_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
+#include <CGAL/Thick_intersection_d/internal/input/check_range.h>
+#include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
+#include <CGAL/Thick_intersection_d/internal/meshes/Limited_output.h>
+#include <CGAL/Thick_intersection_d/internal/meshes/Mesh_face.h>
+#include <CGAL/Thick_intersection_d/internal/meshes/mesh_triangles.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Kernel_orientation.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Staged_orientation.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/do_kernel_objects_intersect.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/spatial_objects.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
+#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// Faces of a triangle mesh, as the box route reads them. Two faces intersect if they have more in
+// common than the vertex or edge that they share.
+template <class Mesh, class Point_map>
+class Mesh_triangles
+{
+public:
+  using Face = Mesh_face<Mesh>;
+  using Faces = std::vector<Face>;
+  using Box_filter = void;
+  static constexpr int static_dimension = 3;
+
+  Mesh_triangles(const Mesh& mesh, const Point_map& point_map) : mesh_(mesh), point_map_(point_map)
+  {}
+
+  // Reads the faces. Throws if one of them is no triangle, or has a box that is not finite.
+  template <class Face_range>
+  void read(const Face_range& faces)
+  {
+    for(const auto& face : faces) {
+      faces_.push_back(read_mesh_face<Mesh>(face, mesh_, faces_.size()));
+      for(const auto& vertex : faces_.back().vertices)
+        check_box(vertex, faces_.size() - 1);
+    }
+  }
+
+  // Calls take(face) for the faces whose vertices are on a line, and forgets them. Stops when it
+  // returns false.
+  template <class Function>
+  void remove_degenerate(const Function& take)
+  {
+    auto end = faces_.begin();
+    for(const Face& face : faces_)
+      if(!is_degenerate(face))
+        *end++ = face;
+      else if(!take(face.face))
+        break;
+    faces_.erase(end, faces_.end());
+  }
+
+  const Face& operator[](std::size_t position) const { return faces_[position]; }
+  std::size_t size() const { return faces_.size(); }
+  int dimension() const { return 3; }
+  bool are_exact() const { return false; }
+
+  auto intervals(std::size_t position) const
+  {
+    Bbox_3 box;
+    for(const auto& vertex : faces_[position].vertices)
+      box = box + vertex_box(vertex);
+    return [box](int axis) { return Interval{(box.min)(axis), (box.max)(axis)}; };
+  }
+
+  void ask_for(std::size_t position) const { prefetch_to_read(&faces_[position]); }
+
+  bool do_intersect(std::size_t i, std::size_t j) const
+  {
+    const Face& a = faces_[i];
+    const Face& b = faces_[j];
+    const Common_vertices common = common_vertices(a, b);
+    if(common.count == 0)
+      return with_triangles(a, 0, b, 0, [](Orientation& orientation, const Points<6>& p) {
+        return do_intersect_in_space(orientation, Points<3>{p[0], p[1], p[2]},
+                                     Points<3>{p[3], p[4], p[5]});
+      });
+    if(common.count == 1)
+      return with_triangles(a, common.place_in_first, b, common.place_in_second,
+                            [](Orientation& orientation, const Points<6>& p) {
+                              return do_triangles_at_vertex_intersect<Orientation>(
+                                orientation, {p[0], p[1], p[2]}, {p[0], p[4], p[5]});
+                            });
+    const auto edge = find_common_edge(a, b, mesh_);
+    return !edge || do_intersect_beyond_edge(*edge);
+  }
+
+private:
+  using Vertex = typename boost::graph_traits<Mesh>::vertex_descriptor;
+  using Halfedge = typename boost::graph_traits<Mesh>::halfedge_descriptor;
+  using Kernel
+    = typename Kernel_traits<typename boost::property_traits<Point_map>::value_type>::Kernel;
+  static constexpr bool are_doubles = is_held_by_double_v<typename Kernel::FT>;
+  using Orientation
+    = std::conditional_t<are_doubles, Staged_orientation<3, 6>,
+                         Kernel_orientation<Kernel_with_exact_predicates<Kernel>, 3, 6>>;
+  template <std::size_t Count>
+  using Points = std::array<typename Orientation::Point, Count>;
+
+  void read(const Vertex& vertex, typename Orientation::Vertex& result) const
+  {
+    const auto& p = get(point_map_, vertex);
+    if constexpr(are_doubles)
+      result.x = {static_cast<double>(p.x()), static_cast<double>(p.y()),
+                  static_cast<double>(p.z())};
+    else
+      result = with_exact_predicates(p);
+  }
+
+  // Returns test(orientation, points) for the points of up to six vertices. The first one takes the
+  // places that are left.
+  template <std::size_t Count, class Function>
+  bool with_points(const std::array<Vertex, Count>& vertices, const Function& test) const
+  {
+    typename Orientation::Vertices all;
+    Points<Count> points;
+    for(std::size_t k = 0; k < all.size(); ++k)
+      if(k < Count) {
+        read(vertices[k], all[k]);
+        points[k] = typename Orientation::Point(all[k]);
+      }
+      else
+        all[k] = all[0];
+    Orientation orientation(all);
+    return test(orientation, points);
+  }
+
+  // The same for the vertices of two faces, from one of them on.
+  template <class Function>
+  bool with_triangles(const Face& a, std::size_t i, const Face& b, std::size_t j,
+                      const Function& test) const
+  {
+    const auto& v = a.vertices;
+    const auto& w = b.vertices;
+    return with_points<6>(
+      {v[i], v[(i + 1) % 3], v[(i + 2) % 3], w[j], w[(j + 1) % 3], w[(j + 2) % 3]}, test);
+  }
+
+  Bbox_3 vertex_box(const Vertex& vertex) const
+  {
+    return bounding_box_of_point<Bbox_3>(get(point_map_, vertex));
+  }
+
+  // A lazy point may have an infinite box until it is computed.
+  void check_box(const Vertex& vertex, std::size_t position) const
+  {
+    if(is_finite_box(vertex_box(vertex)))
+      return;
+    settle(get(point_map_, vertex));
+    if(!is_finite_box(vertex_box(vertex)))
+      throw std::invalid_argument("A vertex of face " + std::to_string(position)
+                                  + " has a coordinate that is NaN, infinite or beyond doubles.");
+  }
+
+  bool is_degenerate(const Face& face) const
+  {
+    return with_points(face.vertices, [](Orientation& orientation, const Points<3>& points) {
+      return !shadow_of_triangle<Orientation>(orientation, points);
+    });
+  }
+
+  bool do_intersect_beyond_edge(const Halfedge& edge) const
+  {
+    const Halfedge after = next(edge, mesh_);
+    const Halfedge after_opposite = next(opposite(edge, mesh_), mesh_);
+    return with_points<4>({source(edge, mesh_), target(edge, mesh_), target(after, mesh_),
+                           target(after_opposite, mesh_)},
+                          [](Orientation& orientation, const Points<4>& p) {
+                            return do_triangles_at_edge_intersect(orientation, p[0], p[1], p[2],
+                                                                  p[3]);
+                          });
+  }
+
+  const Mesh& mesh_;
+  const Point_map point_map_;
+  Faces faces_;
+};
+
+// Checks that nothing is given that a search of a mesh does not read.
+template <class Point, class NamedParameters>
+constexpr bool check_mesh_parameters()
+{
+  constexpr bool has_no_other
+    = parameters::is_default_parameter<NamedParameters, internal_np::point_t>::value;
+  static_assert(has_no_other, "point_map is for ranges: pass the map from the vertices of a mesh "
+                              "as vertex_point_map.");
+  return has_no_other && check_no_traits<Point, NamedParameters>();
+}
+
+// Writes the pairs of faces that intersect. Degenerate faces come first, each as a pair with
+// itself. Returns the iterator behind the last pair.
+template <class ConcurrencyTag, class FaceRange, class Mesh, class Iterator, class NamedParameters>
+Iterator write_mesh_pairs(const FaceRange& face_range, const Mesh& mesh, Iterator out,
+                          const NamedParameters& np)
+{
+  using Point_map = typename GetVertexPointMap<Mesh, NamedParameters>::const_type;
+  using Point = typename boost::property_traits<Point_map>::value_type;
+  if constexpr(!check_mesh_parameters<Point, NamedParameters>())
+    return out;
+  else {
+    check_denormals();
+    Mesh_triangles<Mesh, Point_map> triangles(
+      mesh, parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                         get_const_property_map(boost::vertex_point, mesh)));
+    triangles.read(face_range);
+    Limited_output<Iterator> output(
+      out, parameters::choose_parameter(parameters::get_parameter(np, internal_np::maximum_number),
+                                        (std::numeric_limits<std::size_t>::max)()));
+    triangles.remove_degenerate([&](const auto& face) { return output.write(face, face); });
+    if(!output.is_full()) {
+      const auto write = [&](std::size_t i, std::size_t j) {
+        return output.write(triangles[i].face, triangles[j].face);
+      };
+      auto progress = make_progress(np, triangles.size());
+      report_meeting_boxes<ConcurrencyTag>(triangles, One_set(), write, progress);
+    }
+    return output.iterator();
+  }
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_MESHES_MESH_PAIRS_SEARCH_H

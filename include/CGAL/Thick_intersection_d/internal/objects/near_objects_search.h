@@ -1,0 +1,278 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_OBJECTS_NEAR_OBJECTS_SEARCH_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_OBJECTS_NEAR_OBJECTS_SEARCH_H
+
+// Near pairs of objects that are no points, or of two types: by boxes that are longer by the reach.
+
+#include <CGAL/Arithmetic_tier.h>
+#include <CGAL/Distance_bound.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Scene_profile.h>
+
+#include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/check_denormals.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Near_object_boxes.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/box_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
+#include <CGAL/Thick_intersection_d/internal/input/check_range.h>
+#include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
+#include <CGAL/Thick_intersection_d/internal/input/kinds.h>
+#include <CGAL/Thick_intersection_d/internal/input/scan_objects.h>
+#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/objects/Object_route.h>
+#include <CGAL/Thick_intersection_d/internal/objects/segment_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Hull.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Hull_bound.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/are_objects_near.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/do_kernel_objects_intersect.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
+
+#include <cstddef>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// Whether two objects of kinds that the package knows are within a bound.
+template <class Object>
+class Are_objects_near
+{
+  using Exact = Common_exact_number_t<Object>;
+
+public:
+  static constexpr int static_dimension = hull_dimension_v<typename Kinds<Object>::First>;
+  static constexpr bool are_kinds_known = true;
+
+  // `least_tier` is the first arithmetic after the filter. Counts in `counts` which arithmetic
+  // decides, unless `counts` is null.
+  template <class NT>
+  Are_objects_near(const Distance_bound<NT>& bound, Arithmetic_tier least_tier,
+                   Shared_decision_counts* counts)
+    : bound_(bound), least_tier_(least_tier), counts_(counts)
+  {
+    set_hull_bound(hull_bound_, bound, bound_);
+  }
+
+  int dimension() const { return static_dimension; }
+  double reach() const { return bound_.reach(); }
+
+  static std::pair<double, double> interval(const Object& object, int axis)
+  {
+    const auto& box = internal::bounding_box(object);
+    return {(box.min)(axis), (box.max)(axis)};
+  }
+
+  bool operator()(const Object& a, const Object& b) const
+  {
+    if(bound_.is_open() && bound_.is_zero()) // no distance is less than zero
+      return false;
+    return with_kinds(a, b, [&](const auto& x, const auto& y) {
+      Arithmetic_tier tier = least_tier_;
+      const auto exact_bound = [&]() -> const Squared_bound<Exact>& { return bound_; };
+      const bool are_near = are_kinds_near(x, y, hull_bound_, exact_bound, tier);
+      if(counts_ != nullptr)
+        counts_->add(tier);
+      return are_near;
+    });
+  }
+
+private:
+  const Squared_bound<Exact> bound_;
+  Hull_bound hull_bound_;
+  const Arithmetic_tier least_tier_;
+  Shared_decision_counts* counts_;
+};
+
+// The same of objects of traits, by their functors.
+template <class Object, class Traits, class NT>
+class Are_near_by_traits
+{
+public:
+  static constexpr int static_dimension = Object_dimension<Traits>::value;
+  static constexpr bool are_kinds_known = false; // another distance needs other boxes
+
+  Are_near_by_traits(const Traits& traits, const Distance_bound<NT>& bound)
+    : traits_(traits), bound_(bound), reach_(Squared_bound<Exact_number_t<NT>>(bound).reach())
+  {}
+
+  int dimension() const { return traits_.dimension(); }
+  double reach() const { return reach_; }
+
+  std::pair<double, double> interval(const Object& object, int axis) const
+  {
+    return of_range(object, [&](const auto& x) -> std::pair<double, double> {
+      return traits_.interval_d_object()(x, axis);
+    });
+  }
+
+  bool operator()(const Object& a, const Object& b) const
+  {
+    return of_ranges(a, b, [&](const auto& x, const auto& y) -> bool {
+      return traits_.is_within_distance_d_object()(x, y, bound_);
+    });
+  }
+
+private:
+  const Traits& traits_;
+  const Distance_bound<NT>& bound_;
+  double reach_;
+};
+
+// Whether traits have intervals of objects of two types, and tell if two are within a bound.
+template <class Traits, class A, class B, class NT, class = void>
+struct Has_distances : std::false_type {};
+template <class Traits, class A, class B, class NT>
+struct Has_distances<
+  Traits, A, B, NT,
+  std::enable_if_t<
+    std::is_invocable_r_v<std::pair<double, double>,
+                          decltype(std::declval<const Traits&>().interval_d_object()), const A&,
+                          int>
+    && std::is_invocable_r_v<std::pair<double, double>,
+                             decltype(std::declval<const Traits&>().interval_d_object()), const B&,
+                             int>
+    && std::is_invocable_r_v<bool,
+                             decltype(std::declval<const Traits&>().is_within_distance_d_object()),
+                             const A&, const B&, const Distance_bound<NT>&>>>
+  : std::true_type {};
+template <class Traits, class A, class B, class NT>
+struct Has_distances<Traits, One_of_two<A, B>, One_of_two<A, B>, NT>
+  : Has_distances<Traits, std::decay_t<A>, std::decay_t<B>, NT> {};
+
+// Checks the objects of a search for near ones without traits.
+template <class Object>
+constexpr bool check_known_objects()
+{
+  constexpr bool has_weight = Kinds<Object>::template is_any<Is_weighted_point>;
+  constexpr bool has_no_index = check_no_index<Object>();
+  constexpr bool are_known = Kinds<Object>::template are_all<Is_known_kind>;
+  static_assert(!has_weight, "Weighted points have no distance here: pass a point_map to their "
+                             "points, or make them balls: pairs of a center and a radius.");
+  static_assert(are_known || !has_no_index || has_weight,
+                "The elements of the range must be points or objects of a kernel of CGAL: pass a "
+                "property map to such elements as point_map, or a model of ThickDistanceTraits_d "
+                "as geom_traits.");
+  if constexpr(are_known && !has_weight)
+    return check_one_dimension<Object>();
+  else
+    return false;
+}
+
+// Checks the objects of a search for near ones, and the traits of the named parameters. Returns
+// whether the search can be compiled.
+template <class Object, class NT, class NamedParameters>
+constexpr bool check_near_objects()
+{
+  if constexpr(!has_traits_v<Object, NamedParameters>)
+    return check_known_objects<Object>();
+  else {
+    constexpr bool is_model = Has_distances<Given_traits<NamedParameters>, Object, Object,
+                                            NT>::value;
+    static_assert(is_model, "geom_traits must be a model of ThickDistanceTraits_d whose functors "
+                            "take the elements of the range and the bound, or the kernel of "
+                            "points.");
+    return is_model;
+  }
+}
+
+// Checks the objects of such a search with a profile. The coordinates of others are not known.
+template <class Object, class NamedParameters>
+constexpr bool check_profiled_near_objects()
+{
+  constexpr bool has_traits = has_traits_v<Object, NamedParameters>;
+  static_assert(!has_traits,
+                "A Scene_profile is for points and objects of a kernel, without geom_traits.");
+  if constexpr(has_traits)
+    return false;
+  else
+    return check_known_objects<Object>();
+}
+
+// Checks the objects, and makes their lazy coordinates final.
+template <class ConcurrencyTag, class Elements>
+void check_near_kinds(const Elements& objects)
+{
+  check_denormals();
+  check_each<ConcurrencyTag>(objects.size(), [&](std::size_t position) {
+    settle(objects[position]);
+    check_object(objects[position], position);
+  });
+}
+
+template <class ConcurrencyTag, class Elements, class Sets, class Test, class Callback,
+          class NamedParameters>
+bool report_near_boxes(const Elements& objects, const Sets& sets, const Test& test,
+                       Callback& callback, const NamedParameters& np)
+{
+  auto progress = make_progress(np, objects.size());
+  const Near_object_boxes<Test::static_dimension, Elements, Test> boxes(objects, test);
+  if constexpr(Sets::are_two && Test::are_kinds_known
+               && Has_segments<typename Elements::value_type>::value)
+    return report_segment_pairs<ConcurrencyTag>(boxes, objects, sets, callback, progress);
+  else
+    return report_meeting_boxes<ConcurrencyTag>(boxes, sets, callback, progress);
+}
+
+// Reports the near pairs of objects. Returns false iff the search was stopped.
+template <class ConcurrencyTag, class Elements, class Sets, class NT, class Callback,
+          class NamedParameters>
+bool report_near_objects(const Elements& objects, const Sets& sets, const Distance_bound<NT>& bound,
+                         Callback& callback, const NamedParameters& np)
+{
+  using Object = typename Elements::value_type;
+  if constexpr(!check_near_objects<Object, NT, NamedParameters>())
+    return false;
+  else if constexpr(has_traits_v<Object, NamedParameters>) {
+    const auto& traits = parameters::get_parameter_reference(np, internal_np::geom_traits);
+    const Are_near_by_traits<Object, Given_traits<NamedParameters>, NT> test(traits, bound);
+    check_denormals();
+    check_objects<ConcurrencyTag>(objects, traits);
+    return report_near_boxes<ConcurrencyTag>(objects, sets, test, callback, np);
+  }
+  else {
+    const Are_objects_near<Object> test(bound, Arithmetic_tier::INT64, nullptr);
+    check_near_kinds<ConcurrencyTag>(objects);
+    return report_near_boxes<ConcurrencyTag>(objects, sets, test, callback, np);
+  }
+}
+
+// The same, with the tier that is forced in `profile`. Sets `profile` to the profile of the scene.
+template <class ConcurrencyTag, class Elements, class Sets, class NT, class Callback,
+          class NamedParameters>
+bool report_near_objects(const Elements& objects, const Sets& sets, const Distance_bound<NT>& bound,
+                         Callback& callback, Scene_profile& profile, const NamedParameters& np)
+{
+  using Object = typename Elements::value_type;
+  if constexpr(!check_profiled_near_objects<Object, NamedParameters>())
+    return false;
+  else {
+    Shared_decision_counts counts;
+    check_near_kinds<ConcurrencyTag>(objects);
+    const double reach = Squared_bound<Common_exact_number_t<Object>>(bound).reach();
+    Scene_profile found(scan_near_objects(objects, bounds(bound.value()), reach),
+                        degree_of<Distance_degree, Object>());
+    if(const std::optional<Arithmetic_tier> forced = profile.forced_tier())
+      found.force_tier(*forced);
+    const Are_objects_near<Object> test(
+      bound, found.forced_tier().value_or(Arithmetic_tier::INT64), &counts);
+    const bool is_complete = report_near_boxes<ConcurrencyTag>(objects, sets, test, callback, np);
+    found.set_counts(counts.total());
+    profile = found;
+    return is_complete;
+  }
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_OBJECTS_NEAR_OBJECTS_SEARCH_H

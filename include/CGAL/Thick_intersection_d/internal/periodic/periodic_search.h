@@ -1,0 +1,227 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_PERIODIC_PERIODIC_SEARCH_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_PERIODIC_PERIODIC_SEARCH_H
+
+// The search behind the functions for periodic domains: a search of the points without periods, and
+// one of the few images beyond a boundary of the domain, for points near them.
+
+#include <CGAL/Arithmetic_tier.h>
+#include <CGAL/Distance_bound.h>
+#include <CGAL/Scene_profile.h>
+
+#include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
+#include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
+#include <CGAL/Thick_intersection_d/internal/near_points/near_points_search.h>
+#include <CGAL/Thick_intersection_d/internal/periodic/Image_output.h>
+#include <CGAL/Thick_intersection_d/internal/periodic/Images.h>
+#include <CGAL/Thick_intersection_d/internal/periodic/Periodic_scene.h>
+#include <CGAL/Thick_intersection_d/internal/periodic/Periods.h>
+#include <CGAL/Thick_intersection_d/internal/periodic/joined_profile.h>
+#include <CGAL/Thick_intersection_d/internal/periodic/periodic_sets.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
+#include <CGAL/Thick_intersection_d/internal/reports/parameters_of_part.h>
+#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
+
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <type_traits>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+template <class ConcurrencyTag, class Elements, class Sets, class Domain, class NT>
+class Periodic_search
+{
+  using Periodic_scene = internal::Periodic_scene<ConcurrencyTag, Elements, Sets, Domain>;
+
+public:
+  static constexpr int dimension = Periodic_scene::dimension;
+  using Exact = typename Periodic_scene::Exact;
+  using Offsets = typename Periodic_scene::Offsets;
+
+  // Checks the bound, the domain and the points.
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+  Periodic_search(const Elements& points, const Sets& sets, const Domain& domain,
+                  const Distance_bound<NT>& bound, bool is_profiled)
+    : sets_(sets), bound_(bound), reach_(finite_reach(bound)),
+      search_of_points_(points, bound, is_profiled),
+      scene_(points, sets, domain, search_of_points_.scene(), reach_)
+  {}
+
+  Periodic_scene& scene() { return scene_; }
+  const Periodic_scene& scene() const { return scene_; }
+
+  // Calls report(i, j, offset) for each pair of images once. Returns false iff the search was
+  // stopped. Replaces the profile unless it is null.
+  template <class Report, class NamedParameters>
+  bool report(Report& report, const NamedParameters& np, Scene_profile* profile)
+  {
+    if(!scene_.find_images(np))
+      return false;
+    if(profile == nullptr)
+      return report_homes(report, np, nullptr) && report_near(report, np, nullptr);
+
+    // The profile does not change if a callback throws.
+    Scene_profile of_homes = *profile;
+    std::optional<Scene_profile> of_near; // none without images
+    if(!scan_near(of_near, np))
+      return false;
+    if(of_near && profile->forced_tier())
+      of_near->force_tier(*profile->forced_tier()); // refused before anything is reported
+    const bool is_complete = report_homes(report, np, &of_homes)
+                             && report_near(report, np, of_near ? &*of_near : nullptr);
+    *profile = of_near ? joined_profile(scene_.size(), dimension, reach_, of_homes, *of_near)
+                       : of_homes;
+    return is_complete;
+  }
+
+  // Reports the pairs of a home and a moved home: all but those that no offset between homes moves.
+  // Adds the decisions to the profile unless it is null.
+  template <class Report, class NamedParameters>
+  bool report_near(Report& report, const NamedParameters& np, Scene_profile* profile) const
+  {
+    const Two_sets sets{scene_.near_home_count()};
+    const auto report_batch = [&](const Image_list& batch, double first, double last) {
+      const auto report_pair = [&](std::size_t i, std::size_t j) {
+        return report_images(report, batch[i], batch[sets.first_size + j]);
+      };
+      const auto np_of_batch = parameters_of_part(np, scene_.share_of_images(first),
+                                                  scene_.share_of_images(last));
+      const Moved images = scene_.moved(batch);
+      if(profile == nullptr)
+        return search(images, sets, report_pair, np_of_batch, nullptr);
+      Scene_profile of_batch;
+      if(profile->forced_tier())
+        of_batch.force_tier(*profile->forced_tier());
+      const bool is_complete = search(images, sets, report_pair, np_of_batch, &of_batch);
+      add_decisions(of_batch, *profile);
+      return is_complete;
+    };
+    return scene_.for_each_batch(report_batch);
+  }
+
+private:
+  using Moved = typename Periodic_scene::Moved;
+  using Image_list = typename Periodic_scene::Image_list;
+
+  // Sets the profile to that of the homes near images, and of these images, if there are some.
+  // Returns false iff the progress was cancelled.
+  template <class NamedParameters>
+  bool scan_near(std::optional<Scene_profile>& profile, const NamedParameters& np) const
+  {
+    auto progress = make_progress(
+      parameters_of_part(np, Periodic_scene::share_of_finding, Periodic_scene::share_of_scan),
+      static_cast<std::size_t>(scene_.image_count()));
+    const auto scan = [&](const Image_list& batch, double first, double last) {
+      const Scene_profile of_batch(scan_points<ConcurrencyTag>(scene_.moved(batch), "image"),
+                                   reach_);
+      profile = profile ? joined_profile(scene_.size(), dimension, reach_, *profile, of_batch)
+                        : of_batch;
+      return progress.advance(static_cast<std::size_t>(last - first));
+    };
+    return scene_.for_each_batch(scan);
+  }
+
+  // Reports the pairs that no offset between homes moves.
+  template <class Report, class NamedParameters>
+  bool report_homes(Report& report, const NamedParameters& np, Scene_profile* profile)
+  {
+    const auto np_of_homes = scene_.parameters_of_homes(np);
+    if constexpr(is_lattice_v<Domain>)
+      if(scene_.are_homes_moved()) {
+        const std::size_t second = scene_.first_of_second();
+        return search(scene_.moved(scene_.homes()), sets_,
+                      [&, &homes = scene_.homes()](std::size_t i, std::size_t j) {
+                        return report_in_order(report, homes[i], homes[second + j]);
+                      }, np_of_homes, profile);
+      }
+    const auto report_pair = [&](std::size_t i, std::size_t j) {
+      return report(i, j, Offsets{});
+    };
+    return search_of_points_.report_profiled(sets_, report_pair, np_of_homes, profile);
+  }
+
+  // Reports a home that stays and an image that is moved.
+  template <class Report>
+  auto report_images(Report& report, const Image<dimension>& staying,
+                     const Image<dimension>& moved) const
+  {
+    if constexpr(Sets::are_two)
+      if(scene_.are_images_of_first())
+        return report_in_order(report, moved, staying);
+    return report_in_order(report, staying, moved);
+  }
+
+  // Reports two images in the order of their points. Those of one point are ordered by the offset.
+  // The order is chosen without a jump, which no processor could foresee. Of two sets, the first
+  // image is of the first one.
+  template <class Report>
+  auto report_in_order(Report& report, const Image<dimension>& a, const Image<dimension>& b) const
+  {
+    if constexpr(Sets::are_two)
+      return report(a.position, b.position - sets_.first_size, offset_between(a.offset, b.offset));
+    else {
+      const bool is_in_order
+        = a.position != b.position ? a.position < b.position : a.offset < b.offset;
+      const Image<dimension>* const ends[] = {&a, &b};
+      const Image<dimension>&first = *ends[!is_in_order], &second = *ends[is_in_order];
+      return report(first.position, second.position, offset_between(first.offset, second.offset));
+    }
+  }
+
+  template <class Some_sets, class Callback, class NamedParameters>
+  bool search(const Moved& images, const Some_sets& sets, const Callback& callback,
+              const NamedParameters& np, Scene_profile* profile) const
+  {
+    Near_pairs_search<ConcurrencyTag, Moved> search(images, bound_, profile != nullptr);
+    return search.report_profiled(sets, callback, np, profile);
+  }
+
+  static double finite_reach(const Distance_bound<NT>& bound)
+  {
+    const double reach = Squared_bound<Exact>(bound).reach();
+    if(!std::isfinite(reach))
+      throw std::invalid_argument("The bound of a periodic search is infinite.");
+    return reach;
+  }
+
+  const Sets sets_;
+  const Distance_bound<NT>& bound_;
+  const double reach_;
+  Near_pairs_search<ConcurrencyTag, Elements> search_of_points_;
+  Periodic_scene scene_;
+};
+
+template <class ConcurrencyTag, class Domain, class NT, class Callback, class NamedParameters,
+          class... Ranges>
+bool report_periodic_pairs(const Domain& domain, const Distance_bound<NT>& bound,
+                           Callback& callback, Scene_profile* profile, const NamedParameters& np,
+                           Ranges&... ranges)
+{
+  const auto search_sets = [&](const auto& elements, const auto& sets) {
+    Periodic_search<ConcurrencyTag, std::decay_t<decltype(elements)>,
+                    std::decay_t<decltype(sets)>, Domain, NT>
+      search(elements, sets, domain, bound, profile != nullptr);
+    auto&& report = image_output<ConcurrencyTag, Offset<domain_dimension_v<Domain>>>(
+      elements.first(), elements.second(), callback);
+    if constexpr(std::decay_t<decltype(report)>::check())
+      return search.report(report, np, profile);
+    else
+      return false;
+  };
+  return with_periodic_sets<ConcurrencyTag, Domain>(np, search_sets, ranges...);
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_PERIODIC_PERIODIC_SEARCH_H

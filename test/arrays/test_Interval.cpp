@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Intervals that are longer by a reach, in every rounding mode, against sums of rational numbers.
+
+#include "support/point_generators.h"
+#include "support/rounding_mode.h"
+
+#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
+
+#include <boost/multiprecision/gmp.hpp>
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <limits>
+
+BOOST_AUTO_TEST_SUITE(Interval)
+
+using Rational = boost::multiprecision::mpq_rational;
+using test_support::Random;
+namespace internal = CGAL::Thick_intersection_d::internal;
+
+// Numbers of all sizes. Many are powers of two, next to which the steps of doubles change.
+double any_number(Random& random)
+{
+  const int exponent = static_cast<int>(random.below(2090)) - 1074;
+  const double x = std::ldexp(1 + static_cast<double>(random.below(4)) * 0x1p-52, exponent);
+  const double y = std::ldexp(1 + static_cast<double>(random.below(1u << 31)) * 0x1p-31, exponent);
+  return random.below(2) == 0 ? x : y;
+}
+
+BOOST_AUTO_TEST_CASE(longer_intervals_hold_the_sum_in_every_rounding_mode)
+{
+  Random random(1);
+  for(int i = 0; i < 20000; ++i) {
+    const double x = any_number(random) * (random.below(2) == 0 ? 1 : -1);
+    const int shift = static_cast<int>(random.below(120)) - 60;
+    const double near_x = std::ldexp(std::fabs(x), random.below(2) == 0 ? 0 : shift);
+    const double reach = random.below(3) == 0 ? any_number(random) : near_x;
+    if(!std::isfinite(reach))
+      continue;
+    const Rational sum = Rational(x) + Rational(reach);
+    for(const int mode : test_support::rounding_modes) {
+      internal::Interval interval;
+      {
+        const test_support::Rounding_mode rounding(mode);
+        interval = internal::longer({-1, x}, reach);
+      }
+      BOOST_REQUIRE_EQUAL(interval.low, -1);
+      const double high = interval.high;
+      BOOST_REQUIRE(!std::isfinite(high) ? high > 0 : Rational(high) >= sum);
+      const double steps = std::fabs(x + reach) * 0x1p-49 + 0x1p-1070;
+      BOOST_REQUIRE(!std::isfinite(high + steps) || Rational(high) <= sum + Rational(steps));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(infinite_reach)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  BOOST_CHECK_EQUAL(internal::longer({-1, 1}, infinity).high, infinity);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,26 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Positions of 32 bits, one of which stands for none.
+
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cstddef>
+#include <stdexcept>
+
+BOOST_AUTO_TEST_SUITE(positions)
+
+namespace internal = CGAL::Thick_intersection_d::internal;
+
+BOOST_AUTO_TEST_CASE(more_points_than_positions_are_refused)
+{
+  BOOST_CHECK_NO_THROW(internal::check_size(0));
+  BOOST_CHECK_NO_THROW(internal::check_size(0xfffffffe));
+  BOOST_CHECK_THROW(internal::check_size(0xffffffff), std::length_error);
+  if constexpr(sizeof(std::size_t) > 4)
+    BOOST_CHECK_THROW(internal::check_size(std::size_t(0xffffffff) + 1), std::length_error);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

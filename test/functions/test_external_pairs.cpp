@@ -1,0 +1,465 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The search of points that do not fit in memory, compared with the search in memory.
+
+#define BOOST_TEST_MODULE external_pairs
+#include "support/pairs.h"
+
+#include <CGAL/Memory_budget.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/external_fixed_radius_near_neighbors.h>
+#include <CGAL/tags.h>
+
+#include <CGAL/Thick_intersection_d/internal/arrays/Random_numbers.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
+#include <CGAL/Thick_intersection_d/internal/external/Chunk_store.h>
+#include <CGAL/Thick_intersection_d/internal/external/External_parts.h>
+#include <CGAL/Thick_intersection_d/internal/external/Searched_points.h>
+#include <CGAL/Thick_intersection_d/internal/external/Stored_points.h>
+#include <CGAL/Thick_intersection_d/internal/external/external_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <tuple>
+#include <vector>
+
+#ifdef __unix__
+#include <sys/stat.h>
+#include <unistd.h>
+#endif
+
+using namespace test_support;
+using namespace CGAL::Thick_intersection_d::internal;
+
+namespace fs = std::filesystem;
+
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Points = std::vector<Point>;
+using Bound = CGAL::Distance_bound<double>;
+
+namespace {
+
+// A budget that has room for 858 points, which the public function refuses, and one that all scenes
+// fit in.
+constexpr std::size_t small = 1 << 16, large = 1 << 26;
+
+class Scene_maker
+{
+public:
+  double number() { return random_() / (1. + Random_numbers::largest()); }
+
+  Point in_cube(double side, const Point& corner = Point(0, 0, 0))
+  {
+    const double x = side * number(), y = side * number(), z = side * number();
+    return Point(corner.x() + x, corner.y() + y, corner.z() + z);
+  }
+
+  Points uniform(std::size_t size)
+  {
+    Points points;
+    while(points.size() < size)
+      points.push_back(in_cube(1));
+    return points;
+  }
+
+  Points clusters(std::size_t size)
+  {
+    Points points, centers = uniform(12);
+    while(points.size() < size)
+      points.push_back(in_cube(.01, centers[points.size() % centers.size()]));
+    return points;
+  }
+
+private:
+  Random_numbers random_;
+};
+
+Points lattice(int side)
+{
+  Points points;
+  for(int x = 0; x < side; ++x)
+    for(int y = 0; y < side; ++y)
+      for(int z = 0; z < side; ++z)
+        points.emplace_back(.1 * z, .1 * x, .1 * y);
+  return points;
+}
+
+// The callback and the kind of range are the same for all tests, so the search is compiled once.
+using Report = std::function<bool(std::uint64_t, std::uint64_t)>;
+using Go_on = std::function<bool(double)>;
+
+bool search(const Points& points, const Bound& bound, std::size_t bytes, const Report& report,
+            const Go_on& go_on = [](double) { return true; })
+{
+  using Search = External_search<CGAL::Sequential_tag, 3, Points, No_map, double, const Report,
+                                 Go_on>;
+  return Search(points, No_map(), bound, CGAL::Memory_budget(bytes), report, go_on).run();
+}
+
+Pairs pairs_of(const Points& points, const Bound& bound, std::size_t bytes)
+{
+  Pairs pairs;
+  BOOST_CHECK(search(points, bound, bytes, [&](std::uint64_t i, std::uint64_t j) {
+    BOOST_CHECK_LT(i, j);
+    pairs.emplace_back(i, j);
+    return true;
+  }));
+  return sorted(pairs);
+}
+
+// Whether the pairs are the same in parts as in memory, and there are some.
+bool has_equal_pairs(const Points& points, const Bound& bound)
+{
+  const Pairs expected = pairs_of(points, bound, large);
+  return !expected.empty() && pairs_of(points, bound, small) == expected;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(uniform_points_have_the_same_pairs_in_parts)
+{
+  const Points points = Scene_maker().uniform(20000);
+  BOOST_CHECK(has_equal_pairs(points, CGAL::within_distance(.03)));
+  BOOST_CHECK(has_equal_pairs(points, CGAL::within_squared_distance(.0009).open()));
+}
+
+BOOST_AUTO_TEST_CASE(clusters_have_the_same_pairs_in_parts)
+{
+  BOOST_CHECK(has_equal_pairs(Scene_maker().clusters(9000), CGAL::within_distance(.001)));
+}
+
+BOOST_AUTO_TEST_CASE(ties_of_a_lattice_are_the_same_in_parts)
+{
+  const Points points = lattice(20);
+  BOOST_CHECK(has_equal_pairs(points, CGAL::within_distance(.1)));
+  BOOST_CHECK(has_equal_pairs(points, CGAL::within_distance(.1).open()));
+}
+
+BOOST_AUTO_TEST_CASE(near_ties_far_from_zero_are_the_same_in_parts)
+{
+  Points points;
+  for(const Point& p : lattice(16))
+    points.emplace_back(std::round(10 * p.x()) + 0x1p50, std::round(10 * p.y()) + 0x1p51,
+                        std::round(10 * p.z()) / 8 + 0x1p49);
+  BOOST_CHECK(has_equal_pairs(points, CGAL::within_distance(1.)));
+}
+
+// Decimals have ties that integers do not decide, and no two of them need be equal.
+BOOST_AUTO_TEST_CASE(near_ties_of_decimals_are_the_same_in_parts)
+{
+  Scene_maker maker;
+  const auto decimal = [&] { return std::floor(5000 * maker.number()) / 1000; };
+  Points points;
+  for(int i = 0; i < 20000; ++i) {
+    const double x = decimal(), y = decimal();
+    points.emplace_back(x, y, 0);
+  }
+  for(const double distance : {.005, .05})
+    BOOST_CHECK(has_equal_pairs(points, CGAL::within_distance(distance)));
+}
+
+BOOST_AUTO_TEST_CASE(points_of_a_plane_and_of_a_line_have_the_same_pairs_in_parts)
+{
+  Scene_maker maker;
+  Points plane, line;
+  for(int i = 0; i < 10000; ++i) {
+    plane.emplace_back(3, maker.number(), maker.number());
+    line.emplace_back(maker.number(), 0, 0);
+  }
+  BOOST_CHECK(has_equal_pairs(plane, CGAL::within_distance(.01)));
+  BOOST_CHECK(has_equal_pairs(line, CGAL::within_distance(.0001)));
+}
+
+// The first points tell where to cut, and here they are all on one side.
+BOOST_AUTO_TEST_CASE(points_in_order_have_the_same_pairs_in_parts)
+{
+  Points points = Scene_maker().uniform(20000);
+  for(const int axis : {0, 2}) {
+    std::sort(points.begin(), points.end(), [&](const Point& p, const Point& q) {
+      return p.cartesian(axis) < q.cartesian(axis);
+    });
+    BOOST_CHECK(has_equal_pairs(points, CGAL::within_distance(.03)));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(points_of_all_sizes_have_the_same_pairs_in_parts)
+{
+  Scene_maker maker;
+  Points points;
+  for(int i = 0; i < 6000; ++i) {
+    const double size = std::ldexp(1., -i % 900);
+    points.push_back(maker.in_cube(size));
+  }
+  BOOST_CHECK(has_equal_pairs(points, CGAL::within_distance(0x1p-880)));
+}
+
+BOOST_AUTO_TEST_CASE(points_of_type_Point_2_have_the_same_pairs_in_parts)
+{
+  using Plane_point = CGAL::Simple_cartesian<double>::Point_2;
+  Scene_maker maker;
+  std::vector<Plane_point> points;
+  for(int i = 0; i < 140000; ++i) {
+    const double x = maker.number();
+    points.emplace_back(x, maker.number());
+  }
+  const auto pairs_within = [&](std::size_t bytes) {
+    Pairs pairs;
+    CGAL::external_fixed_radius_near_neighbors(
+      points, CGAL::within_distance(.002), CGAL::Memory_budget(bytes),
+      [&](std::uint64_t i, std::uint64_t j) { pairs.emplace_back(i, j); });
+    return sorted(pairs);
+  };
+  const Pairs expected = pairs_within(large);
+  BOOST_CHECK_GT(expected.size(), 100000);
+  BOOST_CHECK(pairs_within(1 << 22) == expected);
+  BOOST_CHECK_THROW(pairs_within((1 << 22) - 1), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(a_crowd_that_fits_has_its_pairs)
+{
+  Scene_maker maker;
+  Points points = maker.uniform(10000);
+  for(int i = 0; i < 400; ++i)
+    points.push_back(maker.in_cube(1e-6, Point(.5, .5, .5)));
+  std::reverse(points.begin() + 5000, points.end());
+  BOOST_CHECK(has_equal_pairs(points, CGAL::within_distance(.01)));
+}
+
+BOOST_AUTO_TEST_CASE(equal_points_are_pairs_across_parts)
+{
+  Points points = Scene_maker().uniform(2500);
+  const Points copy = points;
+  for(int round = 0; round < 3; ++round)
+    points.insert(points.end(), copy.begin(), copy.end());
+  BOOST_CHECK_EQUAL(pairs_of(points, CGAL::within_distance(0.), small).size(), 6 * copy.size());
+}
+
+BOOST_AUTO_TEST_CASE(a_crowd_that_does_not_fit_is_refused)
+{
+  const Points equal(3000, Point(1, 2, 3));
+  BOOST_CHECK_THROW(pairs_of(equal, CGAL::within_distance(0.), small), std::length_error);
+  const Points points = Scene_maker().uniform(5000);
+  BOOST_CHECK_THROW(pairs_of(points, CGAL::within_distance(.7), small), std::length_error);
+  BOOST_CHECK_THROW(pairs_of(points, Bound(std::numeric_limits<double>::infinity(), false), small),
+                    std::length_error);
+}
+
+BOOST_AUTO_TEST_CASE(no_point_and_one_point_have_no_pair)
+{
+  for(std::size_t size : {0, 1})
+    for(std::size_t bytes : {small, large})
+      BOOST_CHECK(pairs_of(Points(size), CGAL::within_distance(1.), bytes).empty());
+}
+
+BOOST_AUTO_TEST_CASE(callback_stops_the_search_in_a_later_part)
+{
+  const Points points = Scene_maker().uniform(20000);
+  std::size_t count = 0;
+  BOOST_CHECK(!search(points, CGAL::within_distance(.03), small,
+                      [&](std::uint64_t, std::uint64_t) { return ++count < 5000; }));
+  BOOST_CHECK_EQUAL(count, 5000);
+}
+
+BOOST_AUTO_TEST_CASE(progress_grows_up_to_one_and_stops_the_search)
+{
+  const Points points = Scene_maker().uniform(20000);
+  const Report report = [](std::uint64_t, std::uint64_t) { return true; };
+  std::vector<double> told;
+  BOOST_CHECK(search(points, CGAL::within_distance(.03), small, report, [&](double done) {
+    told.push_back(done);
+    return true;
+  }));
+  BOOST_CHECK(std::is_sorted(told.begin(), told.end()));
+  BOOST_CHECK_CLOSE(told.back(), 1, 1e-9);
+  for(double last : {0., .1, .5})
+    BOOST_CHECK(!search(points, CGAL::within_distance(.03), small, report,
+                        [&](double done) { return done < last; }));
+}
+
+BOOST_AUTO_TEST_CASE(bad_arguments_are_refused_before_any_pair)
+{
+  Points points = Scene_maker().uniform(3000);
+  BOOST_CHECK_THROW(pairs_of(points, CGAL::within_distance(-1.), small), std::invalid_argument);
+  points.back() = Point(0, std::nan(""), 0);
+  const auto names_position = [](const std::invalid_argument& error) {
+    return std::string(error.what()).find("point 2999") != std::string::npos;
+  };
+  BOOST_CHECK_EXCEPTION(pairs_of(points, CGAL::within_distance(.01), small), std::invalid_argument,
+                        names_position);
+}
+
+BOOST_AUTO_TEST_CASE(a_folder_that_is_missing_is_an_error)
+{
+  const fs::path missing = fs::temp_directory_path() / "thick_intersection_d_no_such_folder";
+  BOOST_CHECK_THROW(Scratch_file file(missing), std::system_error);
+}
+
+#ifdef __unix__
+// As a user who may not read what was made. The superuser may, and plays another user.
+BOOST_AUTO_TEST_CASE(a_scratch_file_that_cannot_be_opened_leaves_nothing_behind)
+{
+  const auto now = std::chrono::system_clock::now().time_since_epoch().count();
+  const fs::path folder = fs::temp_directory_path() / ("thick_closed_" + std::to_string(now));
+  fs::create_directory(folder);
+  fs::permissions(folder, fs::perms::all);
+  const bool is_superuser = geteuid() == 0;
+  constexpr uid_t nobody = 65534;
+  BOOST_REQUIRE(!is_superuser || seteuid(nobody) == 0);
+  const mode_t mask = umask(0777);
+  BOOST_CHECK_THROW(Scratch_file file(folder), std::system_error);
+  umask(mask);
+  BOOST_REQUIRE(!is_superuser || seteuid(0) == 0);
+  BOOST_CHECK(fs::is_empty(folder));
+  fs::remove_all(folder);
+}
+#endif
+
+BOOST_AUTO_TEST_CASE(a_scratch_file_leaves_nothing_behind)
+{
+  const auto now = std::chrono::system_clock::now().time_since_epoch().count();
+  const fs::path folder = fs::temp_directory_path() / ("thick_test_" + std::to_string(now));
+  fs::create_directory(folder);
+  {
+    Scratch_file file(folder), other(folder);
+    const std::array<double, 3> written = {1, 2, 3};
+    std::array<double, 3> read = {};
+    const std::uint64_t far = std::uint64_t(5) << 30; // beyond 32 bits; the file has a hole
+    file.write(far, written.data(), sizeof written);
+    file.read(far, read.data(), sizeof read);
+    BOOST_CHECK(read == written);
+    BOOST_CHECK_THROW(other.read(0, read.data(), sizeof read), std::system_error);
+  }
+  BOOST_CHECK(fs::is_empty(folder));
+  fs::remove_all(folder);
+}
+
+BOOST_AUTO_TEST_CASE(a_list_on_disk_gives_its_chunks_to_the_next_list)
+{
+  Chunk_store<3> store(fs::temp_directory_path(), 5);
+  Stored_points<3> list, next;
+  for(std::uint64_t i = 0; i < 203; ++i)
+    list.add(store, {{1. * i, 0, 0}, i});
+  list.flush(store);
+  BOOST_CHECK_EQUAL(list.size(), 203);
+  BOOST_CHECK_EQUAL(list.box().intervals()[0].high, 202);
+  for(std::uint64_t i = 0; i < 203; ++i)
+    BOOST_CHECK_EQUAL(list.read(store, i).id, i);
+  list.take(store, [&](const Stored_point<3>& point) {
+    BOOST_CHECK_EQUAL(point.id, next.size());
+    next.add(store, point);
+  });
+  BOOST_CHECK_EQUAL(list.size(), 0);
+  BOOST_CHECK_LE(store.size(), 4); // rows of 16 chunks
+  std::vector<Stored_point<3>> loaded;
+  next.load(store, loaded);
+  BOOST_REQUIRE_EQUAL(loaded.size(), 203);
+  for(std::uint64_t i = 0; i < 203; ++i) {
+    BOOST_CHECK_EQUAL(loaded[i].x[0], 1. * i);
+    BOOST_CHECK_EQUAL(loaded[i].id, i);
+  }
+}
+
+// Half of the ids have no room in a number. Some points are given.
+BOOST_AUTO_TEST_CASE(points_of_a_part_are_found_by_their_numbers)
+{
+  Loaded_points<3> part;
+  const std::uint64_t far = (std::uint64_t(1) << 31) - 500;
+  for(std::uint64_t first : {0, 1, 2}) {
+    if(first < 2)
+      part.begins.push_back(part.points.size());
+    for(std::uint64_t id = first; id < 1000; id += 2)
+      part.points.push_back({{1. * id, 0, 0}, far + id});
+    if(first < 2)
+      part.owned = part.points.size();
+  }
+  const Searched_points<3> points(part);
+  int short_ids = 0;
+  for(std::size_t place = 0; place < part.points.size(); ++place) {
+    const std::uint64_t id = part.points[place].id;
+    const std::size_t number = points.number(place);
+    BOOST_CHECK_EQUAL(points.id(number), id);
+    BOOST_CHECK_EQUAL(points.place(number), place);
+    BOOST_CHECK_EQUAL(points[points.place(number)].x[0], id - far);
+    BOOST_CHECK_EQUAL(points.is_owned(number), place < 1000);
+    short_ids += points.is_id(number);
+  }
+  BOOST_CHECK_EQUAL(short_ids, 499);
+}
+
+BOOST_AUTO_TEST_CASE(stripes_have_about_as_many_numbers_each)
+{
+  Scene_maker maker;
+  std::vector<double> values;
+  for(int i = 0; i < 6400; ++i)
+    values.push_back(std::ldexp(maker.number(), i % 600));
+  std::sort(values.begin(), values.end());
+  const Stripes stripes(values, 32);
+  std::array<int, 32> counts = {};
+  std::size_t last = 0;
+  for(const double x : values) {
+    BOOST_REQUIRE_GE(stripes(x), last);
+    last = stripes(x);
+    ++counts[last];
+  }
+  BOOST_CHECK_EQUAL(*std::min_element(counts.begin(), counts.end()), 200);
+  const double infinite = std::numeric_limits<double>::max();
+  BOOST_CHECK_EQUAL(stripes(-infinite), 0);
+  BOOST_CHECK_EQUAL(stripes(infinite), 31);
+}
+
+BOOST_AUTO_TEST_CASE(stripes_separate_a_number_from_many_equal_ones)
+{
+  for(const double other : {1., 3.}) {
+    std::vector<double> values(100, 2);
+    values.push_back(other);
+    std::sort(values.begin(), values.end());
+    const Stripes stripes(values, 4);
+    BOOST_CHECK_NE(stripes(2), stripes(other));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_huge_budget_has_parts_that_a_search_takes)
+{
+  const int bits = (std::min)(40, std::numeric_limits<std::size_t>::digits - 1); // a terabyte
+  const std::size_t huge = std::size_t(1) << bits;
+  BOOST_CHECK_LT(Part_limits(huge, sizeof(Stored_point<3>)).points_per_search(), max_place / 2);
+}
+
+BOOST_AUTO_TEST_CASE(parts_fill_the_budget_with_the_points_near_them)
+{
+  const Points points = Scene_maker().uniform(60000);
+  for(const auto& [bytes, reach, most_parts] : {std::tuple(small, .03, 250), {1 << 20, .003, 6}}) {
+    External_parts<3> parts(CGAL::Memory_budget(bytes), reach);
+    const auto point_at = [&](std::uint64_t i) {
+      return Stored_point<3>({points[i].x(), points[i].y(), points[i].z()}, i);
+    };
+    parts.make(points.size(), point_at, [&](const auto& visit) {
+      for(std::size_t i = 0; i < points.size(); ++i)
+        visit(point_at(i));
+    });
+    std::size_t owned = 0;
+    int count = 0;
+    Loaded_points<3> loaded;
+    for(; parts.find_next(); ++count) {
+      parts.take_next(loaded);
+      owned += loaded.owned;
+      BOOST_CHECK_LE(loaded.points.size(), parts.limits().points_per_search());
+    }
+    BOOST_CHECK_EQUAL(owned, points.size());
+    BOOST_CHECK_LE(count, most_parts);
+  }
+}

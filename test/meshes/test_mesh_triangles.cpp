@@ -1,0 +1,137 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Triangles that share a vertex or an edge, in all directions of a small lattice, on doubles and on
+// a kernel.
+
+#include <CGAL/Thick_intersection_d/internal/meshes/mesh_triangles.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Kernel_orientation.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Staged_orientation.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/intersections.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <array>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace internal = CGAL::Thick_intersection_d::internal;
+
+BOOST_AUTO_TEST_SUITE(mesh_triangles)
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Doubles = internal::Staged_orientation<3, 5>;
+using Numbers = internal::Kernel_orientation<Kernel, 3, 5>;
+
+void read(const Point& p, Doubles::Vertex& result) { result.x = {p.x(), p.y(), p.z()}; }
+void read(const Point& p, Numbers::Vertex& result) { result = p; }
+
+// Returns test(orientation, points) for some points.
+template <class Orientation, class Function>
+bool with_points(const std::array<Point, 5>& points, const Function& test)
+{
+  typename Orientation::Vertices vertices;
+  std::array<typename Orientation::Point, 5> all;
+  for(std::size_t k = 0; k < 5; ++k) {
+    read(points[k], vertices[k]);
+    all[k] = typename Orientation::Point(vertices[k]);
+  }
+  Orientation orientation(vertices);
+  return test(orientation, all);
+}
+
+template <class Orientation>
+bool do_intersect_at_vertex(const Point& v, const Point& a, const Point& b, const Point& c,
+                            const Point& d)
+{
+  return with_points<Orientation>({v, a, b, c, d}, [](Orientation& orientation, const auto& p) {
+    return internal::do_triangles_at_vertex_intersect<Orientation>(
+      orientation, {p[0], p[1], p[2]}, {p[0], p[3], p[4]});
+  });
+}
+
+template <class Orientation>
+bool do_intersect_at_edge(const Point& p, const Point& q, const Point& a, const Point& b)
+{
+  return with_points<Orientation>({p, q, a, b, b}, [](Orientation& orientation, const auto& x) {
+    return internal::do_triangles_at_edge_intersect(orientation, x[0], x[1], x[2], x[3]);
+  });
+}
+
+// The neighbors of the origin on the lattice.
+std::vector<Point> directions()
+{
+  std::vector<Point> result;
+  for(int i = 0; i < 27; ++i)
+    if(i != 13)
+      result.emplace_back(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+  return result;
+}
+
+// All directions, up to symmetry.
+const std::vector<Point> few = {Point(1, 0, 0), Point(1, 1, 0), Point(1, 1, 1)};
+
+} // namespace
+
+// They have more in common than the vertex iff one meets the edge of the other that is opposite.
+BOOST_AUTO_TEST_CASE(triangles_at_a_vertex_meet_where_an_opposite_edge_does)
+{
+  const Point v(0, 0, 0);
+  const std::vector<Point> all = directions();
+  std::size_t intersecting = 0, wrong = 0;
+  for(const Point& a : few)
+    for(const Point& b : all)
+      for(const Point& c : all)
+        for(const Point& d : all)
+          if(!CGAL::collinear(v, a, b) && !CGAL::collinear(v, c, d)) {
+            const bool truth
+              = CGAL::do_intersect(Kernel::Triangle_3(v, a, b), Kernel::Segment_3(c, d))
+                || CGAL::do_intersect(Kernel::Triangle_3(v, c, d), Kernel::Segment_3(a, b));
+            intersecting += truth;
+            wrong += truth != do_intersect_at_vertex<Doubles>(v, a, b, c, d);
+            wrong += truth != do_intersect_at_vertex<Numbers>(v, a, b, c, d);
+          }
+  BOOST_CHECK_EQUAL(wrong, 0u);
+  BOOST_CHECK_GT(intersecting, 5000u);
+}
+
+// Then a point on the segment from the middle of the edge to the third vertex of one triangle is in
+// the other triangle.
+BOOST_AUTO_TEST_CASE(triangles_at_an_edge_meet_if_one_is_folded_onto_the_other)
+{
+  const Point p(0, 0, 0);
+  const std::vector<Point> all = directions();
+  std::size_t intersecting = 0, wrong = 0;
+  for(const Point& q : few)
+    for(const Point& a : all)
+      for(const Point& b : all)
+        if(!CGAL::collinear(p, q, a) && !CGAL::collinear(p, q, b)) {
+          const Point middle = CGAL::midpoint(p, q);
+          const Point close = middle + (a - middle) / 1024;
+          const bool truth = Kernel::Triangle_3(p, q, b).has_on(close);
+          intersecting += truth;
+          wrong += truth != do_intersect_at_edge<Doubles>(p, q, a, b);
+          wrong += truth != do_intersect_at_edge<Numbers>(p, q, a, b);
+        }
+  BOOST_CHECK_EQUAL(wrong, 0u);
+  BOOST_CHECK_GT(intersecting, 100u);
+}
+
+BOOST_AUTO_TEST_CASE(points_with_inexact_predicates_are_converted)
+{
+  using Inexact = CGAL::Simple_cartesian<long double>;
+  const auto p = internal::with_exact_predicates(Inexact::Point_3(1, 2, 3));
+  using Exact = CGAL::Simple_cartesian<CGAL::Exact_rational>;
+  static_assert(std::is_same_v<decltype(p), const Exact::Point_3>);
+  BOOST_CHECK_EQUAL(p, Exact::Point_3(1, 2, 3));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
