@@ -54,7 +54,7 @@ public:
     for(std::size_t i = 0; i < count; ++i, x += Dimension)
       std::copy_n(boxes_[first + i].low.begin(), Dimension, x);
   }
-  void ask_for(std::size_t) const override {}
+  void prefetch(std::size_t) const override {}
   void read_numbers(std::size_t, std::size_t, internal::Place*) const override {}
   std::size_t position(internal::Place number) const override { return number; }
   const internal::Integer_distance* integers() const override { return nullptr; }

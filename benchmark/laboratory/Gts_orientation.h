@@ -54,20 +54,21 @@ public:
     return CGAL::compare(p[axis], q[axis]);
   }
 
-  static CGAL::Sign turn(const Point& p, const Point& q, const Point& r, int i, int j)
+  static CGAL::Sign orientation(const Point& p, const Point& q, const Point& r, int i, int j)
   {
     GtsPoint a = gts_point(p[i], p[j]), b = gts_point(q[i], q[j]), c = gts_point(r[i], r[j]);
     return CGAL::sign(gts_point_orientation(&a, &b, &c));
   }
 
-  static CGAL::Sign turn_by_filter(const Point& p, const Point& q, const Point& r, int i, int j)
+  static CGAL::Sign orientation_by_filter(const Point& p, const Point& q, const Point& r, int i,
+                                          int j)
   {
-    return turn(p, q, r, i, j);
+    return orientation(p, q, r, i, j);
   }
 
-  static CGAL::Sign decide_turn(const Point&, const Point&, const Point&, int, int)
+  static CGAL::Sign decide_orientation(const Point&, const Point&, const Point&, int, int)
   {
-    return CGAL::ZERO; // turn_by_filter() knows it
+    return CGAL::ZERO; // orientation_by_filter() knows it
   }
 
   struct Plane

@@ -123,8 +123,8 @@ BOOST_AUTO_TEST_CASE(intervals_enclose_boxes)
 BOOST_AUTO_TEST_CASE(flat_boxes_are_noticed_and_empty_boxes_are_not_flat)
 {
   const Boxes<double> empty = {{1, 0}}, flat = {{0., -0.}};
-  BOOST_CHECK(!numbered(empty, empty).has_flat_box());
-  BOOST_CHECK(numbered(empty, flat).has_flat_box());
+  BOOST_CHECK(!numbered(empty, empty).has_degenerate_box());
+  BOOST_CHECK(numbered(empty, flat).has_degenerate_box());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

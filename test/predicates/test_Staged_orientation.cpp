@@ -44,8 +44,8 @@ CGAL::Sign expected_side(const Four_points& p)
 CGAL::Sign expected_turn(const Four_points& p)
 {
   using Point = CGAL::Simple_cartesian<CGAL::Exact_rational>::Point_2;
-  const auto shadow = [&](std::size_t k) { return Point(p[k][0], p[k][1]); };
-  return CGAL::orientation(shadow(0), shadow(1), shadow(2));
+  const auto projection = [&](std::size_t k) { return Point(p[k][0], p[k][1]); };
+  return CGAL::orientation(projection(0), projection(1), projection(2));
 }
 
 // What the package says, and the arithmetic that it took.
@@ -66,7 +66,7 @@ Answer answer(const Four_points& p, Arithmetic_tier least_tier)
   const CGAL::Sign side
     = orientation.side(orientation.plane(point(0), point(1), point(2)), point(3));
   const Arithmetic_tier tier = orientation.needed_tier();
-  return {side, orientation.turn(point(0), point(1), point(2), 0, 1), tier};
+  return {side, orientation.orientation(point(0), point(1), point(2), 0, 1), tier};
 }
 
 // The last two points are affine combinations of the others, rounded, and often moved by a last

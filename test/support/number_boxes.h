@@ -84,7 +84,7 @@ public:
     return [this, position](int axis) { return boxes_[position][axis]; };
   }
   bool are_exact() const { return are_exact_; }
-  void ask_for(std::size_t) const {}
+  void prefetch(std::size_t) const {}
   bool do_intersect(std::size_t i, std::size_t j) const
   {
     asked_.emplace_back((std::min)(i, j), (std::max)(i, j));

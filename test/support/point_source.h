@@ -46,7 +46,7 @@ public:
         if(axis == a || axis == internal::Near_points<Dimension>::all_axes)
           x[a] = points_[first + i][static_cast<std::size_t>(a)];
   }
-  void ask_for(std::size_t) const override {}
+  void prefetch(std::size_t) const override {}
   void read_numbers(std::size_t, std::size_t, internal::Place*) const override {}
   std::size_t position(internal::Place number) const override { return number; }
   const internal::Integer_distance* integers() const override { return nullptr; }

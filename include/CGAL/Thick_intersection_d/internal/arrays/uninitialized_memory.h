@@ -21,7 +21,7 @@ template <class T>
 std::unique_ptr<T[]> make_uninitialized(std::size_t size)
 {
   std::unique_ptr<T[]> memory(new T[size]);
-  ask_for_huge_pages(memory.get(), size * sizeof(T));
+  advise_huge_pages(memory.get(), size * sizeof(T));
   return memory;
 }
 

@@ -28,7 +28,7 @@ namespace internal {
 //
 //   Run                                 sorted boxes in columns, with positions and block()
 //   collect_between(a, b, found, flush) finds the pairs that are not certainly no pairs, by lanes
-//   ask_for(a, b, pair)                 may ask for the memory that is_pair() will read
+//   prefetch(a, b, pair)                 may ask for the memory that is_pair() will read
 //   are_undecided(a, b)                 whether found pairs need is_pair()
 //   is_pair(a, b, pair)                 decides about a found pair
 //   is_of_piece(a, b, pair)             does so if all that lanes left open is whether a pair of
@@ -108,7 +108,7 @@ private:
     Place pair_count = 0;
     for(Place c = 0; c < count; ++c) {
       if(c + prefetch_distance < count)
-        test_.ask_for(a, b, found_.pairs[c + prefetch_distance]);
+        test_.prefetch(a, b, found_.pairs[c + prefetch_distance]);
       found_.pairs[pair_count] = found_.pairs[c];
       pair_count += is_pair(a, b, found_.pairs[c]);
     }

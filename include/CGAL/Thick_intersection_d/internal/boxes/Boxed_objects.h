@@ -39,7 +39,7 @@ namespace internal {
 //   do_intersect(i, j)         asked about pairs whose boxes meet
 //   Box_filter                 decides about most of these pairs by their boxes, as Ball_box_filter
 //                              does; or void
-//   ask_for(i)                 may ask for the memory that do_intersect() will read; not called if
+//   prefetch(i)                 may ask for the memory that do_intersect() will read; not called if
 //                              there is a filter
 //
 // Objects may have groups (has_groups.h). Then they are not exact, they have no filter, and
@@ -103,11 +103,11 @@ public:
     return (a.sides[pair.i] & b.sides[pair.j]) == 0;
   }
 
-  void ask_for(const Run& a, const Run& b, Found_pair pair) const
+  void prefetch(const Run& a, const Run& b, Found_pair pair) const
   {
     if constexpr(std::is_void_v<Box_filter>) {
-      objects_.ask_for(a.positions[pair.i]);
-      objects_.ask_for(b.positions[pair.j]);
+      objects_.prefetch(a.positions[pair.i]);
+      objects_.prefetch(b.positions[pair.j]);
     }
   }
 

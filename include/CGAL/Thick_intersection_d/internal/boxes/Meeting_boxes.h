@@ -41,7 +41,7 @@ public:
 
   Meeting_boxes(const Boxes& boxes, bool are_closed)
     : boxes_(boxes), are_closed_(are_closed),
-      are_exact_(boxes.have_double_ends() && (are_closed || !boxes.has_flat_box()))
+      are_exact_(boxes.have_double_ends() && (are_closed || !boxes.has_degenerate_box()))
   {}
 
   std::size_t size() const { return boxes_.size(); }
@@ -64,7 +64,7 @@ public:
     };
   }
 
-  void ask_for(std::size_t) const {}
+  void prefetch(std::size_t) const {}
 
   bool do_intersect(std::size_t i, std::size_t j) const
   {

@@ -46,7 +46,7 @@ public:
   Interval with_reach(const Interval& interval) const { return longer(interval, test_.reach()); }
 
   bool are_exact() const { return false; }
-  void ask_for(std::size_t position) const { ask_for_object(objects_, position); }
+  void prefetch(std::size_t position) const { prefetch_object(objects_, position); }
   bool do_intersect(std::size_t i, std::size_t j) const
   {
     return test_(objects_[i], objects_[j]);

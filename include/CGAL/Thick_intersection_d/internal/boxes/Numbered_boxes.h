@@ -136,7 +136,7 @@ public:
   bool have_double_ends() const { return have_double_ends_; }
 
   // Whether a box is a single number along an axis.
-  bool has_flat_box() const { return has_flat_box_; }
+  bool has_degenerate_box() const { return has_degenerate_box_; }
 
   // Whether the ids show at once that no two boxes have the same one, as those of boxes that lie in
   // the order in which they were made.
@@ -236,7 +236,7 @@ private:
         if(high < low)
           is_empty = true;
         else
-          has_flat_box_ = has_flat_box_ || !(low < high);
+          has_degenerate_box_ = has_degenerate_box_ || !(low < high);
       }
       return is_empty;
     });
@@ -266,7 +266,7 @@ private:
   std::size_t size_;
   std::size_t first_size_; // the boxes of the first range that have a number
   bool have_double_ends_ = true;
-  bool has_flat_box_ = false;
+  bool has_degenerate_box_ = false;
   bool have_distinct_ids_ = false;
   std::vector<std::size_t> positions_; // without empty boxes; no positions if no box is empty
 };

@@ -112,7 +112,7 @@ private:
       const std::uint64_t size = sizes_[source(distance)];
       std::vector<char>& bytes = incoming_[place((distance - 1) % width_)];
       bytes.reserve(static_cast<std::size_t>(size));
-      ask_for_huge_pages(bytes.data(), bytes.capacity());
+      advise_huge_pages(bytes.data(), bytes.capacity());
       chunks += chunk_count(size) + chunk_count(sizes_sent_[target(distance)]);
     }
     requests_.reserve(chunks);

@@ -64,7 +64,7 @@ public:
     };
   }
 
-  void ask_for(std::size_t position) const { prefetch_to_read(&segments_[position]); }
+  void prefetch(std::size_t position) const { prefetch_to_read(&segments_[position]); }
 
   // The segments of a feature are a group. To look for a pair takes less time than most tests do.
   static constexpr bool has_groups = true;

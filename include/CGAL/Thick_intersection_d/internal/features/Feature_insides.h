@@ -69,7 +69,7 @@ public:
     };
   }
 
-  void ask_for(std::size_t) const {}
+  void prefetch(std::size_t) const {}
 
   // The vertices and polygons of a feature are a group.
   static constexpr bool has_groups = true;

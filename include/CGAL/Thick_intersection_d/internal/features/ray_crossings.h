@@ -43,16 +43,16 @@ bool is_above_ray(const Segment& edge, int v, const Segment& ray)
 }
 
 template <class Orientation>
-Sign turn_of_vertices(typename Orientation::Vertices& vertices)
+Sign orientation_of_vertices(typename Orientation::Vertices& vertices)
 {
   using Point = typename Orientation::Point;
-  return Orientation(vertices).turn(Point(vertices[0]), Point(vertices[1]), Point(vertices[2]), 0,
-                                    1);
+  return Orientation(vertices).orientation(Point(vertices[0]), Point(vertices[1]),
+                                           Point(vertices[2]), 0, 1);
 }
 
 // Returns whether the edge and then the source of `ray` make a left turn, a right turn or none.
 template <class Segment>
-Sign turn_to_source(const Segment& edge, const Segment& ray)
+Sign orientation_to_source(const Segment& edge, const Segment& ray)
 {
   using Orientation = Staged_orientation<2, 3>;
   typename Orientation::Vertices vertices;
@@ -63,13 +63,13 @@ Sign turn_to_source(const Segment& edge, const Segment& ray)
       vertices[2].x[static_cast<std::size_t>(axis)] = x;
   });
   if(are_doubles)
-    return turn_of_vertices<Orientation>(vertices);
+    return orientation_of_vertices<Orientation>(vertices);
   using Kernel = Exact_kernel_of<Segment>;
   using Exact_orientation = Kernel_orientation<Kernel, 2, 3>;
   typename Exact_orientation::Vertices exact_vertices
     = {exact_vertex<Kernel, 2>(edge, 0), exact_vertex<Kernel, 2>(edge, 1),
        exact_vertex<Kernel, 2>(ray, 0)};
-  return turn_of_vertices<Exact_orientation>(exact_vertices);
+  return orientation_of_vertices<Exact_orientation>(exact_vertices);
 }
 
 // Whether a ray to the right of the source of `ray` crosses the edge. The source is not on it.
@@ -78,7 +78,7 @@ bool does_ray_cross(const Segment& ray, const Segment& edge)
 {
   const bool ends_above = is_above_ray(edge, 1, ray);
   return is_above_ray(edge, 0, ray) != ends_above
-         && turn_to_source(edge, ray) == (ends_above ? LEFT_TURN : RIGHT_TURN);
+         && orientation_to_source(edge, ray) == (ends_above ? LEFT_TURN : RIGHT_TURN);
 }
 
 } // namespace internal

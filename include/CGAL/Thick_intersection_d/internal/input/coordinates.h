@@ -60,20 +60,20 @@ template <class Point>
 struct Has_approximation<Point, std::void_t<Approximate_coordinate_t<Point>>> : std::true_type {};
 
 template <class Elements, class = void>
-struct Can_ask_for : std::false_type {};
+struct Can_prefetch : std::false_type {};
 template <class Elements>
-struct Can_ask_for<Elements, std::void_t<decltype(std::declval<const Elements&>().ask_for(0))>>
+struct Can_prefetch<Elements, std::void_t<decltype(std::declval<const Elements&>().prefetch(0))>>
   : std::true_type {};
 
 // Asks for what a scan will read of a point, where the points do not lie in the order of their
 // positions: what the range says, or the approximation of a lazy point, if the range holds the
 // point. A handle to this memory is all that the point itself holds.
 template <class Elements>
-void ask_for_approximation([[maybe_unused]] const Elements& points,
+void prefetch_approximation([[maybe_unused]] const Elements& points,
                            [[maybe_unused]] std::size_t position)
 {
-  if constexpr(Can_ask_for<Elements>::value)
-    points.ask_for(position);
+  if constexpr(Can_prefetch<Elements>::value)
+    points.prefetch(position);
   else if constexpr(Has_approximation<typename Elements::value_type>::value
                     && std::is_lvalue_reference_v<decltype(points[position])>)
     prefetch_to_read(points[position].for_compact_container());
@@ -81,7 +81,7 @@ void ask_for_approximation([[maybe_unused]] const Elements& points,
 
 // Asks for the memory of a point, if the range holds it: for the cache lines of its two ends.
 template <class Elements>
-void ask_for_point([[maybe_unused]] const Elements& points, [[maybe_unused]] std::size_t position)
+void prefetch_point([[maybe_unused]] const Elements& points, [[maybe_unused]] std::size_t position)
 {
   if constexpr(std::is_lvalue_reference_v<decltype(points[position])>) {
     const auto* const point = std::addressof(points[position]);

@@ -235,18 +235,19 @@ bool with_kinds(const Object& a, const Object& b, const Test& test)
 
 // Asks for the memory of an object, if the range holds it.
 template <class Elements>
-void ask_for_object([[maybe_unused]] const Elements& objects, [[maybe_unused]] std::size_t position)
+void prefetch_object([[maybe_unused]] const Elements& objects,
+                     [[maybe_unused]] std::size_t position)
 {
-  const auto ask_for = [](const auto& object) {
+  const auto prefetch = [](const auto& object) {
     const auto* const first = reinterpret_cast<const char*>(std::addressof(object));
     for(std::size_t line = 0; line * cache_line_size < sizeof(object); ++line)
       prefetch_to_read(first, line);
     prefetch_to_read(first + sizeof(object) - 1); // it may begin in the middle of a line
   };
   if constexpr(Is_one_of_two<typename Elements::value_type>::value)
-    of_range(objects[position], ask_for);
+    of_range(objects[position], prefetch);
   else if constexpr(std::is_lvalue_reference_v<decltype(objects[position])>)
-    ask_for(objects[position]);
+    prefetch(objects[position]);
 }
 
 } // namespace internal

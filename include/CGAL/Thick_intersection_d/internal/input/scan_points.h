@@ -111,7 +111,7 @@ private:
     double error = error_;
     for(std::size_t position = first; position < last; ++position) {
       if(position + points_ahead < last)
-        ask_for_approximation(points, position + points_ahead);
+        prefetch_approximation(points, position + points_ahead);
       const auto& point = points[position];
       bool is_good = dimension_of(point) == dimension;
       for(int axis = 0; is_good && axis < dimension; ++axis) {

@@ -23,7 +23,7 @@ namespace Thick_intersection_d {
 namespace internal {
 
 // Asks for huge pages in memory that was not touched yet. The system may refuse.
-inline void ask_for_huge_pages(void* memory, std::size_t size)
+inline void advise_huge_pages(void* memory, std::size_t size)
 {
 #ifdef CGAL_THICK_INTERSECTION_D_HAS_MADVISE
   constexpr int huge_page_advice = 14; // MADV_HUGEPAGE

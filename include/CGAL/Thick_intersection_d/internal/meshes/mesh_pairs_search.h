@@ -97,7 +97,7 @@ public:
     return [box](int axis) { return Interval{(box.min)(axis), (box.max)(axis)}; };
   }
 
-  void ask_for(std::size_t position) const { prefetch_to_read(&faces_[position]); }
+  void prefetch(std::size_t position) const { prefetch_to_read(&faces_[position]); }
 
   bool do_intersect(std::size_t i, std::size_t j) const
   {
@@ -189,7 +189,7 @@ private:
   bool is_degenerate(const Face& face) const
   {
     return with_points(face.vertices, [](Orientation& orientation, const Points<3>& points) {
-      return !shadow_of_triangle<Orientation>(orientation, points);
+      return !project_triangle<Orientation>(orientation, points);
     });
   }
 

@@ -30,19 +30,19 @@ bool do_triangles_at_edge_intersect(Orientation& orientation, const typename Ori
   if(!are_level<Orientation>(p, a, b, q)
      && orientation.side(orientation.plane(p, q, a), b) != ZERO)
     return false;
-  const auto seen = shadow_of_triangle<Orientation>(orientation, {p, q, a});
-  const Shadow<Orientation>& shadow = seen->shadow;
-  return shadow.turn(p, q, a) == shadow.turn(p, q, b);
+  const auto seen = project_triangle<Orientation>(orientation, {p, q, a});
+  const Projection<Orientation>& projection = seen->projection;
+  return projection.orientation(p, q, a) == projection.orientation(p, q, b);
 }
 
 // Whether a point p in the plane of v, a and b is in the cone of all v + s (a - v) + t (b - v),
 // where s >= 0 and t >= 0. The triangle v a b turns left.
 template <class Orientation>
-bool is_in_cone(const Shadow<Orientation>& shadow, const Simplex<Orientation, 3>& triangle,
+bool is_in_cone(const Projection<Orientation>& projection, const Simplex<Orientation, 3>& triangle,
                 const typename Orientation::Point& p)
 {
   const auto& [v, a, b] = triangle;
-  return shadow.turn(v, a, p) != NEGATIVE && shadow.turn(v, p, b) != NEGATIVE;
+  return projection.orientation(v, a, p) != NEGATIVE && projection.orientation(v, p, b) != NEGATIVE;
 }
 
 // The triangles v a b and v c d are in one plane.
@@ -50,11 +50,13 @@ template <class Orientation>
 bool do_cones_intersect(Orientation& orientation, const Simplex<Orientation, 3>& vab,
                         const Simplex<Orientation, 3>& vcd)
 {
-  const auto first = shadow_of_triangle<Orientation>(orientation, vab);
-  const Shadow<Orientation>& shadow = first->shadow;
-  const auto second = turned_left<Orientation>(vcd, shadow.turn(vcd[0], vcd[1], vcd[2]));
-  return is_in_cone(shadow, first->triangle, vcd[1]) || is_in_cone(shadow, first->triangle, vcd[2])
-         || is_in_cone(shadow, second, vab[1]);
+  const auto first = project_triangle<Orientation>(orientation, vab);
+  const Projection<Orientation>& projection = first->projection;
+  const auto second
+    = counterclockwise<Orientation>(vcd, projection.orientation(vcd[0], vcd[1], vcd[2]));
+  return is_in_cone(projection, first->triangle, vcd[1])
+         || is_in_cone(projection, first->triangle, vcd[2])
+         || is_in_cone(projection, second, vab[1]);
 }
 
 // Whether a plane across an axis, through v, has v a b on one side, strictly but for v, and v c d

@@ -138,7 +138,7 @@ public:
     }
   }
 
-  void ask_for(std::size_t position) const override { ask_for_point(points_, position); }
+  void prefetch(std::size_t position) const override { prefetch_point(points_, position); }
 
   void read_numbers([[maybe_unused]] std::size_t first, [[maybe_unused]] std::size_t count,
                     [[maybe_unused]] Place* numbers) const override

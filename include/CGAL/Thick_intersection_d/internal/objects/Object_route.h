@@ -113,7 +113,7 @@ public:
       return false;
   }
 
-  void ask_for(std::size_t position) const { ask_for_object(objects_, position); }
+  void prefetch(std::size_t position) const { prefetch_object(objects_, position); }
 
   bool do_intersect(std::size_t i, std::size_t j) const
   {

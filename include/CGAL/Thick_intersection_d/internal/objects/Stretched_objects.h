@@ -35,7 +35,7 @@ class Stretchable_objects
 public:
   virtual std::size_t size() const = 0;
   virtual Interval_box<Dimension> box(const Stretch& stretch) const = 0;
-  virtual void ask_for(std::size_t position) const = 0;
+  virtual void prefetch(std::size_t position) const = 0;
   virtual bool do_intersect(std::size_t i, std::size_t j) const = 0;
 
 protected:
@@ -79,7 +79,7 @@ public:
   }
 
   bool are_exact() const { return false; }
-  void ask_for(std::size_t position) const { objects_.ask_for(stretch_at(position).object); }
+  void prefetch(std::size_t position) const { objects_.prefetch(stretch_at(position).object); }
 
   // A pair of objects is one of the first stretch whose box meets that of the other object.
   bool do_intersect(std::size_t i, std::size_t j) const

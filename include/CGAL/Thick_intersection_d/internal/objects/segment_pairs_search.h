@@ -93,7 +93,7 @@ public:
     return box;
   }
 
-  void ask_for(std::size_t position) const override { objects_.ask_for(position); }
+  void prefetch(std::size_t position) const override { objects_.prefetch(position); }
 
   bool do_intersect(std::size_t i, std::size_t j) const override
   {

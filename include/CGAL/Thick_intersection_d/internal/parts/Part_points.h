@@ -63,7 +63,7 @@ void reserve_huge_pages(std::vector<Value>& values, std::size_t size)
   if(size <= values.capacity())
     return;
   values.reserve(size);
-  ask_for_huge_pages(values.data() + values.size(), (size - values.size()) * sizeof(Value));
+  advise_huge_pages(values.data() + values.size(), (size - values.size()) * sizeof(Value));
 }
 
 template <class Value>

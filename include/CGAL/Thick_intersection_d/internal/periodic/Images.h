@@ -96,7 +96,7 @@ public:
   }
 
   // Asks for the memory of the point that is moved.
-  void ask_for(std::size_t position) const { ask_for_point(points_, images_[position].position); }
+  void prefetch(std::size_t position) const { prefetch_point(points_, images_[position].position); }
 
 private:
   const Elements& points_;

@@ -28,7 +28,7 @@ namespace internal {
 
 // The points of the hull of an object of one kind: the object itself, or the center of a ball.
 template <class Object>
-decltype(auto) skeleton(const Object& object)
+decltype(auto) hull_points(const Object& object)
 {
   if constexpr(Is_ball<Object>::value)
     return as_kind(object.first);
@@ -37,15 +37,15 @@ decltype(auto) skeleton(const Object& object)
 }
 
 template <class Object>
-using Skeleton_t = std::decay_t<decltype(skeleton(std::declval<const Object&>()))>;
+using Hull_points_t = std::decay_t<decltype(hull_points(std::declval<const Object&>()))>;
 
 // How many points the hull of an object of one kind has. Those of an iso-box are numbered by bits.
 template <class Object>
 constexpr std::size_t hull_size_v
-  = static_cast<std::size_t>(Vertex_count<Skeleton_t<Object>>::value);
+  = static_cast<std::size_t>(Vertex_count<Hull_points_t<Object>>::value);
 
 template <class Object>
-constexpr int hull_dimension_v = vertex_dimension_v<Skeleton_t<Object>>;
+constexpr int hull_dimension_v = vertex_dimension_v<Hull_points_t<Object>>;
 
 template <int Dimension, std::size_t Size>
 struct Hull
@@ -64,11 +64,11 @@ using Hull_of = Hull<hull_dimension_v<Object>, hull_size_v<Object>>;
 template <class Object>
 auto hull_vertex(const Object& object, std::size_t k)
 {
-  using Points = Skeleton_t<Object>;
+  using Points = Hull_points_t<Object>;
   std::array<double, static_cast<std::size_t>(hull_dimension_v<Object>)> x;
   for(int axis = 0; axis < hull_dimension_v<Object>; ++axis) {
     const int v = place_of_vertex<Points, hull_size_v<Object>>(k, axis);
-    x[axis] = static_cast<double>(coordinate(vertex_of(skeleton(object), v), axis));
+    x[axis] = static_cast<double>(coordinate(vertex_of(hull_points(object), v), axis));
   }
   return x;
 }
@@ -93,10 +93,10 @@ template <class Object>
 Hull_of<Object> hull_of(const Object& object)
 {
   constexpr std::size_t size = hull_size_v<Object>;
-  using Points = Skeleton_t<Object>;
+  using Points = Hull_points_t<Object>;
   Hull_of<Object> hull;
   hull.radius = hull_radius(object);
-  const Points& points = skeleton(object);
+  const Points& points = hull_points(object);
   for(std::size_t k = 0; k < size; ++k)
     if constexpr(has_double_vertices_v<Points>)
       hull.vertices[k] = hull_vertex(object, k);
@@ -111,7 +111,7 @@ Hull_of<Object> hull_of(const Object& object)
 
 // The number type of the coordinates of an object.
 template <class Object>
-using Hull_number_t = Vertex_number_t<Skeleton_t<Object>>;
+using Hull_number_t = Vertex_number_t<Hull_points_t<Object>>;
 
 // That of its radius. An object that is no ball has the radius zero.
 template <class Object, bool = Is_ball<Object>::value>
@@ -139,8 +139,8 @@ Exact exact_value(const NT& x)
 template <class Exact, class Object>
 std::array<Exact, hull_dimension_v<Object>> exact_hull_vertex(const Object& object, std::size_t k)
 {
-  using Points = Skeleton_t<Object>;
-  const Points& points = skeleton(object);
+  using Points = Hull_points_t<Object>;
+  const Points& points = hull_points(object);
   std::array<Exact, hull_dimension_v<Object>> x;
   for(int axis = 0; axis < hull_dimension_v<Object>; ++axis)
     x[axis] = exact_value<Exact>(

@@ -53,26 +53,26 @@ public:
     return CGAL::compare((*p).cartesian(axis), (*q).cartesian(axis));
   }
 
-  static Sign turn(const Point& p, const Point& q, const Point& r, int i, int j)
+  static Sign orientation(const Point& p, const Point& q, const Point& r, int i, int j)
   {
     const typename Kernel::Orientation_2 orientation = Kernel().orientation_2_object();
     if constexpr(Dimension == 2)
       return orientation(*p, *q, *r);
     else {
-      const auto shadow
+      const auto projection
         = [=](const Point& x) { return Point_2((*x).cartesian(i), (*x).cartesian(j)); };
-      return orientation(shadow(p), shadow(q), shadow(r));
+      return orientation(projection(p), projection(q), projection(r));
     }
   }
 
-  static Sign turn_by_filter(const Point& p, const Point& q, const Point& r, int i, int j)
+  static Sign orientation_by_filter(const Point& p, const Point& q, const Point& r, int i, int j)
   {
-    return turn(p, q, r, i, j);
+    return orientation(p, q, r, i, j);
   }
 
-  static Sign decide_turn(const Point& p, const Point& q, const Point& r, int i, int j)
+  static Sign decide_orientation(const Point& p, const Point& q, const Point& r, int i, int j)
   {
-    return turn(p, q, r, i, j);
+    return orientation(p, q, r, i, j);
   }
 
   struct Plane

@@ -98,15 +98,15 @@ public:
   }
 
   // Returns whether p, q, r make a left turn, a right turn or none along the axes i and j.
-  BOOST_FORCEINLINE Sign turn(const Point& p, const Point& q, const Point& r, int i, int j)
+  BOOST_FORCEINLINE Sign orientation(const Point& p, const Point& q, const Point& r, int i, int j)
   {
-    const Sign sign = turn_by_filter(p, q, r, i, j);
-    return sign != ZERO ? sign : decide_turn(p, q, r, i, j);
+    const Sign sign = orientation_by_filter(p, q, r, i, j);
+    return sign != ZERO ? sign : decide_orientation(p, q, r, i, j);
   }
 
-  // The same, or zero if the points are nearly on a line, where decide_turn() answers.
+  // The same, or zero if the points are nearly on a line, where decide_orientation() answers.
   BOOST_FORCEINLINE
-  Sign turn_by_filter(const Point& p, const Point& q, const Point& r, int i, int j) const
+  Sign orientation_by_filter(const Point& p, const Point& q, const Point& r, int i, int j) const
   {
     const double left = (q[i] - p[i]) * (r[j] - p[j]);
     const double right = (q[j] - p[j]) * (r[i] - p[i]);
@@ -114,7 +114,8 @@ public:
     return sign_beyond(bound, left - right);
   }
 
-  BOOST_NOINLINE Sign decide_turn(const Point& p, const Point& q, const Point& r, int i, int j)
+  BOOST_NOINLINE Sign decide_orientation(const Point& p, const Point& q, const Point& r, int i,
+                                         int j)
   {
     const std::array<double, 3> x = {p[i], q[i], r[i]}, y = {p[j], q[j], r[j]};
     if(least_tier_ == Arithmetic_tier::DOUBLE)
@@ -124,7 +125,7 @@ public:
     std::array<std::int64_t, 3> x_steps, y_steps;
     const int x_bits = grid_steps(x, x_steps), y_bits = grid_steps(y, y_steps);
     if((std::max)(x_bits, y_bits) > max_step_bits || least_tier_ == Arithmetic_tier::FILTERED_EXACT)
-      return decide_turn_in_exact_numbers(x, y);
+      return decide_in_exact_numbers(x, y);
     return sign_in_plane({x_steps[1] - x_steps[0], y_steps[1] - y_steps[0]},
                          {x_steps[2] - x_steps[0], y_steps[2] - y_steps[0]}, x_bits + y_bits);
   }
@@ -170,9 +171,9 @@ public:
     double sum = 0;
     if(least_tier_ == Arithmetic_tier::DOUBLE)
       return sign_of_number(determinant_of(plane, s, sum));
-    const auto is_flat
+    const auto is_degenerate
       = [&](int i) { return s[i] == plane.p[i] && s[i] == plane.q[i] && s[i] == plane.r[i]; };
-    if(is_flat(0) || is_flat(1) || is_flat(2))
+    if(is_degenerate(0) || is_degenerate(1) || is_degenerate(2))
       return ZERO;
     if(!have_steps())
       return decide_side_in_exact_numbers(plane, s);
@@ -266,8 +267,8 @@ private:
 
   // ---- exact numbers ----------------------------------------------------------------------------
 
-  // The turn of three points is the side of a point above the first one.
-  Sign decide_turn_in_exact_numbers(const std::array<double, 3>& x, const std::array<double, 3>& y)
+  // The orientation of three points is the side of a point above the first one.
+  Sign decide_in_exact_numbers(const std::array<double, 3>& x, const std::array<double, 3>& y)
   {
     need(Arithmetic_tier::FILTERED_EXACT);
     return exact_orientation(

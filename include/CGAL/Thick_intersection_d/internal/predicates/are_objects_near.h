@@ -145,7 +145,7 @@ decide_near_objects(const A& a, const B& b, const typename Distance_of<A, B>::Ve
     return get_certain(are_within);
   }
   const Arithmetic_tier least_tier = tier;
-  const bool do_intersect = do_kernel_objects_intersect(skeleton(a), skeleton(b), tier);
+  const bool do_intersect = do_kernel_objects_intersect(hull_points(a), hull_points(b), tier);
   tier = (std::max)(tier, Arithmetic_tier::INT128);
   if(do_intersect)
     return true;
@@ -163,7 +163,7 @@ BOOST_FORCEINLINE Uncertain<bool> guess_near_objects(const A& a, const B& b,
                                                      typename Distance_of<A, B>::Vector& v)
 {
   constexpr std::size_t size_a = hull_size_v<A>, size_b = hull_size_v<B>;
-  if constexpr(has_double_vertices_v<Skeleton_t<A>> && has_double_vertices_v<Skeleton_t<B>>)
+  if constexpr(has_double_vertices_v<Hull_points_t<A>> && has_double_vertices_v<Hull_points_t<B>>)
     return are_hulls_near<size_a, size_b>(a, b, 0, reach, v);
   else {
     const Hull_of<A> hull_a = hull_of(a);

@@ -5,9 +5,10 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_DO_KERNEL_OBJECTS_INTERSECT_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_DO_KERNEL_OBJECTS_INTERSECT_H
 
-// The intersection test of kernel objects, which are closed, and may be flat or points. It is exact
-// for the coordinates that they hold: in stages where these are doubles, whatever their type, and
-// otherwise by the predicates of the kernel, if they are exact, or of a kernel of rational numbers.
+// The intersection test of kernel objects, which are closed, and may be degenerate or points. It is
+// exact for the coordinates that they hold: in stages where these are doubles, whatever their type,
+// and otherwise by the predicates of the kernel, if they are exact, or of a kernel of rational
+// numbers.
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Arithmetic_tier.h>

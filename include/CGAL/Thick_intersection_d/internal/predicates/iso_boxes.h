@@ -6,17 +6,18 @@
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_ISO_BOXES_H
 
 // Does a closed iso-box intersect another one, or a segment, triangle or tetrahedron? All may be
-// flat.
+// degenerate.
 //
 // `Orientation` decides about points, as Staged_orientation does.
 //
 // Two convex polytopes are apart iff a plane of a facet of their Minkowski difference is between
 // them. The difference has facets of three kinds: those of the box, those of the other object, and
 // those of an edge of each. The edges of a box are along the axes, so the planes of the third kind
-// are lines in the shadows along the axes. In the plane, they are the lines of the edges. If
-// an object is flat, so may be the difference, and then it has no facets. But a box that is longer
-// by a little along all axes is not flat, and as close by as we like. It has facets in the same
-// directions, and each plane that is between it and the other object is beyond the box as well.
+// are lines in the projections along the axes. In the plane, they are the lines of the edges. If
+// an object is degenerate, so may be the difference, and then it has no facets. But a box that is
+// longer by a little along all axes is not degenerate, and as close by as we like. It has facets in
+// the same directions, and each plane that is between it and the other object is beyond the box as
+// well.
 
 #include <CGAL/enum.h>
 
@@ -59,7 +60,7 @@ bool is_beside_box(const Simplex<Orientation, Count>& object, const Box_corners<
   return are_below || are_above;
 }
 
-// Whether the line from p to q in the shadow along the axes i and j has the box strictly on one
+// Whether the line from p to q in the projection along the axes i and j has the box strictly on one
 // side, and all of the object on the other side.
 template <class Orientation, std::size_t Count>
 bool is_line_between(Orientation& orientation, const Simplex<Orientation, Count>& object,
@@ -71,14 +72,14 @@ bool is_line_between(Orientation& orientation, const Simplex<Orientation, Count>
   const std::size_t back = Orientation::compare(p, q, j) == POSITIVE ? std::size_t(1) << i : 0;
   const std::size_t all = (std::size_t(1) << i) | (std::size_t(1) << j);
   const std::size_t left = up | back;
-  Sign side = orientation.turn(p, q, box[all ^ left], i, j);
+  Sign side = orientation.orientation(p, q, box[all ^ left], i, j);
   if(side != POSITIVE) {
-    side = orientation.turn(p, q, box[left], i, j);
+    side = orientation.orientation(p, q, box[left], i, j);
     if(side != NEGATIVE)
       return false;
   }
   for(const auto& x : object)
-    if(orientation.turn(p, q, x, i, j) == side)
+    if(orientation.orientation(p, q, x, i, j) == side)
       return false;
   return true;
 }

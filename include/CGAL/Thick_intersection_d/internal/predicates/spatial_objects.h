@@ -5,8 +5,8 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_SPATIAL_OBJECTS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_SPATIAL_OBJECTS_H
 
-// Do closed segments and triangles in space intersect? They may be flat: a segment may be a point,
-// and a triangle a segment or a point.
+// Do closed segments and triangles in space intersect? They may be degenerate: a segment may be a
+// point, and a triangle a segment or a point.
 //
 // `Orientation` decides about points, as Staged_orientation does.
 
@@ -24,40 +24,41 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// The shadow along one of the three axes.
+// The projection along one of the three axes.
 template <class Orientation>
-Shadow<Orientation> shadow_along(Orientation& orientation, int axis)
+Projection<Orientation> projection_along(Orientation& orientation, int axis)
 {
   return {orientation, (axis + 1) % 3, (axis + 2) % 3};
 }
 
-// A triangle that is not flat, seen along an axis along which its shadow is not flat either. So the
-// shadows of two sets in its plane intersect iff the sets do.
+// A triangle that is not degenerate, seen along an axis along which its projection is not
+// degenerate either. So the projections of two sets in its plane intersect iff the sets do.
 template <class Orientation>
-struct Triangle_shadow
+struct Projected_triangle
 {
-  Shadow<Orientation> shadow;
+  Projection<Orientation> projection;
   Simplex<Orientation, 3> triangle; // it turns left there
 };
 
-// Returns nothing if the triangle is flat. Floors are not flat along the last axis.
+// Returns nothing if the triangle is degenerate. Floors are not degenerate along the last axis.
 template <class Orientation>
-std::optional<Triangle_shadow<Orientation>>
-shadow_of_triangle(Orientation& orientation, const Simplex<Orientation, 3>& triangle)
+std::optional<Projected_triangle<Orientation>>
+project_triangle(Orientation& orientation, const Simplex<Orientation, 3>& triangle)
 {
   for(int axis = 2; axis >= 0; --axis) {
-    const Shadow<Orientation> shadow = shadow_along(orientation, axis);
-    const Sign side = shadow.turn(triangle[0], triangle[1], triangle[2]);
+    const Projection<Orientation> projection = projection_along(orientation, axis);
+    const Sign side = projection.orientation(triangle[0], triangle[1], triangle[2]);
     if(side != ZERO)
-      return Triangle_shadow<Orientation>{shadow, turned_left<Orientation>(triangle, side)};
+      return Projected_triangle<Orientation>{projection,
+                                             counterclockwise<Orientation>(triangle, side)};
   }
   return std::nullopt;
 }
 
-// Segments intersect iff they are in a plane and their shadows along all axes intersect. If the
-// plane is theirs alone, their shadow along one of the axes is like them. If they are on a line,
-// all shadows are, and these ask whether the boxes meet. Shadows cost less than to tell whether
-// segments that are nearly in a plane are in it.
+// Segments intersect iff they are in a plane and their projections along all axes intersect. If the
+// plane is theirs alone, their projection along one of the axes is like them. If they are on a
+// line, all projections are, and these ask whether the boxes meet. Projections cost less than to
+// tell whether segments that are nearly in a plane are in it.
 template <class Orientation>
 bool do_intersect_in_space(Orientation& orientation, const Simplex<Orientation, 2>& a,
                            const Simplex<Orientation, 2>& b)
@@ -66,7 +67,7 @@ bool do_intersect_in_space(Orientation& orientation, const Simplex<Orientation, 
   if(orientation.side_by_filter(plane, b[1]) != ZERO)
     return false;
   for(int axis = 0; axis < 3; ++axis)
-    if(!do_segments_intersect(shadow_along(orientation, axis), a, b))
+    if(!do_segments_intersect(projection_along(orientation, axis), a, b))
       return false;
   return orientation.decide_side(plane, b[1]) == ZERO;
 }
@@ -101,9 +102,9 @@ bool do_intersect_in_space(Orientation& orientation, const Simplex<Orientation, 
     return false;
   if(p != ZERO || q != ZERO)
     return does_line_meet_triangle(orientation, segment[0], segment[1], triangle);
-  if(const auto shadow = shadow_of_triangle(orientation, triangle))
-    return does_segment_meet_triangle(shadow->shadow, segment, shadow->triangle);
-  return do_intersect_in_space(orientation, segment, segment_of_flat<Orientation>(triangle));
+  if(const auto projection = project_triangle(orientation, triangle))
+    return does_segment_meet_triangle(projection->projection, segment, projection->triangle);
+  return do_intersect_in_space(orientation, segment, segment_of_degenerate<Orientation>(triangle));
 }
 
 // ---- two triangles ------------------------------------------------------------------------------
@@ -113,21 +114,22 @@ inline bool are_all(const std::array<Sign, 3>& signs, Sign sign)
   return signs[0] == sign && signs[1] == sign && signs[2] == sign;
 }
 
-// Whether the shadows of two triangles intersect. Returns nothing if one of them is flat there. If
-// the triangles are in one plane, they intersect iff their shadows do. If not, shadows that are
-// apart are those of triangles that are apart.
+// Whether the projections of two triangles intersect. Returns nothing if one of them is degenerate
+// there. If the triangles are in one plane, they intersect iff their projections do. If not,
+// projections that are apart are those of triangles that are apart.
 template <class Orientation>
-std::optional<bool> do_shadows_intersect(Orientation& orientation, const Simplex<Orientation, 3>& a,
-                                         const Simplex<Orientation, 3>& b)
+std::optional<bool> do_projections_intersect(Orientation& orientation,
+                                             const Simplex<Orientation, 3>& a,
+                                             const Simplex<Orientation, 3>& b)
 {
-  const auto shadow = shadow_of_triangle(orientation, a);
-  if(!shadow)
+  const auto projection = project_triangle(orientation, a);
+  if(!projection)
     return std::nullopt;
-  const Sign side_b = shadow->shadow.turn(b[0], b[1], b[2]);
+  const Sign side_b = projection->projection.orientation(b[0], b[1], b[2]);
   if(side_b == ZERO)
     return std::nullopt;
-  return do_triangles_intersect(shadow->shadow, shadow->triangle,
-                                turned_left<Orientation>(b, side_b));
+  return do_triangles_intersect(projection->projection, projection->triangle,
+                                counterclockwise<Orientation>(b, side_b));
 }
 
 // The sides of the vertices of a triangle along the plane of another one: first what the filter
@@ -224,38 +226,38 @@ bool are_level(const typename Orientation::Point& p, const Points&... others)
   return false;
 }
 
-// The triangles are in one plane, or one of them is flat.
+// The triangles are in one plane, or one of them is degenerate.
 template <class Orientation>
-bool do_coplanar_or_flat_intersect(Orientation& orientation, const Simplex<Orientation, 3>& a,
+bool do_coplanar_or_degenerate_intersect(Orientation& orientation, const Simplex<Orientation, 3>& a,
                                    const Simplex<Orientation, 3>& b)
 {
-  if(const std::optional<bool> do_shadows = do_shadows_intersect(orientation, a, b))
-    return *do_shadows;
-  return shadow_of_triangle(orientation, a)
-           ? do_intersect_in_space(orientation, segment_of_flat<Orientation>(b), a)
-           : do_intersect_in_space(orientation, segment_of_flat<Orientation>(a), b);
+  if(const std::optional<bool> do_projections = do_projections_intersect(orientation, a, b))
+    return *do_projections;
+  return project_triangle(orientation, a)
+           ? do_intersect_in_space(orientation, segment_of_degenerate<Orientation>(b), a)
+           : do_intersect_in_space(orientation, segment_of_degenerate<Orientation>(a), b);
 }
 
 // If all vertices of one triangle are in the plane of the other one, there is one plane, or a
-// triangle is flat. Shadows come first where the triangles may be in one plane, because to tell
-// whether vertices are in a plane costs more.
+// triangle is degenerate. Projections come first where the triangles may be in one plane, because
+// to tell whether vertices are in a plane costs more.
 template <class Orientation>
 bool do_intersect_in_space(Orientation& orientation, const Simplex<Orientation, 3>& a,
                            const Simplex<Orientation, 3>& b)
 {
   if(are_level<Orientation>(a[0], b[0], a[1], a[2], b[1], b[2]))
-    return do_coplanar_or_flat_intersect(orientation, a, b);
+    return do_coplanar_or_degenerate_intersect(orientation, a, b);
   const Sides_of_plane<Orientation> of_a(orientation, b, a);
-  std::optional<bool> do_shadows;
+  std::optional<bool> do_projections;
   if(of_a.is_nearly_coplanar()) {
-    do_shadows = do_shadows_intersect(orientation, a, b);
-    if(do_shadows == false)
+    do_projections = do_projections_intersect(orientation, a, b);
+    if(do_projections == false)
       return false;
   }
   const std::array<Sign, 3> sides_a = of_a.decide(orientation);
   if(are_on_one_side(sides_a))
     return false;
-  if(do_shadows && are_all(sides_a, ZERO))
+  if(do_projections && are_all(sides_a, ZERO))
     return true;
   const Sides_of_plane<Orientation> of_b(orientation, a, b);
   const std::array<Sign, 3> sides_b = of_b.decide(orientation);
@@ -263,7 +265,7 @@ bool do_intersect_in_space(Orientation& orientation, const Simplex<Orientation, 
     return false;
   if(!are_all(sides_a, ZERO) && !are_all(sides_b, ZERO))
     return do_triangles_cross(orientation, a, sides_a, b, sides_b);
-  return do_coplanar_or_flat_intersect(orientation, a, b);
+  return do_coplanar_or_degenerate_intersect(orientation, a, b);
 }
 
 } // namespace internal

@@ -5,18 +5,18 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_TETRAHEDRA_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_TETRAHEDRA_H
 
-// Do closed tetrahedra in space intersect? They may be flat: then a tetrahedron is the union of its
-// four triangles, which may be flat themselves.
+// Do closed tetrahedra in space intersect? They may be degenerate: then a tetrahedron is the union
+// of its four triangles, which may be degenerate themselves.
 //
 // `Orientation` decides about points, as Staged_orientation does.
 //
-// Let two tetrahedra that are not flat intersect. Then one has a vertex in the other, or one has an
-// edge that crosses a face of the other, with its ends on different sides of the face, both not in
-// its plane. For their intersection has a vertex. It is a vertex of one of them, or lies within an
-// edge of one and a face of the other that are in no plane, or within two edges. In the last case
-// let the edge e cross the edge f. If e is in the plane of neither face at f, it crosses these
-// faces. If it is in the plane of one, follow e into this face. It ends there, or leaves the face
-// across another edge, or at a vertex; it is not in the plane of the other face there.
+// Let two tetrahedra that are not degenerate intersect. Then one has a vertex in the other, or one
+// has an edge that crosses a face of the other, with its ends on different sides of the face, both
+// not in its plane. For their intersection has a vertex. It is a vertex of one of them, or lies
+// within an edge of one and a face of the other that are in no plane, or within two edges. In the
+// last case let the edge e cross the edge f. If e is in the plane of neither face at f, it crosses
+// these faces. If it is in the plane of one, follow e into this face. It ends there, or leaves the
+// face across another edge, or at a vertex; it is not in the plane of the other face there.
 
 #include <CGAL/enum.h>
 
@@ -41,7 +41,7 @@ Simplex<Orientation, 3> face_of(const Simplex<Orientation, 4>& tetrahedron, std:
   return {tetrahedron[v[0]], tetrahedron[v[1]], tetrahedron[v[2]]};
 }
 
-// Returns the orientation of the vertices of a tetrahedron: zero if it is flat.
+// Returns the orientation of the vertices of a tetrahedron: zero if it is degenerate.
 template <class Orientation>
 Sign orientation_of(Orientation& orientation, const Simplex<Orientation, 4>& t)
 {
@@ -98,7 +98,7 @@ bool does_any_edge_cross(Orientation& orientation, const Sides_of_faces& sides,
   return false;
 }
 
-// Neither is flat.
+// Neither is degenerate.
 template <class Orientation>
 bool do_tetrahedra_intersect(Orientation& orientation, const Simplex<Orientation, 4>& a,
                              Sign sign_a, const Simplex<Orientation, 4>& b, Sign sign_b)
@@ -154,10 +154,10 @@ bool do_intersect_in_space(Orientation& orientation, const Simplex<Orientation, 
   const Sign sign_a = orientation_of(orientation, a), sign_b = orientation_of(orientation, b);
   if(sign_a != ZERO && sign_b != ZERO)
     return do_tetrahedra_intersect(orientation, a, sign_a, b, sign_b);
-  const auto& flat = sign_a == ZERO ? a : b;
+  const auto& degenerate = sign_a == ZERO ? a : b;
   const auto& other = sign_a == ZERO ? b : a;
   for(std::size_t k = 0; k < 4; ++k)
-    if(do_intersect_in_space(orientation, face_of<Orientation>(flat, k), other))
+    if(do_intersect_in_space(orientation, face_of<Orientation>(degenerate, k), other))
       return true;
   return false;
 }

@@ -117,7 +117,7 @@ private:
     const auto clear_positions = [&] {
       positions.clear();
       positions.reserve(neighbor_count);
-      ask_for_huge_pages(positions.data(), neighbor_count * sizeof(Position));
+      advise_huge_pages(positions.data(), neighbor_count * sizeof(Position));
       if constexpr(is_parallel_v<ConcurrencyTag>)
         positions.resize(neighbor_count);
       return true;

@@ -122,7 +122,7 @@ private:
     Place count = 0;
     for(Place c = 0; c < undecided_count; ++c) {
       if(c + prefetch_distance < undecided_count)
-        ties_.ask_for(reported(a, b, found_.undecided[c + prefetch_distance]));
+        ties_.prefetch(reported(a, b, found_.undecided[c + prefetch_distance]));
       const Found_pair pair = found_.undecided[c];
       if(ties_.is_pair(a, b, pair, reported(a, b, pair), counts_)) {
         const Place i = a.positions[pair.i], j = b.positions[pair.j];

@@ -69,7 +69,7 @@ public:
   virtual void read(std::size_t first, std::size_t count, int axis, double* x) const = 0;
 
   // May ask for the memory of the point at a position.
-  virtual void ask_for(std::size_t position) const = 0;
+  virtual void prefetch(std::size_t position) const = 0;
 
   // Sets numbers[i] to the number of the point at `first` + i, for `count` points.
   virtual void read_numbers(std::size_t first, std::size_t count, Place* numbers) const = 0;

@@ -49,10 +49,10 @@ public:
   }
 
   // It takes longer to find a point by its number than to read it.
-  void ask_for(Place number) const
+  void prefetch(Place number) const
   {
     if(!points_.are_numbered)
-      ask_for_doubles(points_, number);
+      prefetch_doubles(points_, number);
   }
 
   Doubles scaled_doubles_of(std::size_t position) const
@@ -134,11 +134,11 @@ public:
   {}
 
   // Asks for the memory that is_pair() reads, if it is not that of runs.
-  void ask_for(Found_pair at) const
+  void prefetch(Found_pair at) const
   {
     if(!are_doubles && !scale_.is_exact()) {
-      ties_.ask_for(at.i);
-      ties_.ask_for(at.j);
+      ties_.prefetch(at.i);
+      ties_.prefetch(at.j);
     }
   }
 

@@ -48,10 +48,10 @@ std::array<double, Dimension> doubles_of(const Near_points<Dimension>& points, s
 
 // Asks for the memory of the doubles of a point.
 template <int Dimension>
-void ask_for_doubles(const Near_points<Dimension>& points, std::size_t position)
+void prefetch_doubles(const Near_points<Dimension>& points, std::size_t position)
 {
   if(!points.are_viewed)
-    points.ask_for(position);
+    points.prefetch(position);
   else
     for(int axis = 0; axis < Dimension; ++axis)
       prefetch_to_read(address_of_double(points, position, axis));
