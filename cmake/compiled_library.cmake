@@ -3,7 +3,14 @@
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 
-add_library(Thick_intersection_d_compiled ${PROJECT_SOURCE_DIR}/src/near_points.cpp)
+# The programs of this tree link it in any case, so it may be built only for these.
+set(thick_only_for_programs EXCLUDE_FROM_ALL)
+if(THICK_INTERSECTION_COMPILED)
+  set(thick_only_for_programs)
+endif()
+
+add_library(Thick_intersection_d_compiled ${thick_only_for_programs}
+  ${PROJECT_SOURCE_DIR}/src/near_points.cpp)
 add_library(Thick_intersection_d::compiled ALIAS Thick_intersection_d_compiled)
 target_link_libraries(Thick_intersection_d_compiled PUBLIC Thick_intersection_d)
 target_compile_definitions(Thick_intersection_d_compiled

@@ -1,9 +1,10 @@
 # Functions for the programs of this package (examples and tests); users of the library never see
 # this file.
 #
-#   thick_add_program(<name> <source>... [SUPPORT <library>...])
+#   thick_add_program(<name> <source>... [HEADERS_ALONE] [SUPPORT <library>...])
 #
-# builds a program with warnings, linked with this package and the further libraries it names:
+# builds a program with warnings. It links the compiled searches, unless it says HEADERS_ALONE, and
+# the further libraries it names:
 #
 #   TBB               CGAL::TBB_support: CGAL::Parallel_tag runs in parallel
 #   Eigen3            CGAL::Eigen3_support: CGAL::Epick_d, CGAL::Epeck_d
@@ -113,12 +114,16 @@ function(thick_has_support result program)
 endfunction()
 
 function(thick_add_program name)
-  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "SUPPORT")
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "HEADERS_ALONE" "" "SUPPORT")
   thick_has_support(is_possible ${name} ${ARG_SUPPORT})
   if(is_possible)
     add_executable(${name} ${ARG_UNPARSED_ARGUMENTS})
     list(TRANSFORM ARG_SUPPORT PREPEND thick_support_)
-    target_link_libraries(${name} PRIVATE Thick_intersection_d::Thick_intersection_d ${ARG_SUPPORT})
+    set(package compiled)
+    if(ARG_HEADERS_ALONE)
+      set(package Thick_intersection_d)
+    endif()
+    target_link_libraries(${name} PRIVATE Thick_intersection_d::${package} ${ARG_SUPPORT})
     thick_enable_warnings(${name})
     thick_take_precompiled(${name})
   endif()
