@@ -14,6 +14,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/lists/neighbor_lists_search.h>
+#include <CGAL/Thick_intersection_d/internal/objects/near_objects_search.h>
 
 #include <type_traits>
 

@@ -23,6 +23,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/kinds.h>
 #include <CGAL/Thick_intersection_d/internal/input/scan_objects.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/near_points/near_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/objects/Object_route.h>
 #include <CGAL/Thick_intersection_d/internal/objects/segment_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
@@ -222,54 +223,57 @@ bool report_near_boxes(const Elements& objects, const Sets& sets, const Test& te
     return report_meeting_boxes<ConcurrencyTag>(boxes, sets, callback, progress);
 }
 
-// Reports the near pairs of objects. Returns false iff the search was stopped.
-template <class ConcurrencyTag, class Elements, class Sets, class NT, class Callback,
-          class NamedParameters>
-bool report_near_objects(const Elements& objects, const Sets& sets, const Distance_bound<NT>& bound,
-                         Callback& callback, const NamedParameters& np)
+template <class Object>
+struct Near_pairs_of<Object, false>
 {
-  using Object = typename Elements::value_type;
-  if constexpr(!check_near_objects<Object, NT, NamedParameters>())
-    return false;
-  else if constexpr(has_traits_v<Object, NamedParameters>) {
-    const auto& traits = parameters::get_parameter_reference(np, internal_np::geom_traits);
-    const Are_near_by_traits<Object, Given_traits<NamedParameters>, NT> test(traits, bound);
-    check_denormals();
-    check_objects<ConcurrencyTag>(objects, traits);
-    return report_near_boxes<ConcurrencyTag>(objects, sets, test, callback, np);
+  // Reports the near pairs of objects. Returns false iff the search was stopped.
+  template <class ConcurrencyTag, class Elements, class Sets, class NT, class Callback,
+            class NamedParameters>
+  static bool report(const Elements& objects, const Sets& sets, const Distance_bound<NT>& bound,
+                       Callback& callback, const NamedParameters& np)
+  {
+    if constexpr(!check_near_objects<Object, NT, NamedParameters>())
+      return false;
+    else if constexpr(has_traits_v<Object, NamedParameters>) {
+      const auto& traits = parameters::get_parameter_reference(np, internal_np::geom_traits);
+      const Are_near_by_traits<Object, Given_traits<NamedParameters>, NT> test(traits, bound);
+      check_denormals();
+      check_objects<ConcurrencyTag>(objects, traits);
+      return report_near_boxes<ConcurrencyTag>(objects, sets, test, callback, np);
+    }
+    else {
+      const Are_objects_near<Object> test(bound, Arithmetic_tier::INT64, nullptr);
+      check_near_kinds<ConcurrencyTag>(objects);
+      return report_near_boxes<ConcurrencyTag>(objects, sets, test, callback, np);
+    }
   }
-  else {
-    const Are_objects_near<Object> test(bound, Arithmetic_tier::INT64, nullptr);
-    check_near_kinds<ConcurrencyTag>(objects);
-    return report_near_boxes<ConcurrencyTag>(objects, sets, test, callback, np);
-  }
-}
 
-// The same, with the tier that is forced in `profile`. Sets `profile` to the profile of the scene.
-template <class ConcurrencyTag, class Elements, class Sets, class NT, class Callback,
-          class NamedParameters>
-bool report_near_objects(const Elements& objects, const Sets& sets, const Distance_bound<NT>& bound,
-                         Callback& callback, Scene_profile& profile, const NamedParameters& np)
-{
-  using Object = typename Elements::value_type;
-  if constexpr(!check_profiled_near_objects<Object, NamedParameters>())
-    return false;
-  else {
-    Shared_decision_counts counts;
-    check_near_kinds<ConcurrencyTag>(objects);
-    const double reach = Squared_bound<Common_exact_number_t<Object>>(bound).reach();
-    Scene_profile found(scan_near_objects(objects, bounds(bound.value()), reach),
-                        degree_of<Distance_degree, Object>());
-    if(const std::optional<Arithmetic_tier> forced = profile.forced_tier())
-      found.force_tier(*forced);
-    const Are_objects_near<Object> test(
-      bound, found.forced_tier().value_or(Arithmetic_tier::INT64), &counts);
-    const bool is_complete = report_near_boxes<ConcurrencyTag>(objects, sets, test, callback, np);
-    found.set_counts(counts.total());
-    profile = found;
-    return is_complete;
+  // The same, with the tier that is forced in `profile`. Sets `profile` to the profile of the
+  // scene.
+  template <class ConcurrencyTag, class Elements, class Sets, class NT, class Callback,
+            class NamedParameters>
+  static bool report(const Elements& objects, const Sets& sets, const Distance_bound<NT>& bound,
+                       Callback& callback, Scene_profile& profile, const NamedParameters& np)
+  {
+    if constexpr(!check_profiled_near_objects<Object, NamedParameters>())
+      return false;
+    else {
+      Shared_decision_counts counts;
+      check_near_kinds<ConcurrencyTag>(objects);
+      const double reach = Squared_bound<Common_exact_number_t<Object>>(bound).reach();
+      Scene_profile found(scan_near_objects(objects, bounds(bound.value()), reach),
+                          degree_of<Distance_degree, Object>());
+      if(const std::optional<Arithmetic_tier> forced = profile.forced_tier())
+        found.force_tier(*forced);
+      const Are_objects_near<Object> test(
+        bound, found.forced_tier().value_or(Arithmetic_tier::INT64), &counts);
+      const bool is_complete = report_near_boxes<ConcurrencyTag>(objects, sets, test, callback, np);
+      found.set_counts(counts.total());
+      profile = found;
+      return is_complete;
+    }
   }
-}
+};
 
 } // namespace internal
 } // namespace Thick_intersection_d

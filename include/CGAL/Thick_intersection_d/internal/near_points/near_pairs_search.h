@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_NEAR_POINTS_NEAR_PAIRS_SEARCH_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_NEAR_POINTS_NEAR_PAIRS_SEARCH_H
+
+// The search for near pairs by the kind of elements. That of points is here. Programs that search
+// objects include objects/near_objects_search.h, which has the other one.
+
+#include <CGAL/Distance_bound.h>
+#include <CGAL/Scene_profile.h>
+
+#include <CGAL/Thick_intersection_d/internal/input/check_range.h>
+#include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
+#include <CGAL/Thick_intersection_d/internal/near_points/near_points_search.h>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+template <class Element, bool IsPoint>
+struct Near_pairs_of
+{
+  static_assert(IsPoint, "For objects that are no points, and for traits of one's own, include "
+                         "<CGAL/fixed_radius_near_neighbors.h>.");
+
+  template <class ConcurrencyTag, class... Arguments>
+  static bool report(const Arguments&...)
+  {
+    return false; // after one error, and not a second one
+  }
+};
+
+template <class Point>
+struct Near_pairs_of<Point, true>
+{
+  // Reports the near pairs. Returns false iff the search was stopped.
+  template <class ConcurrencyTag, class Elements, class Sets, class NT, class Callback,
+            class NamedParameters>
+  static bool report(const Elements& points, const Sets& sets, const Distance_bound<NT>& bound,
+                     Callback& callback, const NamedParameters& np)
+  {
+    return report_pairs_of_points<ConcurrencyTag>(points, sets, bound, callback, np);
+  }
+
+  // The same. Takes the tier that is forced in `profile`, and sets `profile` to the profile of the
+  // scene.
+  template <class ConcurrencyTag, class Elements, class Sets, class NT, class Callback,
+            class NamedParameters>
+  static bool report(const Elements& points, const Sets& sets, const Distance_bound<NT>& bound,
+                     Callback& callback, Scene_profile& profile, const NamedParameters& np)
+  {
+    Near_pairs_search<ConcurrencyTag, Elements> search(points, bound, true);
+    return search.report_profiled(sets, callback, np, &profile);
+  }
+};
+
+template <class Elements, class NamedParameters>
+using Near_pairs_of_t
+  = Near_pairs_of<typename Elements::value_type,
+                  Is_point<typename Elements::value_type>::value
+                    && !has_traits_v<typename Elements::value_type, NamedParameters>>;
+
+template <class ConcurrencyTag, class Elements, class Sets, class NT, class Callback,
+          class NamedParameters>
+bool report_near_pairs(const Elements& elements, const Sets& sets, const Distance_bound<NT>& bound,
+                       Callback& callback, const NamedParameters& np)
+{
+  return Near_pairs_of_t<Elements, NamedParameters>::template report<ConcurrencyTag>(
+    elements, sets, bound, callback, np);
+}
+
+template <class ConcurrencyTag, class Elements, class Sets, class NT, class Callback,
+          class NamedParameters>
+bool report_near_pairs(const Elements& elements, const Sets& sets, const Distance_bound<NT>& bound,
+                       Callback& callback, Scene_profile& profile, const NamedParameters& np)
+{
+  return Near_pairs_of_t<Elements, NamedParameters>::template report<ConcurrencyTag>(
+    elements, sets, bound, callback, profile, np);
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_NEAR_POINTS_NEAR_PAIRS_SEARCH_H
