@@ -14,6 +14,15 @@ function bare(line) {  # without comments and strings
   return line
 }
 
+# Whether a file includes or is one of those that overload a function.
+function has_overload(file, name,    list, i) {
+  split(overloads[name], list, " ")
+  for(i in list)
+    if(list[i] == file || (file, list[i]) in includes)
+      return 1
+  return 0
+}
+
 function is_vague(name) {  # also the name of something else
   return name ~ /^(swap|get|report)$/
 }
@@ -84,12 +93,14 @@ is_in_text {
   type_of[name] = FILENAME
 }
 !is_second && /^constexpr bool [a-z_]+$/ { type_of[$3] = FILENAME }
-!is_second && /^[A-Za-z_][A-Za-z_0-9:<>,&* ]* [a-z_0-9]+\(/ && !/^(using|return|class|struct|#)/ {
+!is_second && /^(decltype\(auto\)|[A-Za-z_][A-Za-z_0-9:<>,&* ]*) [a-z_0-9]+\(/ && !/^(using|return|class|struct|#)/ {
   name = $0
+  sub(/^decltype\(auto\)/, "auto", name)
   sub(/\(.*/, "", name)
   sub(/.*[ &*]/, "", name)
   if(function_of[name] == "")
     function_of[name] = FILENAME
+  overloads[name] = overloads[name] " " FILENAME
 }
 
 is_second {
@@ -128,7 +139,8 @@ END {
   for(key in uses) {
     split(key, part, SUBSEP)
     file = part[1]; name = part[2]; header = uses[key]
-    if(header != file && !((file, header) in includes) && !((file, name) in own) && !is_vague(name))
+    if(header != file && !((file, header) in includes) && !((file, name) in own) \
+       && !has_overload(file, name) && !is_vague(name))
       print file ": " name " is of <" header ">"
   }
 }

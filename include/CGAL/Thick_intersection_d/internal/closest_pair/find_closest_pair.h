@@ -91,7 +91,7 @@ void report_near_points(const Elements& points, const Scene& scene,
     task.near = is_within.filter_of_doubles();
     task.threads = Threads(ConcurrencyTag());
     auto&& taker = taker_of(One_set(), callback);
-    return search_near_pairs<dimension, double, may_share_slabs>(near, task, taker);
+    return search_near<dimension, double, may_share_slabs>(near, task, taker);
   }, [] { return false; });
 }
 

@@ -22,8 +22,8 @@
 #include <CGAL/Thick_intersection_d/internal/lists/neighbor_lists_search.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_points.h>
-#include <CGAL/Thick_intersection_d/internal/reports/Neighbor_collector.h>
-#include <CGAL/Thick_intersection_d/internal/reports/mutual_neighbors.h>
+#include <CGAL/Thick_intersection_d/internal/lists/Neighbor_collector.h>
+#include <CGAL/Thick_intersection_d/internal/lists/mutual_neighbors.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -9,20 +9,19 @@
 
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Found_pairs.h>
-#include <CGAL/Thick_intersection_d/internal/reports/List_bins.h>
-#include <CGAL/Thick_intersection_d/internal/reports/Neighbor_collector.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_task.h>
 
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// `Taker` is Result_taker, or a class that derives from it.
+// `Taker` is Result_taker, or List_taker.
 template <class Sets, class Callback, class Taker = Result_taker>
 class Callback_taker : public Taker
 {
@@ -69,18 +68,11 @@ decltype(auto) taker_of(const Sets& sets, Callback& callback)
     return Callback_taker<Sets, Callback>(sets, callback);
 }
 
-// Takes lists as well as pairs.
-template <class ConcurrencyTag>
-class Collector_taker final
-  : public Callback_taker<One_set, Neighbor_collector<ConcurrencyTag>, List_taker>
-{
-public:
-  explicit Collector_taker(Neighbor_collector<ConcurrencyTag>& collector)
-    : Callback_taker<One_set, Neighbor_collector<ConcurrencyTag>, List_taker>(One_set(), collector)
-  {}
-
-  List_bins& local_lists() override { return this->callback_.local_lists(); }
-};
+// Whether a callback takes the lists of the points of a set, instead of pairs.
+template <class Sets, class Callback>
+inline constexpr bool takes_lists_v
+  = std::is_base_of_v<List_taker, std::decay_t<decltype(taker_of(std::declval<const Sets&>(),
+                                                                 std::declval<Callback&>()))>>;
 
 } // namespace internal
 } // namespace Thick_intersection_d

@@ -19,10 +19,10 @@
 #include <CGAL/Thick_intersection_d/internal/lanes/Flush.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Near_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Run.h>
+#include <CGAL/Thick_intersection_d/internal/near_points/Callback_taker.h>
 #include <CGAL/Thick_intersection_d/internal/near_points/Element_points.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Plain_is_within.h>
-#include <CGAL/Thick_intersection_d/internal/reports/Neighbor_collector.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/near_search.h>
 
@@ -41,10 +41,10 @@ namespace internal {
 
 // Whether points, by their types, are searched each with each if they are few. Lists of one range
 // are made of slabs in any case.
-template <class Elements, class NT, class Callback>
+template <class Elements, class Sets, class NT, class Callback>
 inline constexpr bool takes_few_points
   = has_few_doubles<typename Elements::value_type>() && is_held_by_double_v<NT>
-    && !have_numbers<Elements> && !takes_lists<Callback>;
+    && !have_numbers<Elements> && !takes_lists_v<Sets, Callback>;
 
 // Few points as runs in the order of the user, on the stack.
 template <class Point>

@@ -36,7 +36,6 @@
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Is_within_distance.h>
 #include <CGAL/Thick_intersection_d/internal/recursion/Recursive_route.h>
-#include <CGAL/Thick_intersection_d/internal/reports/Neighbor_collector.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Narrow_scale.h>
@@ -223,19 +222,10 @@ private:
   static bool search_slabs(Near_points<Dimension>& points, const Near_task<Dimension>& task,
                            const Sets& sets, Callback& callback)
   {
-    const bool is_narrow = task.scale.is_usable();
-    if constexpr(!Sets::are_two && takes_lists<Callback>) {
-      Collector_taker taker(callback);
-      return is_narrow
-               ? search_near_lists<Dimension, std::int32_t, may_share_slabs>(points, task, taker)
-               : search_near_lists<Dimension, double, may_share_slabs>(points, task, taker);
-    }
-    else {
-      auto&& taker = taker_of(sets, callback);
-      return is_narrow
-               ? search_near_pairs<Dimension, std::int32_t, may_share_slabs>(points, task, taker)
-               : search_near_pairs<Dimension, double, may_share_slabs>(points, task, taker);
-    }
+    auto&& taker = taker_of(sets, callback);
+    return task.scale.is_usable()
+             ? search_near<Dimension, std::int32_t, may_share_slabs>(points, task, taker)
+             : search_near<Dimension, double, may_share_slabs>(points, task, taker);
   }
 
   const Elements& points_;
@@ -253,7 +243,7 @@ bool report_pairs_of_points(const Elements& points, const Sets& sets,
                             const Distance_bound<NT>& bound, Callback& callback,
                             const NamedParameters& np)
 {
-  if constexpr(takes_few_points<Elements, NT, Callback>)
+  if constexpr(takes_few_points<Elements, Sets, NT, Callback>)
     if(points.size() <= max_few_points)
       if(const std::optional<bool> is_complete
          = report_few_near_pairs(points, sets, bound, callback, np))

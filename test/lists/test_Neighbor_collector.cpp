@@ -8,7 +8,7 @@
 
 #include <CGAL/tags.h>
 
-#include <CGAL/Thick_intersection_d/internal/reports/Neighbor_collector.h>
+#include <CGAL/Thick_intersection_d/internal/lists/Neighbor_collector.h>
 
 #include <boost/test/unit_test.hpp>
 

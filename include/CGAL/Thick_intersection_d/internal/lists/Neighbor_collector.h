@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_NEIGHBOR_COLLECTOR_H
-#define CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_NEIGHBOR_COLLECTOR_H
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_LISTS_NEIGHBOR_COLLECTOR_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_LISTS_NEIGHBOR_COLLECTOR_H
 
 // Makes lists of neighbors, from pairs or from the lists of single points. Several threads may give
 // pairs or lists at once, in any order.
@@ -21,7 +21,7 @@
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/reports/List_bins.h>
-#include <CGAL/Thick_intersection_d/internal/reports/Neighbor_bins.h>
+#include <CGAL/Thick_intersection_d/internal/lists/Neighbor_bins.h>
 
 #include <algorithm>
 #include <atomic>
@@ -183,15 +183,8 @@ private:
   std::atomic<bool> has_lists_ = false;
 };
 
-// Whether a callback takes lists as well as pairs.
-template <class Callback>
-inline constexpr bool takes_lists = false;
-
-template <class ConcurrencyTag>
-inline constexpr bool takes_lists<Neighbor_collector<ConcurrencyTag>> = true;
-
 } // namespace internal
 } // namespace Thick_intersection_d
 } // namespace CGAL
 
-#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_NEIGHBOR_COLLECTOR_H
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_LISTS_NEIGHBOR_COLLECTOR_H

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_NEIGHBOR_BINS_H
-#define CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_NEIGHBOR_BINS_H
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_LISTS_NEIGHBOR_BINS_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_LISTS_NEIGHBOR_BINS_H
 
 // The neighbors that one thread finds, in any order, in bins. A bin takes the neighbors of
 // consecutive points, so few that a cache holds their lists.
@@ -77,4 +77,4 @@ private:
 } // namespace Thick_intersection_d
 } // namespace CGAL
 
-#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_NEIGHBOR_BINS_H
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_LISTS_NEIGHBOR_BINS_H

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_MUTUAL_NEIGHBORS_H
-#define CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_MUTUAL_NEIGHBORS_H
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_LISTS_MUTUAL_NEIGHBORS_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_LISTS_MUTUAL_NEIGHBORS_H
 
 // The lists of a search that was stopped. A pair may be missing in one of its two lists.
 
@@ -36,4 +36,4 @@ inline Neighbor_lists mutual_neighbors(const Neighbor_lists& lists)
 } // namespace Thick_intersection_d
 } // namespace CGAL
 
-#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_MUTUAL_NEIGHBORS_H
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_LISTS_MUTUAL_NEIGHBORS_H
