@@ -120,6 +120,7 @@ is_second {
     name = substr(rest, RSTART, RLENGTH)
     before = substr(rest, 1, RSTART - 1)
     is_standard = before == "::" && previous == "std"
+    is_behind_type = rest != line && before ~ /^ +[*&]?$/ && previous !~ /^(return|else|case)$/
     previous = name
     if(is_standard && name in standard_header_of)
       uses[FILENAME, "std::" name] = standard_header_of[name]
@@ -127,7 +128,7 @@ is_second {
     if(name in type_of && before !~ /(class|typename|struct) $/ && before !~ /(\.|->)$/)
       uses[FILENAME, name] = type_of[name]
     else if(name in function_of && rest ~ /^(<[^;]*>)?\(/ && before !~ /(\.|->|std::|::template |CGAL::)$/) {
-      if(before ~ /[A-Za-z_0-9>&*] +[*&]?$/ && before !~ /(return|else|case) +$/)
+      if(is_behind_type || before ~ /[>&*] +[*&]?$/)
         own[FILENAME, name] = 1
       else
         uses[FILENAME, name] = function_of[name]
