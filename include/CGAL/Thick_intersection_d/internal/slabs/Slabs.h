@@ -24,6 +24,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -109,6 +111,9 @@ private:
     Place position;
   };
 
+  // Of a slab in its column. There are at most 1024 slabs, or as few as threads need.
+  using Slab_number = std::uint16_t;
+
   static constexpr int axis = Point::slab_axis;
   static constexpr int column_axis = axis - 1;
 
@@ -143,11 +148,13 @@ private:
     const Place count = cut.count() * columns_.count();
     const std::size_t blocks = threads_.block_count();
     const std::unique_ptr<Place[]> next(new Place[blocks * count]);
+    const auto slabs = make_uninitialized<Slab_number>(size + distance);
+    std::fill_n(slabs.get() + size, distance, Slab_number(0)); // for what prefetches ahead
     threads_.run_numbered_blocks(
       blocks, size, [&](std::size_t block, std::size_t first, std::size_t last) {
         Place* const counts = next.get() + block * count;
         std::fill_n(counts, count, Place(0));
-        count_points(source, cut, first, last, counts);
+        count_points(source, cut, first, last, counts, slabs.get());
       });
     begins_ = std::vector<Place>(count + std::size_t(1), 0);
     replace_by_sums_over_blocks(threads_, next.get(), blocks, count, begins_.data());
@@ -157,22 +164,26 @@ private:
         Place* const places = next.get() + block * count;
         add_begins(places, begins_.data(), count);
         if(are_flat())
-          move_points(source, cut, first, last, places, flat_points_.get());
+          move_points(source, first, last, slabs.get(), places, flat_points_.get());
         else
-          move_points(source, cut, first, last, places, points_.get());
+          move_points(source, first, last, slabs.get(), places, points_.get());
       });
   }
 
-  // Counts the points [first, last) of each slab.
+  // Counts the points [first, last) of each slab, and writes down the slab of each.
   void count_points(const Reader& source, const Equal_cut& cut, std::size_t first,
-                    std::size_t last, Place* counts) const
+                    std::size_t last, Place* counts, Slab_number* slabs) const
   {
     const int axes = columns_.count() > 1 ? Reader::all_axes : slab_axis();
     with_slab_of(source, cut, [&](const auto& finder) {
       source.read_blocks(first, last, axes, [&](const Point_block& block) {
         const auto slab_of = finder; // stays in registers
-        for(std::size_t p = 0; p < block.size; ++p)
-          ++counts[slab_of(block.point(p))];
+        Slab_number* const to = slabs + block.first;
+        for(std::size_t p = 0; p < block.size; ++p) {
+          const Place slab = slab_of(block.point(p));
+          to[p] = static_cast<Slab_number>(slab);
+          ++counts[slab];
+        }
       });
     });
   }
@@ -180,24 +191,16 @@ private:
   // Moves the points [first, last) to the places of their slabs. There are too many slabs for the
   // processor to have the ends of all of them at hand.
   template <class Stored>
-  void move_points(const Reader& source, const Equal_cut& cut, std::size_t first,
-                   std::size_t last, Place* places, Stored* points) const
+  void move_points(const Reader& source, std::size_t first, std::size_t last,
+                   const Slab_number* slabs, Place* places, Stored* points) const
   {
-    with_slab_of(source, cut, [&](const auto& finder) {
-      source.read_blocks(first, last, Reader::all_axes, [&](const Point_block& block) {
-        const auto slab_of = finder; // copies stay in registers
-        const auto to_number = source.to_number();
-        Place slabs[distance];
-        for(std::size_t p = 0; p != block.size;) {
-          const std::size_t some = (std::min)(block.size - p, distance);
-          for(std::size_t i = 0; i < some; ++i) {
-            slabs[i] = slab_of(block.point(p + i));
-            prefetch_to_write(&points[places[slabs[i]]]);
-          }
-          for(std::size_t i = 0; i < some; ++i, ++p)
-            put(to_number, block.point(p), block.numbers[p], points[places[slabs[i]]++]);
-        }
-      });
+    source.read_blocks(first, last, Reader::all_axes, [&](const Point_block& block) {
+      const auto to_number = source.to_number(); // the copy stays in registers
+      const Slab_number* const of = slabs + block.first;
+      for(std::size_t p = 0; p < block.size; ++p) {
+        prefetch_to_write(&points[places[of[p + distance]]]);
+        put(to_number, block.point(p), block.numbers[p], points[places[of[p]]++]);
+      }
     });
   }
 
@@ -257,10 +260,10 @@ private:
                    double points_per_column)
   {
     const std::size_t blocks = threads_.block_count();
+    const double most = (std::min)(slabs_per_block * static_cast<double>(blocks),
+                                   double((std::numeric_limits<Slab_number>::max)()));
     if(2 * static_cast<std::size_t>(slabs) < blocks)
-      columns_ = Slab_columns(interval, reach,
-                              (std::min)(slabs_per_block * static_cast<double>(blocks),
-                                         size / points_per_column) / slabs);
+      columns_ = Slab_columns(interval, reach, (std::min)(most, size / points_per_column) / slabs);
   }
 
   const Point_sets sets_;
