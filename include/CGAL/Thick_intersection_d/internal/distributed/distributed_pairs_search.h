@@ -17,10 +17,10 @@
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_points.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -57,12 +57,7 @@ bool report_own_pairs(const std::vector<Part_points<Carried>>& points, const Set
     std::pair<std::uint64_t, std::uint64_t> ids(first.id(i), second.id(j));
     if constexpr(!Sets::are_two)
       ids = ids_in_order(ids.first, ids.second);
-    if constexpr(std::is_void_v<std::invoke_result_t<Callback&, std::size_t, std::size_t>>) {
-      callback(ids.first, ids.second);
-      return true;
-    }
-    else
-      return static_cast<bool>(callback(ids.first, ids.second));
+    return goes_on_after(callback, ids.first, ids.second);
   };
   return report_pairs_here<ConcurrencyTag>(points, sets, bound, report, np);
 }

@@ -17,6 +17,7 @@
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/objects/Stretched_objects.h>
 #include <CGAL/Thick_intersection_d/internal/objects/Stretches.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
 #include <cstddef>
@@ -173,12 +174,7 @@ bool report_stretches(const Stretched_objects<Dimension>& stretched, Callback& c
 {
   const std::function<bool(std::size_t, std::size_t)> take = [&](std::size_t i, std::size_t j) {
     const Position_pair pair = stretched.objects_of(i, j);
-    if constexpr(std::is_void_v<std::invoke_result_t<Callback&, std::size_t, std::size_t>>) {
-      callback(pair.first, pair.second);
-      return true;
-    }
-    else
-      return static_cast<bool>(callback(pair.first, pair.second));
+    return goes_on_after(callback, pair.first, pair.second);
   };
   progress.restart(stretched.size());
   Any_progress any_progress{[&](std::size_t finished) { return progress.advance(finished); }};

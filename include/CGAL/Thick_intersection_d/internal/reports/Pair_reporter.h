@@ -15,16 +15,16 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Calls callback(i, j). Returns whether the search is to go on: unless the callback returns false.
-template <class Callback, class Position>
-bool goes_on_after(Callback& callback, Position i, Position j)
+// Calls callback(values...). Returns whether the search goes on: unless the callback returns false.
+template <class Callback, class... Values>
+bool goes_on_after(Callback& callback, const Values&... values)
 {
-  if constexpr(std::is_void_v<std::invoke_result_t<Callback&, Position, Position>>) {
-    callback(i, j);
+  if constexpr(std::is_void_v<std::invoke_result_t<Callback&, const Values&...>>) {
+    callback(values...);
     return true;
   }
   else
-    return static_cast<bool>(callback(i, j));
+    return static_cast<bool>(callback(values...));
 }
 
 template <class Callback>
