@@ -42,7 +42,7 @@ template <class Callback>
 decltype(auto) output_to(Callback& callback)
 {
   static_assert(internal::check_callback<Callback, Names, Squares>());
-  return internal::pair_output<CGAL::Sequential_tag>(names, squares, callback);
+  return internal::pair_output<false>(names, squares, callback);
 }
 
 BOOST_AUTO_TEST_CASE(callback_of_positions_is_called_itself)

@@ -15,6 +15,7 @@
 #include <CGAL/Thick_intersection_d/internal/distributed/Communicator.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/distributed_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
+#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_points.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
@@ -73,7 +74,7 @@ bool report_distributed_pairs(const Communicator& comm, const Elements& elements
   else if constexpr(!check_callback_of_remote_ids<Elements, Callback>())
     return false;
   else {
-    auto&& report = pair_output<ConcurrencyTag>(elements, elements, callback);
+    auto&& report = pair_output<is_parallel_v<ConcurrencyTag>>(elements, elements, callback);
     Phase_clock clock(profile);
     const auto points
       = distribute_points<ConcurrencyTag>(comm, elements, sets, bound, profile, clock);

@@ -22,6 +22,7 @@
 #include <CGAL/Thick_intersection_d/internal/features/feature_kinds.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
+#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/objects/near_objects_search.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
@@ -180,7 +181,7 @@ bool report_feature_pairs(const First& first, const Second& second, const Relati
     segments.add_features(second);
   }
   const bool has_insides = segments.polygon_count() != 0 && test.takes_insides();
-  auto&& report = pair_output<ConcurrencyTag>(first, second, callback);
+  auto&& report = pair_output<is_parallel_v<ConcurrencyTag>>(first, second, callback);
   auto progress = make_progress(
     np, segments.size() + (has_insides ? segments.part_count() + segments.polygon_count() : 0));
   using Report = std::remove_reference_t<decltype(report)>;

@@ -20,7 +20,6 @@
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
-#include <CGAL/Thick_intersection_d/internal/meshes/Limited_output.h>
 #include <CGAL/Thick_intersection_d/internal/meshes/Mesh_face.h>
 #include <CGAL/Thick_intersection_d/internal/meshes/mesh_triangles.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Kernel_orientation.h>
@@ -36,9 +35,11 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -237,18 +238,26 @@ Iterator write_mesh_pairs(const FaceRange& face_range, const Mesh& mesh, Iterato
       mesh, parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                          get_const_property_map(boost::vertex_point, mesh)));
     triangles.read(face_range);
-    Limited_output<Iterator> output(
-      out, parameters::choose_parameter(parameters::get_parameter(np, internal_np::maximum_number),
-                                        (std::numeric_limits<std::size_t>::max)()));
-    triangles.remove_degenerate([&](const auto& face) { return output.write(face, face); });
-    if(!output.is_full()) {
-      const auto write = [&](std::size_t i, std::size_t j) {
-        return output.write(triangles[i].face, triangles[j].face);
+    std::size_t left = parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::maximum_number),
+      (std::numeric_limits<std::size_t>::max)());
+    std::mutex mutex;
+    const auto write = [&](const auto& a, const auto& b) {
+      const std::lock_guard<std::mutex> lock(mutex);
+      if(left == 0)
+        return false;
+      *out++ = std::make_pair(a, b);
+      return --left != 0;
+    };
+    triangles.remove_degenerate([&](const auto& face) { return write(face, face); });
+    if(left != 0) {
+      const auto write_faces = [&](std::size_t i, std::size_t j) {
+        return write(triangles[i].face, triangles[j].face);
       };
       auto progress = make_progress(np, triangles.size());
-      report_meeting_boxes<ConcurrencyTag>(triangles, One_set(), write, progress);
+      report_meeting_boxes<ConcurrencyTag>(triangles, One_set(), write_faces, progress);
     }
-    return output.iterator();
+    return out;
   }
 }
 

@@ -14,15 +14,16 @@
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 #include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
+#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/near_points/near_points_search.h>
-#include <CGAL/Thick_intersection_d/internal/periodic/Image_output.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Images.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Periodic_scene.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Periods.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/joined_profile.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/periodic_sets.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 #include <CGAL/Thick_intersection_d/internal/reports/parameters_of_part.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
@@ -210,10 +211,14 @@ bool report_periodic_pairs(const Domain& domain, const Distance_bound<NT>& bound
     Periodic_search<ConcurrencyTag, std::decay_t<decltype(elements)>,
                     std::decay_t<decltype(sets)>, Domain, NT>
       search(elements, sets, domain, bound, profile != nullptr);
-    auto&& report = image_output<ConcurrencyTag, Offset<domain_dimension_v<Domain>>>(
-      elements.first(), elements.second(), callback);
-    if constexpr(std::decay_t<decltype(report)>::check())
+    using First = std::decay_t<decltype(elements.first())>;
+    using Second = std::decay_t<decltype(elements.second())>;
+    using Offsets = Offset<domain_dimension_v<Domain>>;
+    if constexpr(check_callback<Callback, First, Second, Offsets>()) {
+      auto&& report = pair_output<is_parallel_v<ConcurrencyTag>, Offsets>(
+        elements.first(), elements.second(), callback);
       return search.report(report, np, profile);
+    }
     else
       return false;
   };

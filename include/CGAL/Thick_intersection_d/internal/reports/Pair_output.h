@@ -6,14 +6,14 @@
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_PAIR_OUTPUT_H
 
 // What the user gives as callback: a functor of two positions, a functor of two elements, or an
-// output iterator of pairs of either. Searches call functors of two positions.
+// output iterator of pairs of either. Searches call functors of two positions. Pairs of a domain
+// that repeats come with an offset.
 
 #include <CGAL/Element_callback.h>
 
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
-
 #include <cstddef>
 #include <mutex>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -21,13 +21,11 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-template <class Output, class A, class B, class = void>
-struct Takes_pairs : std::false_type {};
-template <class Output, class A, class B>
-struct Takes_pairs<Output, A, B,
-                   std::void_t<decltype(*std::declval<Output&>()++
-                                        = std::declval<std::pair<std::decay_t<A>,
-                                                                 std::decay_t<B>>>())>>
+template <class Output, class Value, class = void>
+struct Takes_values : std::false_type {};
+template <class Output, class Value>
+struct Takes_values<Output, Value,
+                    std::void_t<decltype(*std::declval<Output&>()++ = std::declval<Value>())>>
   : std::true_type {};
 
 // What takes the pairs of elements of `First` and `Second`, and as what.
@@ -58,86 +56,97 @@ template <class Result>
 inline constexpr bool is_void_or_bool
   = std::is_void_v<Result> || std::is_same_v<std::decay_t<Result>, bool>;
 
-// Returns whether a callback takes the pairs of elements of `First` and `Second`. Explains to the
-// compiler's user why not.
-template <class Callback, class First, class Second>
-constexpr bool check_callback()
-{
-  using Target = Pair_target<Callback, First, Second>;
-  using A = typename Target::A;
-  using B = typename Target::B;
-  if constexpr(std::is_invocable_v<typename Target::type&, A, B>) {
-    using Result = std::invoke_result_t<typename Target::type&, A, B>;
-    static_assert(is_void_or_bool<Result>,
-                  "The callback must return void, or bool to tell whether the search goes on.");
-    return is_void_or_bool<Result>;
-  }
-  else {
-    constexpr bool takes_pairs = Takes_pairs<typename Target::type, A, B>::value;
-    static_assert(takes_pairs || Target::takes_elements,
-                  "The callback must take two positions (std::size_t i, std::size_t j). For one "
-                  "that takes two elements of the range, pass CGAL::with_elements(callback).");
-    static_assert(takes_pairs || !Target::takes_elements,
-                  "The callback in with_elements() must take two elements of the range.");
-    return takes_pairs;
-  }
-}
-
 // Hands the pairs of positions in two ranges to a functor of elements or to an output iterator.
-template <class ConcurrencyTag, class Target, class First, class Second>
+// With each pair comes a value of each of the types `More`. `AreThreads` tells whether several
+// threads may do so at once.
+template <bool AreThreads, class Target, class First, class Second, class... More>
 class Pair_output
 {
   using A = typename Target::A;
   using B = typename Target::B;
+  using Functor = typename Target::type;
+  using Pair = std::pair<std::decay_t<A>, std::decay_t<B>>;
+  using Value = std::conditional_t<sizeof...(More) == 0, Pair,
+                                   std::tuple<std::decay_t<A>, std::decay_t<B>, More...>>;
+  static constexpr bool is_functor = std::is_invocable_v<Functor&, A, B, const More&...>;
 
 public:
-  Pair_output(const First& first, const Second& second, typename Target::type& target)
+  Pair_output(const First& first, const Second& second, Functor& target)
     : first_(first), second_(second), target_(target)
   {}
 
-  auto operator()(std::size_t i, std::size_t j)
+  auto operator()(std::size_t i, std::size_t j, const More&... more)
   {
     if constexpr(Target::takes_elements)
-      return put(first_.element(i), second_.element(j));
+      return put(first_.element(i), second_.element(j), more...);
     else
-      return put(i, j);
+      return put(i, j, more...);
+  }
+
+  // Returns whether the target takes the pairs. Explains to the compiler's user why not.
+  static constexpr bool check()
+  {
+    if constexpr(is_functor) {
+      constexpr bool tells
+        = is_void_or_bool<std::invoke_result_t<Functor&, A, B, const More&...>>;
+      static_assert(tells, "The callback must return void, or bool to tell whether the search "
+                           "goes on.");
+      return tells;
+    }
+    else {
+      constexpr bool takes = Takes_values<Functor, Value>::value;
+      constexpr bool is_pair = sizeof...(More) == 0;
+      static_assert(takes || !is_pair || Target::takes_elements,
+                    "The callback must take two positions (std::size_t i, std::size_t j). For one "
+                    "that takes two elements of the range, pass CGAL::with_elements(callback).");
+      static_assert(takes || !is_pair || !Target::takes_elements,
+                    "The callback in with_elements() must take two elements of the range.");
+      static_assert(takes || is_pair,
+                    "The callback must take two positions and an offset: (std::size_t i, "
+                    "std::size_t j, std::array<int, d> offset); or, in CGAL::with_elements(), "
+                    "two elements and an offset.");
+      return takes;
+    }
   }
 
 private:
   // Functors take pairs from several threads, output iterators from one thread at a time.
-  auto put(A a, B b)
+  auto put(A a, B b, const More&... more)
   {
-    if constexpr(std::is_invocable_v<typename Target::type&, A, B>)
-      return target_(std::forward<A>(a), std::forward<B>(b));
-    else if constexpr(is_parallel_v<ConcurrencyTag>) {
+    if constexpr(is_functor)
+      return target_(std::forward<A>(a), std::forward<B>(b), more...);
+    else if constexpr(AreThreads) {
       const std::lock_guard<std::mutex> lock(mutex_);
-      write(a, b);
+      *target_++ = Value(a, b, more...);
     }
     else
-      write(a, b);
-  }
-
-  void write(const A& a, const B& b)
-  {
-    *target_++ = std::pair<std::decay_t<A>, std::decay_t<B>>(a, b);
+      *target_++ = Value(a, b, more...);
   }
 
   const First& first_;
   const Second& second_;
-  typename Target::type& target_;
+  Functor& target_;
   std::mutex mutex_;
 };
 
-// Returns a functor of two positions in two ranges: `callback` itself, if it is one. To be called
-// if check_callback() has returned true.
-template <class ConcurrencyTag, class First, class Second, class Callback>
+// Returns whether a callback takes the pairs of elements of `First` and `Second`, and `More`.
+template <class Callback, class First, class Second, class... More>
+constexpr bool check_callback()
+{
+  using Target = Pair_target<Callback, First, Second>;
+  return Pair_output<false, Target, First, Second, More...>::check();
+}
+
+// Returns a functor of two positions in two ranges, and of `More`: `callback` itself, if it is one.
+// To be called if check_callback() has returned true.
+template <bool AreThreads, class... More, class First, class Second, class Callback>
 decltype(auto) pair_output(const First& first, const Second& second, Callback& callback)
 {
   using Target = Pair_target<Callback, First, Second>;
-  using Output = Pair_output<ConcurrencyTag, Target, First, Second>;
+  using Output = Pair_output<AreThreads, Target, First, Second, More...>;
   if constexpr(Target::takes_elements)
     return Output(first, second, callback.callback());
-  else if constexpr(!std::is_invocable_v<Callback&, std::size_t, std::size_t>)
+  else if constexpr(!std::is_invocable_v<Callback&, std::size_t, std::size_t, const More&...>)
     return Output(first, second, callback);
   else
     return (callback);

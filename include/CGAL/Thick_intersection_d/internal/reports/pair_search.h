@@ -10,6 +10,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
+#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
@@ -52,7 +53,7 @@ bool search_ranges(Callback& callback, const NamedParameters& np, const Search& 
   if constexpr(check_pair_search<ConcurrencyTag, Callback, NamedParameters, Ranges...>()) {
     const auto search_sets = [&](const auto& elements, const auto& sets) {
       auto&& report
-        = pair_output<ConcurrencyTag>(elements.first(), elements.second(), callback);
+        = pair_output<is_parallel_v<ConcurrencyTag>>(elements.first(), elements.second(), callback);
       return search(elements, sets, report);
     };
     return with_sets(search_sets, make_elements(ranges, np)...);
