@@ -7,6 +7,7 @@
 
 // The points of a part, as a search in memory takes them.
 
+#include <CGAL/Thick_intersection_d/internal/arrays/Hash_table.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/external/Chunk_store.h>
@@ -93,7 +94,7 @@ private:
         return find_in_lists(id);
       hash();
     }
-    return slots_[slot_of(id)];
+    return places_[slot_of(id)];
   }
 
   std::size_t find_in_lists(std::uint64_t id) const
@@ -115,21 +116,18 @@ private:
     const std::lock_guard<std::mutex> lock(mutex_);
     if(is_hashed_.load(std::memory_order_relaxed))
       return;
-    bits_ = hash_table_bits(part_.owned);
-    slots_.assign(std::size_t(1) << bits_, max_place);
+    places_ = Hash_table<Place, max_place>(part_.owned);
     for(std::size_t place = 0; place < part_.owned; ++place)
       if(has_short_id(place))
-        slots_[slot_of(part_.points[place].id)] = static_cast<Place>(place);
+        places_[slot_of(part_.points[place].id)] = static_cast<Place>(place);
     is_hashed_.store(true, std::memory_order_release);
   }
 
   // Returns the slot of an id, or the free one where it belongs.
   std::size_t slot_of(std::uint64_t id) const
   {
-    std::size_t slot = static_cast<std::size_t>(hash_.finish(hash_.add(0, 0, id)) >> (64 - bits_));
-    while(slots_[slot] != max_place && part_.points[slots_[slot]].id != id)
-      slot = (slot + 1) & (slots_.size() - 1);
-    return slot;
+    return places_.find(hash_.finish(hash_.add(0, 0, id)),
+                        [&](Place place) { return part_.points[place].id == id; });
   }
 
   const Loaded_points<Dimension>& part_;
@@ -137,8 +135,7 @@ private:
   mutable std::atomic<std::size_t> asked_ = 0;
   mutable std::atomic<bool> is_hashed_ = false;
   mutable std::mutex mutex_;
-  mutable int bits_ = 0;             // of a slot
-  mutable std::vector<Place> slots_; // places, or max_place
+  mutable Hash_table<Place, max_place> places_;
 };
 
 } // namespace internal

@@ -7,6 +7,7 @@
 
 // The pairs that are found already, in hash tables: several threads ask and add at once.
 
+#include <CGAL/Thick_intersection_d/internal/arrays/Hash_table.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
@@ -17,14 +18,12 @@
 #include <cstdint>
 #include <mutex>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// A set of numbers that are not zero. At most half of the slots are taken. The upper bits of a hash
-// give the slot from which on a number is looked for.
+// A set of numbers that are not zero.
 class Hashed_numbers
 {
 public:
@@ -32,15 +31,15 @@ public:
 
   bool has(std::uint64_t number) const
   {
-    return !slots_.empty() && slots_[slot_of(number)] == number;
+    return size_ != 0 && table_[slot_of(number)] == number;
   }
 
   // Returns false if the set has the number already.
   bool add(std::uint64_t number)
   {
-    if(slots_.size() < 2 * (size_ + 1))
+    if(table_.slot_count() < 2 * (size_ + 1))
       grow();
-    std::uint64_t& slot = slots_[slot_of(number)];
+    std::uint64_t& slot = table_[slot_of(number)];
     if(slot == number)
       return false;
     slot = number;
@@ -49,30 +48,25 @@ public:
   }
 
 private:
-  // Returns the slot that has the number, or the free one where it belongs.
+  using Table = Hash_table<std::uint64_t, 0>;
+
   std::size_t slot_of(std::uint64_t number) const
   {
-    const std::uint64_t hash = hash_.finish(hash_.add(0, 0, number));
-    std::size_t slot = static_cast<std::size_t>(hash >> (64 - bits_));
-    while(slots_[slot] != 0 && slots_[slot] != number)
-      slot = (slot + 1) & (slots_.size() - 1);
-    return slot;
+    return table_.find(hash_.finish(hash_.add(0, 0, number)),
+                       [=](std::uint64_t other) { return other == number; });
   }
 
   void grow()
   {
-    bits_ = hash_table_bits(size_ + 1);
-    const std::vector<std::uint64_t> old
-      = std::exchange(slots_, std::vector<std::uint64_t>(std::size_t(1) << bits_));
-    for(const std::uint64_t number : old)
-      if(number != 0)
-        slots_[slot_of(number)] = number;
+    const Table old = std::exchange(table_, Table(size_ + 1));
+    for(std::size_t slot = 0; slot < old.slot_count(); ++slot)
+      if(old[slot] != 0)
+        table_[slot_of(old[slot])] = old[slot];
   }
 
   const Sequence_hash<1> hash_;
-  std::vector<std::uint64_t> slots_;
+  Table table_;
   std::size_t size_ = 0;
-  int bits_ = 0;
 };
 
 // A thread that asks locks one of several sets for a moment.

@@ -7,6 +7,7 @@
 
 // How many points there are around each point of a sample: what the work of a part is made of.
 
+#include <CGAL/Thick_intersection_d/internal/arrays/Hash_table.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/Random_numbers.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_points.h>
@@ -33,8 +34,7 @@ public:
   Cell_counts(const Point_sample& sample, std::uint64_t point_count, double reach)
     : dimension_(sample.dimension), reach_(reach),
       share_(static_cast<double>(sample.size()) / static_cast<double>(point_count)),
-      hash_(dimension_, 1), bits_(hash_table_bits(sample.size())),
-      keys_(std::size_t(1) << bits_), counts_(keys_.size())
+      hash_(dimension_, 1), keys_(sample.size()), counts_(keys_.slot_count())
   {
     for(std::size_t i = 0; i < sample.size(); ++i) {
       const std::uint64_t key = key_of(sample.point(i));
@@ -81,7 +81,7 @@ public:
                        std::size_t total, Point_sample& chosen) const
   {
     double all = 0;
-    for(std::size_t slot = 0; slot < keys_.size(); ++slot)
+    for(std::size_t slot = 0; slot < counts_.size(); ++slot)
       all += pairs_of_point(slot) * static_cast<double>(counts_[slot]);
     const double step = all / static_cast<double>(total);
     double sum = step / 2;
@@ -121,18 +121,14 @@ private:
   // Returns the slot with the key, or the free one where it belongs.
   std::size_t slot_of(std::uint64_t key) const
   {
-    std::size_t slot = static_cast<std::size_t>(key >> (64 - bits_));
-    while(keys_[slot] != 0 && keys_[slot] != key)
-      slot = (slot + 1) & (keys_.size() - 1);
-    return slot;
+    return keys_.find(key, [=](std::uint64_t other) { return other == key; });
   }
 
   int dimension_;
   double reach_;
   double share_; // of the sample
   Sequence_hash<> hash_; // with the same seed in all processes
-  int bits_;
-  std::vector<std::uint64_t> keys_;   // zero where a slot is free
+  Hash_table<std::uint64_t, 0> keys_;
   std::vector<std::uint64_t> counts_; // of the slots
 };
 
