@@ -14,13 +14,13 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Near_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Run.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Stop_flag.h>
 #include <CGAL/Thick_intersection_d/internal/near_points/Callback_taker.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_sweep.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_task.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Stop_flag.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -15,11 +15,11 @@
 #include <CGAL/Thick_intersection_d/internal/lanes/Found_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Near_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/with_lanes.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Stop_flag.h>
 #include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_task.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_ties.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Stop_flag.h>
 
 #include <boost/config.hpp> // BOOST_NOINLINE
 

@@ -11,6 +11,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Near_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Stop_flag.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_sweep.h>
@@ -22,7 +23,6 @@
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_window.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slabs.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slabs_nearby.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Stop_flag.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Strips.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/report_all_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/tuning.h>

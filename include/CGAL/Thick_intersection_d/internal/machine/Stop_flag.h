@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_STOP_FLAG_H
-#define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_STOP_FLAG_H
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_MACHINE_STOP_FLAG_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_MACHINE_STOP_FLAG_H
 
 // Whether a search was stopped, as all of its threads see it.
 
@@ -46,4 +46,4 @@ private:
 } // namespace Thick_intersection_d
 } // namespace CGAL
 
-#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_STOP_FLAG_H
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_MACHINE_STOP_FLAG_H
