@@ -11,9 +11,8 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Box_order.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Box_sweep.h>
-#include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
-#include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
-#include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Stop_flag.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -38,22 +37,25 @@ public:
 };
 
 // Sweeps all blocks. The blocks have no pair in common.
-template <class Test>
-Pairs by_sweeps(const Test& test, const internal::Piece<internal::Piece_box<2>>& piece,
+template <class Objects>
+Pairs by_sweeps(const Objects& objects, std::optional<std::size_t> first_set_size,
                 internal::Place block_count)
 {
   Pairs pairs;
-  auto callback = [&](std::size_t i, std::size_t j) { pairs.emplace_back(i, j); };
-  internal::Pair_reporter<decltype(callback)> report(callback);
-  internal::Box_order<2> order;
-  order.set(piece, 0);
-  internal::Box_sweep<Test, decltype(report)> sweep(test, report);
-  for(internal::Place block = 0; block < block_count; ++block) {
-    sweep.take_block(block, block_count);
-    for(std::size_t set = 0; set < piece.set_count(); ++set)
-      sweep.between(order.run(set), order.candidates(set));
-  }
-  BOOST_CHECK(!sweep.is_stopped());
+  const auto callback = [&](std::size_t i, std::size_t j) { pairs.emplace_back(i, j); };
+  internal::Unwatched_progress progress;
+  with_piece<2>(objects, first_set_size, callback, progress, [&](auto& client, const auto& piece) {
+    internal::Box_order<2> order;
+    order.set(piece, 0);
+    internal::Stop_flag stop;
+    internal::Box_sweep<2> sweep(client, stop);
+    for(internal::Place block = 0; block < block_count; ++block) {
+      sweep.take_block(block, block_count);
+      for(std::size_t set = 0; set < piece.set_count(); ++set)
+        sweep.between(order.run(set), order.candidates(set));
+    }
+    BOOST_CHECK(!stop.is_set());
+  });
   return sorted(pairs);
 }
 
@@ -69,13 +71,8 @@ void check_boxes(std::size_t size, unsigned int seed)
       if((pair.first + pair.second) % 2 == 0)
         half.push_back(pair);
     for(const internal::Place blocks : {1, 2, 3, 7, 64}) {
-      const auto check = [&](const Pairs& expected) {
-        return [&](const auto& test, const auto& piece) {
-          BOOST_CHECK(by_sweeps(test, piece, blocks) == expected);
-        };
-      };
-      with_piece<2>(Number_objects(boxes, 2), first_set_size, check(all));
-      with_piece<2>(Half_of_the_objects(boxes), first_set_size, check(half));
+      BOOST_CHECK(by_sweeps(Number_objects(boxes, 2), first_set_size, blocks) == all);
+      BOOST_CHECK(by_sweeps(Half_of_the_objects(boxes), first_set_size, blocks) == half);
     }
   }
 }
@@ -94,35 +91,31 @@ Number_boxes equal_boxes(std::size_t size)
   return Number_boxes(size, unit);
 }
 
-// Calls check(sweep) after one sweep over a set of objects.
-template <class Objects, class Callback, class Check>
-void sweep_once(const Objects& objects, Callback& callback, const Check& check)
+// Returns whether a sweep over a set of objects stops.
+template <class Objects, class Callback>
+bool does_sweep_stop(const Objects& objects, Callback& callback)
 {
-  using Test = internal::Boxed_objects<2, Objects>;
-  const Test test(objects, {0, 1});
-  std::vector<internal::Piece_box<2>> boxes(objects.size());
-  for(std::size_t i = 0; i < boxes.size(); ++i)
-    test.put(i, boxes[i]);
-  internal::Box_order<2> order;
-  using Piece = internal::Piece<internal::Piece_box<2>>;
-  order.set(Piece({boxes.data(), boxes.data() + boxes.size()}), 0);
-  internal::Pair_reporter<Callback> report(callback);
-  internal::Box_sweep<Test, decltype(report)> sweep(test, report);
-  sweep.between(order.run(0), order.run(0));
-  check(sweep);
+  internal::Unwatched_progress progress;
+  return with_piece<2>(objects, std::nullopt, callback, progress,
+                       [](auto& client, const auto& piece) {
+                         internal::Box_order<2> order;
+                         order.set(piece, 0);
+                         internal::Stop_flag stop;
+                         internal::Box_sweep<2> sweep(client, stop);
+                         sweep.between(order.run(0), order.run(0));
+                         return stop.is_set();
+                       });
 }
 
 BOOST_AUTO_TEST_CASE(a_sweep_stops_when_the_report_says_so)
 {
   int calls = 0;
   const auto stop = [&](std::size_t, std::size_t) { return ++calls < 10; };
-  const auto check = [&](const auto& sweep) {
-    BOOST_CHECK(sweep.is_stopped());
-    BOOST_CHECK_EQUAL(std::exchange(calls, 0), 10);
-  };
   const Number_boxes boxes = equal_boxes(200);
-  sweep_once(Number_objects(boxes, 2), stop, check);
-  sweep_once(Half_of_the_objects(boxes), stop, check);
+  BOOST_CHECK(does_sweep_stop(Number_objects(boxes, 2), stop));
+  BOOST_CHECK_EQUAL(std::exchange(calls, 0), 10);
+  BOOST_CHECK(does_sweep_stop(Half_of_the_objects(boxes), stop));
+  BOOST_CHECK_EQUAL(calls, 10);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

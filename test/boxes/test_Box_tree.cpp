@@ -6,6 +6,10 @@
 
 #include "support/number_boxes.h"
 
+#include <CGAL/Thick_intersection_d/internal/boxes/Box_tree.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Stop_flag.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
+
 #include <boost/test/unit_test.hpp>
 
 #include <array>
@@ -37,7 +41,7 @@ struct Counted_box
 {
   static constexpr int axes = Axes;
   Counted_ends<Axes> low, high;
-  internal::Place position;
+  internal::Place position, sides;
 };
 
 template <int Axes>
@@ -65,13 +69,18 @@ Pairs pairs_by_tree(const Number_boxes& numbers, std::optional<std::size_t> firs
   for(const Box& box : boxes)
     (box.position < first_set_size.value_or(boxes.size()) ? a : b).push_back(&box);
   Pairs pairs;
-  const auto report = [&](const Box& p, const Box& q) {
-    pairs.push_back(std::minmax<std::size_t>(p.position, q.position));
+  const auto report = [&](std::size_t i, std::size_t j) {
+    pairs.emplace_back(i, j);
     return pairs.size() < limit;
   };
-  internal::Box_tree<Box, decltype(report)> tree(report);
-  const bool goes_on = first_set_size ? tree.between(a, b) : tree.within(a);
-  BOOST_CHECK_EQUAL(goes_on, pairs.size() < limit);
+  internal::Unwatched_progress progress;
+  const Number_objects objects(numbers, Axes);
+  with_piece<Axes>(objects, std::nullopt, report, progress, [&](auto& client, const auto&) {
+    const internal::Stop_flag stop;
+    internal::Box_tree<Box> tree(client, stop);
+    const bool goes_on = first_set_size ? tree.between(a, b) : tree.within(a);
+    BOOST_CHECK_EQUAL(goes_on, pairs.size() < limit);
+  });
   return pairs;
 }
 

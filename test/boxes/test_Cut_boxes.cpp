@@ -16,7 +16,7 @@ using namespace test_support;
 using Box = internal::Piece_box<2>;
 using Boxes = std::vector<Box>;
 using Piece = internal::Piece<Box>;
-using Cut = internal::Cut_boxes<CGAL::Sequential_tag, Box>;
+using Cut = internal::Cut_boxes<Box>;
 
 Boxes some_boxes(Generator& random)
 {
@@ -46,7 +46,8 @@ BOOST_AUTO_TEST_CASE(boxes_go_to_the_pieces_that_they_meet)
       box.sides = random() % 4;
     const int axis = seed % 2;
     const internal::Equal_cut equal_cut = some_cut(boxes, axis, random);
-    Cut cut(Piece({boxes.data(), boxes.data() + boxes.size()}), axis, equal_cut);
+    const Piece piece({boxes.data(), boxes.data() + boxes.size()});
+    Cut cut(piece, axis, equal_cut, internal::Threads());
     const std::uint64_t size = cut.size();
     cut.distribute();
     std::uint64_t sum = 0;
@@ -81,7 +82,7 @@ void count_common_pieces(const internal::Span<Box>& boxes, int depth, Generator&
   }
   const int axis = random() % 4 == 0;
   const internal::Equal_cut equal_cut = some_cut(Boxes(boxes.first, boxes.last), axis, random);
-  Cut cut(Piece(boxes), axis, equal_cut);
+  Cut cut(Piece(boxes), axis, equal_cut, internal::Threads());
   cut.distribute();
   for(internal::Place p = 0; p < equal_cut.count(); ++p)
     count_common_pieces(cut.piece(p)[0], depth - 1, random, counts);
@@ -114,7 +115,7 @@ BOOST_AUTO_TEST_CASE(every_box_is_itself_in_one_piece)
   Generator random(5);
   Boxes boxes = some_boxes(random);
   const internal::Equal_cut equal_cut({-3, 3}, 7);
-  Cut cut(Piece({boxes.data(), boxes.data() + boxes.size()}), 0, equal_cut);
+  Cut cut(Piece({boxes.data(), boxes.data() + boxes.size()}), 0, equal_cut, internal::Threads());
   cut.distribute();
   std::vector<int> seen(boxes.size(), 0);
   for(internal::Place p = 0; p < equal_cut.count(); ++p)

@@ -4,7 +4,6 @@
 // The work of the box route: the boxes that it looks at are counted against n log2^(d-1) n + k, on
 // scenes of all sizes of boxes, and on scenes where no cut helps.
 
-#include "support/counted_boxes.h"
 #include "support/number_boxes.h"
 
 #include <boost/test/unit_test.hpp>
@@ -24,30 +23,25 @@ template <int Axes, std::size_t Sets = 1>
 double check_work(const std::string& name, const Number_boxes& boxes, double limit)
 {
   const Number_objects objects(boxes, Axes);
-  std::vector<int> axes(Axes);
-  std::iota(axes.begin(), axes.end(), 0);
-  const Counted_boxes<Axes> test(objects, axes);
-  std::vector<typename Counted_boxes<Axes>::Box> copies(boxes.size());
-  for(std::size_t i = 0; i < boxes.size(); ++i)
-    test.put(i, copies[i]);
-  double k = 0;
+  double k = 0, candidates = 0, swept = 0;
   const auto callback = [&](std::size_t, std::size_t) { ++k; };
-  internal::Pair_reporter<decltype(callback)> report(callback);
   internal::Unwatched_progress progress;
-  internal::Box_route<CGAL::Sequential_tag, Counted_boxes<Axes>, decltype(report),
-                      internal::Unwatched_progress>
-    route(test, report, progress);
-  using Piece = internal::Piece<typename Counted_boxes<Axes>::Box>;
-  const auto first = copies.data(), middle = first + copies.size() / Sets,
-             last = first + copies.size();
-  route.search(Sets == 1 ? Piece({first, last}) : Piece({first, middle}, {middle, last}));
+  std::optional<std::size_t> first_set_size;
+  if(Sets == 2)
+    first_set_size = boxes.size() / 2;
+  with_piece<Axes>(objects, first_set_size, callback, progress,
+                   [&](auto& client, const auto& piece) {
+                     internal::Box_route<Axes> route(client, internal::Threads());
+                     route.search(piece);
+                     candidates = static_cast<double>(route.candidate_count());
+                     swept = static_cast<double>(route.swept_count());
+                   });
   const double n = static_cast<double>(boxes.size());
-  const double work = (test.candidates + test.swept)
-                      / (n * std::pow(std::log2(n), Axes - 1) + k);
+  const double work = (candidates + swept) / (n * std::pow(std::log2(n), Axes - 1) + k);
   BOOST_TEST_MESSAGE(Axes << "D " << name << ", n = " << n << ", k/n = " << k / n
-                          << ": candidates/n " << test.candidates / n << ", work " << work);
+                          << ": candidates/n " << candidates / n << ", work " << work);
   BOOST_CHECK_MESSAGE(work <= limit, Axes << "D " << name << ": " << work);
-  return test.swept / n;
+  return swept / n;
 }
 
 // Boxes that begin anywhere in the unit cube, with extents(i, axis).

@@ -66,13 +66,13 @@ std::size_t count_pairs(const Segments& segments, const Test& test)
   internal::Unwatched_progress progress;
   using Boundaries = internal::Feature_boundaries<CGAL::Sequential_tag, Segments, Test>;
   const Counted<Boundaries> boundaries(segments, test, known);
-  internal::report_meeting_boxes<CGAL::Sequential_tag>(boundaries, internal::One_set(), take,
-                                                       progress);
+  const internal::Threads one;
+  internal::report_meeting_boxes(boundaries, internal::One_set(), take, progress, one);
   const internal::Part_range all = {0, segments.part_count()};
   using Insides = internal::Feature_insides<CGAL::Sequential_tag, Segments>;
   const Counted<Insides> insides(segments, all, all, known);
-  internal::report_meeting_boxes<CGAL::Sequential_tag>(
-    insides, internal::Two_sets{insides.point_count()}, take, progress);
+  internal::report_meeting_boxes(insides, internal::Two_sets{insides.point_count()}, take, progress,
+                                 one);
   return pairs;
 }
 

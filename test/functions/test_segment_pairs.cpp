@@ -365,7 +365,8 @@ BOOST_AUTO_TEST_CASE(too_many_objects_are_refused_at_once)
   BOOST_CHECK_THROW(report_segment_pairs<CGAL::Sequential_tag>(objects, none, sets, ignore,
                                                                progress),
                     std::length_error);
-  BOOST_CHECK_THROW(report_meeting_boxes<CGAL::Sequential_tag>(objects, sets, ignore, progress),
+  const CGAL::Thick_intersection_d::internal::Threads one;
+  BOOST_CHECK_THROW(report_meeting_boxes(objects, sets, ignore, progress, one),
                     std::length_error);
 }
 

@@ -23,7 +23,7 @@ namespace test_support {
 class Grouped_objects : public Number_objects
 {
 public:
-  static constexpr bool has_groups = true;
+  static constexpr bool have_groups = true;
 
   Grouped_objects(const Number_boxes& boxes, int dimension, const std::vector<std::size_t>& groups,
                   std::size_t rarity)

@@ -13,10 +13,10 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/Random_numbers.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Box_route.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
-#include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/tuning.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
-
-#include <CGAL/tags.h>
 
 #include <array>
 #include <cmath>
@@ -66,13 +66,11 @@ inline Pairs all_meeting_pairs(const Number_boxes& boxes, int dimension,
   return pairs;
 }
 
-// What Boxed_objects asks for. Objects are their boxes; if they are said to be more than that, the
+// What Boxed_objects asks. Objects are their boxes; if they are said to be more than that, the
 // pairs that are asked about are written down.
-class Number_objects
+class Number_objects : public internal::Objects_in_boxes
 {
 public:
-  using Box_filter = void;
-
   Number_objects(const Number_boxes& boxes, int dimension, bool are_exact = true)
     : boxes_(boxes), dimension_(dimension), are_exact_(are_exact)
   {}
@@ -84,7 +82,6 @@ public:
     return [this, position](int axis) { return boxes_[position][axis]; };
   }
   bool are_exact() const { return are_exact_; }
-  void prefetch(std::size_t) const {}
   bool do_intersect(std::size_t i, std::size_t j) const
   {
     asked_.emplace_back((std::min)(i, j), (std::max)(i, j));
@@ -110,25 +107,35 @@ inline std::vector<bool> sampled_of_three(std::size_t size)
   return sampled;
 }
 
-// Calls search(test, piece) with the boxes of objects, of one set or of two.
+// Calls search(client, piece) with the boxes of objects, of one set or of two. In either case, the
+// callback gets positions in one numbering.
+template <int Axes, class Objects, class Callback, class Progress, class Search>
+auto with_piece(const Objects& objects, std::optional<std::size_t> first_set_size,
+                Callback& callback, Progress& progress, const Search& search)
+{
+  using Box = internal::Piece_box<Axes>;
+  std::vector<int> all_axes(static_cast<std::size_t>(objects.dimension()));
+  std::iota(all_axes.begin(), all_axes.end(), 0);
+  internal::Boxed_objects<Axes, Objects, Callback, Progress> client(objects, all_axes, callback,
+                                                                    progress);
+  std::vector<Box> boxes(objects.size());
+  client.read(0, boxes.size(), boxes.data());
+  Box* const first = boxes.data();
+  Box* const last = first + boxes.size();
+  if(!first_set_size)
+    return search(client, internal::Piece<Box>({first, last}));
+  Box* const middle = first + *first_set_size;
+  return search(client, internal::Piece<Box>({first, middle}, {middle, last}));
+}
+
+// The same, if nobody calls the callback.
 template <int Axes, class Objects, class Search>
 auto with_piece(const Objects& objects, std::optional<std::size_t> first_set_size,
                 const Search& search)
 {
-  using Test = internal::Boxed_objects<Axes, Objects>;
-  using Box = typename Test::Box;
-  std::vector<int> all_axes(static_cast<std::size_t>(objects.dimension()));
-  std::iota(all_axes.begin(), all_axes.end(), 0);
-  const Test test(objects, all_axes);
-  std::vector<Box> boxes(objects.size());
-  for(std::size_t i = 0; i < boxes.size(); ++i)
-    test.put(i, boxes[i]);
-  Box* const first = boxes.data();
-  Box* const last = first + boxes.size();
-  if(!first_set_size)
-    return search(test, internal::Piece<Box>({first, last}));
-  Box* const middle = first + *first_set_size;
-  return search(test, internal::Piece<Box>({first, middle}, {middle, last}));
+  const auto ignore = [](std::size_t, std::size_t) {};
+  internal::Unwatched_progress progress;
+  return with_piece<Axes>(objects, first_set_size, ignore, progress, search);
 }
 
 // Reports the pairs by the box route. Returns false iff it was stopped.
@@ -136,14 +143,10 @@ template <int Axes, class Objects, class Callback, class Progress>
 bool search_boxes(const Objects& objects, const Box_tuning& tuning,
                   std::optional<std::size_t> first_set_size, Callback& callback, Progress& progress)
 {
-  return with_piece<Axes>(objects, first_set_size, [&](const auto& test, const auto& piece) {
-    using Test = std::decay_t<decltype(test)>;
-    using Report = internal::Pair_reporter<Callback>;
-    Report report(callback);
-    internal::Box_route<CGAL::Sequential_tag, Test, Report, Progress> route(test, report, progress,
-                                                                            tuning);
-    return route.search(piece);
-  });
+  return with_piece<Axes>(
+    objects, first_set_size, callback, progress, [&](auto& client, const auto& piece) {
+      return internal::Box_route<Axes>(client, internal::Threads(), tuning).search(piece);
+    });
 }
 
 template <int Axes, class Objects>

@@ -10,59 +10,62 @@
 
 #include <CGAL/Thick_intersection_d/internal/arrays/Equal_cut.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Box_client.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Box_order.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Box_planner.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Box_sweep.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Box_tree.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Cut_boxes.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Sweep_allowance.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/divide_into_classes.h>
-#include <CGAL/Thick_intersection_d/internal/boxes/has_groups.h>
-#include <CGAL/Thick_intersection_d/internal/boxes/search_tree.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/tuning.h>
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Stop_flag.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// `Test` is like Boxed_objects.
-template <class ConcurrencyTag, class Test, class Report, class Progress>
+template <int Axes>
 class Box_route
 {
-  using Box = typename Test::Box;
-  static constexpr int axes = Box::axes;
+  using Box = Piece_box<Axes>;
 
   // What a thread needs for its pieces.
   struct Worker
   {
     explicit Worker(const Box_tuning& tuning) : planner(tuning) {}
 
-    Box_planner<axes> planner;
-    Box_order<axes> order;
+    Box_planner<Axes> planner;
+    Box_order<Axes> order;
   };
 
 public:
-  Box_route(const Test& test, Report& report, Progress& progress,
+  Box_route(Box_client<Axes>& client, const Threads& threads,
             const Box_tuning& tuning = Box_tuning())
-    : test_(test), report_(report), progress_(progress), tuning_(tuning)
+    : client_(client), threads_(threads), tuning_(tuning)
   {}
 
-  // Reports the pairs of one set, or of two sets. Returns false iff the search was stopped.
+  // Gives the pairs of one set, or of two, to the client. Returns false iff it was stopped.
   bool search(const Piece<Box>& boxes)
   {
     Worker worker(tuning_);
     search_piece(worker, boxes, {first_box_sample, max_box_cuts, boxes.size()});
-    return !report_.is_stopped();
+    return !stop_.is_set();
   }
+
+  // How many boxes were swept, as themselves or as copies, and how many candidates they had.
+  std::uint64_t swept_count() const { return swept_count_; }
+  std::uint64_t candidate_count() const { return candidate_count_; }
 
 private:
   // What is known about a piece, and allowed in it.
@@ -79,9 +82,9 @@ private:
 
   void search_piece(Worker& worker, const Piece<Box>& piece, const Piece_task& task)
   {
-    if(report_.is_stopped())
+    if(stop_.is_set())
       return;
-    Box_order<axes>& order = worker.order;
+    Box_order<Axes>& order = worker.order;
     if(!piece.has_pairs())
       return finish(piece, task);
     if(piece.size() <= tuning_.few_boxes || task.may_be_swept) {
@@ -98,21 +101,23 @@ private:
   // put in order.
   void plan_piece(Worker& worker, const Piece<Box>& piece, const Piece_task& task)
   {
-    const Box_plan<axes> plan = worker.planner.plan(piece, task.sample_limit);
+    const Box_plan<Axes> plan = worker.planner.plan(piece, task.sample_limit);
     if(plan.cut_axis >= 0 && task.cuts_left > 0 && search_cut(worker, piece, task, plan))
       return;
     if(plan.candidates > tuning_.crowded_candidates && plan.pair_share < tuning_.crowded_share
        && search_crowd(worker, piece, task, plan, plan.candidates))
       return;
-    Box_order<axes>& order = worker.order;
+    Box_order<Axes>& order = worker.order;
     order.set(piece, plan.sweep_axis, tuning_);
     const double candidates = static_cast<double>(order.candidate_count()) / piece.size();
-    const auto is_wanted = [&](Place i, Place j) { return test_.is_wanted(i, j); };
+    const auto is_wanted = [&](Place i, Place j) {
+      return !client_.have_groups || client_.is_wanted(i, j);
+    };
     if(candidates > tuning_.crowded_candidates
        && order.share_of_pairs(is_wanted) < tuning_.crowded_share
        && search_crowd(worker, piece, task, plan, candidates))
       return;
-    if(has_groups_v<Test> && candidates > candidates_for_tree(piece.size()))
+    if(client_.have_groups && candidates > candidates_for_tree(piece.size()))
       sweep_while_wanted(worker, piece, task, plan, candidates);
     else
       sweep_boxes(order, piece, task);
@@ -120,13 +125,14 @@ private:
 
   // Searches crowded boxes by classes or by a tree. Returns false if a sweep is faster.
   bool search_crowd(Worker& worker, const Piece<Box>& piece, const Piece_task& task,
-                    const Box_plan<axes>& plan, double candidates)
+                    const Box_plan<Axes>& plan, double candidates)
   {
     if(!task.is_one_class && search_classes(worker, piece, task, plan))
       return true;
     if(candidates <= candidates_for_tree(piece.size()))
       return false;
-    search_tree(piece, test_, report_);
+    if(!Box_tree<Box>(client_, stop_).search(piece))
+      stop_.set();
     finish(piece, task);
     return true;
   }
@@ -134,15 +140,15 @@ private:
   // From how many candidates per box on the tree is faster than a sweep.
   double candidates_for_tree(double size) const
   {
-    return tuning_.tree_candidates * std::ldexp(std::log2(size), axes - 1);
+    return tuning_.tree_candidates * std::ldexp(std::log2(size), Axes - 1);
   }
 
   // Searches the pieces of a cut. Returns false if there would be too many copies.
   bool search_cut(Worker& worker, const Piece<Box>& piece, const Piece_task& task,
-                  const Box_plan<axes>& plan)
+                  const Box_plan<Axes>& plan)
   {
     const Equal_cut equal_cut(plan.range, plan.piece_count);
-    Cut_boxes<ConcurrencyTag, Box> cut(piece, plan.cut_axis, equal_cut);
+    Cut_boxes<Box> cut(piece, plan.cut_axis, equal_cut, threads_);
     const std::uint64_t copies = cut.size() - piece.size();
     if(copies > task.copies_left)
       return false;
@@ -161,10 +167,10 @@ private:
 
   // In parallel, a thread that waits for pieces may take another task, so tasks share no worker.
   template <class Task>
-  void for_each_piece(Worker& worker, Place count, const Task& task) const
+  void for_each_piece(Worker& worker, Place count, const Task& task)
   {
-    for_each_block<ConcurrencyTag>(count, [&](std::size_t piece, std::size_t last) {
-      if constexpr(is_parallel_v<ConcurrencyTag>) {
+    stop_.run_blocks(threads_, count, [&](std::size_t piece, std::size_t last) {
+      if(threads_.are_many()) {
         Worker own_worker(tuning_);
         for(; piece != last; ++piece)
           task(own_worker, static_cast<Place>(piece));
@@ -176,25 +182,27 @@ private:
   }
 
   // Sweeps the boxes in their order. If there are very many candidates, it sweeps in blocks.
-  void sweep_boxes(const Box_order<axes>& order, const Piece<Box>& piece, const Piece_task& task)
+  void sweep_boxes(const Box_order<Axes>& order, const Piece<Box>& piece, const Piece_task& task)
   {
     const std::uint64_t full_blocks = order.candidate_count() / tuning_.candidates_per_block;
     const Place count = static_cast<Place>((std::min)(full_blocks, max_sweep_blocks)) + 1;
     Sweep_allowance allowance;
+    swept_count_.fetch_add(piece.size(), std::memory_order_relaxed);
+    candidate_count_.fetch_add(order.candidate_count(), std::memory_order_relaxed);
     sweep_blocks(order, task.finishes_boxes ? original_count(piece) : 0, count, allowance);
   }
 
   // Sweeps crowded boxes that have groups, as long as enough candidates are wanted pairs. When few
   // are left, because pairs of groups have become known, searches the boxes as a crowd.
   void sweep_while_wanted(Worker& worker, const Piece<Box>& piece, const Piece_task& task,
-                          const Box_plan<axes>& plan, double candidates)
+                          const Box_plan<Axes>& plan, double candidates)
   {
     const std::size_t size = task.finishes_boxes ? original_count(piece) : 0;
     Sweep_allowance allowance(std::int64_t(tuning_.unwanted_candidates) * piece.size(),
                               tuning_.candidates_per_wanted_pair);
     const Place count = piece.size() / tuning_.unwanted_candidates + 1;
     sweep_blocks(worker.order, size, count, allowance);
-    if(allowance.is_left() || report_.is_stopped())
+    if(allowance.is_left() || stop_.is_set())
       return;
     Piece_task rest = task;
     rest.finishes_boxes = false;
@@ -204,18 +212,18 @@ private:
 
   // Sweeps boxes in `count` blocks, which threads share, and finishes `size` boxes by them. The
   // search can stop after each block, and the sweep ends with its allowance.
-  void sweep_blocks(const Box_order<axes>& order, std::size_t size, Place count,
+  void sweep_blocks(const Box_order<Axes>& order, std::size_t size, Place count,
                     Sweep_allowance& allowance)
   {
-    for_each_block<ConcurrencyTag>(count, [&](std::size_t block, std::size_t last) {
-      Box_sweep<Test, Report> box_sweep(test_, report_);
-      for(; block != last && !report_.is_stopped() && allowance.is_left(); ++block) {
+    stop_.run_blocks(threads_, count, [&](std::size_t block, std::size_t last) {
+      Box_sweep<Axes> box_sweep(client_, stop_);
+      for(; block != last && !stop_.is_set() && allowance.is_left(); ++block) {
         const std::uint64_t wanted_before = box_sweep.wanted_count();
         box_sweep.take_block(static_cast<Place>(block), count);
-        for(std::size_t set = 0; set < order.set_count() && !box_sweep.is_stopped(); ++set)
+        for(std::size_t set = 0; set < order.set_count() && !stop_.is_set(); ++set)
           box_sweep.between(order.run(set), order.candidates(set));
         const std::size_t finished = size * (block + 1) / count - size * block / count;
-        if constexpr(has_groups_v<Test>)
+        if(client_.have_groups)
           allowance.use(order.candidate_count_of_block(static_cast<Place>(block), count),
                         box_sweep.wanted_count() - wanted_before, finished);
         advance(finished);
@@ -228,7 +236,7 @@ private:
   // searches may have few candidates where that of all boxes has many. Returns false if all boxes
   // are of one class.
   bool search_classes(Worker& worker, const Piece<Box>& piece, const Piece_task& task,
-                      const Box_plan<axes>& plan)
+                      const Box_plan<Axes>& plan)
   {
     std::array<std::vector<Span<Box>>, 2> classes;
     for(std::size_t set = 0; set < piece.set_count(); ++set)
@@ -273,14 +281,16 @@ private:
 
   void advance(std::size_t finished)
   {
-    if(!report_.is_stopped() && !progress_.advance(finished))
-      report_.stop();
+    if(!stop_.is_set() && !client_.advance(finished))
+      stop_.set();
   }
 
-  const Test& test_;
-  Report& report_;
-  Progress& progress_;
+  Box_client<Axes>& client_;
+  const Threads threads_;
   const Box_tuning tuning_;
+  Stop_flag stop_;
+  std::atomic<std::uint64_t> swept_count_ = 0;
+  std::atomic<std::uint64_t> candidate_count_ = 0;
 };
 
 } // namespace internal

@@ -10,15 +10,15 @@
 
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/radix_sort.h>
-#include <CGAL/Thick_intersection_d/internal/boxes/Box_scan.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Box_client.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Group_scan.h>
-#include <CGAL/Thick_intersection_d/internal/boxes/begins_before.h>
-#include <CGAL/Thick_intersection_d/internal/boxes/has_groups.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Stop_flag.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -26,36 +26,54 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// `Report` takes two boxes that meet, and returns false to stop. It may have groups (has_groups.h),
-// of boxes. Then hardly any pairs are looked at that are not wanted.
-template <class Box, class Report>
+// If boxes have groups, hardly any pairs are looked at that are not wanted.
+template <class Box>
 class Box_tree
 {
-  using Scan = std::conditional_t<has_groups_v<Report>, Group_scan<Box, Report>,
-                                  Box_scan<Box, Report>>;
-  using Copy = typename Scan::Copy;
-  using Boxes = std::vector<const Copy*>;
+  using Boxes = std::vector<const Box*>;
+  using Client = Box_client<Box::axes>;
   using Iterator = typename Boxes::const_iterator;
   using Range = std::pair<Iterator, Iterator>;
 
 public:
-  explicit Box_tree(Report& report) : report_(report), scan_(report) {}
+  Box_tree(Client& client, const Stop_flag& stop) : client_(client), stop_(stop), groups_(client)
+  {}
 
-  // Reports the pairs of a set. Returns false to stop.
-  bool within(const std::vector<const Box*>& boxes)
+  // Gives the pairs of a piece to the client. Returns false to stop. Boxes that are copies along a
+  // common axis are not searched for pairs, so no pair is found in two pieces.
+  bool search(const Piece<Box>& piece)
   {
-    std::vector<Copy> sorted = sorted_copies(boxes);
-    scan_.set_boxes(sorted, sorted);
+    std::array<std::array<Boxes, std::size_t(1) << Box::axes>, 2> boxes; // by their sides
+    for(std::size_t set = 0; set < 2; ++set)
+      for(const Box* box = piece[set].first; box != piece[set].last; ++box)
+        boxes[set][box->sides].push_back(box);
+    const bool is_one_set = piece.set_count() == 1;
+    const auto& others = boxes[is_one_set ? 0 : 1];
+    bool goes_on = true;
+    for(std::size_t a = 0; a < boxes[0].size(); ++a)
+      for(std::size_t b = is_one_set ? a : 0; b < others.size(); ++b)
+        if((a & b) == 0 && goes_on)
+          goes_on = is_one_set && a == b ? within(boxes[0][a]) : between(boxes[0][a], others[b]);
+    return goes_on;
+  }
+
+  // The same of a set.
+  bool within(const Boxes& boxes)
+  {
+    std::vector<Box> sorted = sorted_copies(boxes);
+    if(client_.have_groups)
+      groups_.set_boxes(sorted, sorted);
     const Boxes all = pointers(sorted);
     return search(all, all, last_axis);
   }
 
-  // Reports the pairs of a box of `a` and a box of `b`.
-  bool between(const std::vector<const Box*>& a, const std::vector<const Box*>& b)
+  // The same of a box of `a` and a box of `b`.
+  bool between(const Boxes& a, const Boxes& b)
   {
-    std::vector<Copy> sorted_a = sorted_copies(a);
-    std::vector<Copy> sorted_b = sorted_copies(b);
-    scan_.set_boxes(sorted_a, sorted_b);
+    std::vector<Box> sorted_a = sorted_copies(a);
+    std::vector<Box> sorted_b = sorted_copies(b);
+    if(client_.have_groups)
+      groups_.set_boxes(sorted_a, sorted_b);
     return search_both(pointers(sorted_a), pointers(sorted_b), last_axis);
   }
 
@@ -78,14 +96,13 @@ private:
     return true;
   }
 
-  template <class Any_box>
-  static void sort(std::vector<const Any_box*>& boxes, int axis)
+  static void sort(Boxes& boxes, int axis)
   {
     std::vector<Keyed_value> ends(boxes.size());
     for(std::size_t i = 0; i < boxes.size(); ++i)
       ends[i] = {radix_key(low(boxes[i], axis)), static_cast<Place>(i)};
     radix_sort(ends);
-    const std::vector<const Any_box*> unsorted = boxes;
+    const Boxes unsorted = boxes;
     std::transform(ends.begin(), ends.end(), boxes.begin(),
                    [&](const Keyed_value& end) { return unsorted[end.value]; });
     // Invariant: the boxes before `first` are in order.
@@ -100,21 +117,21 @@ private:
   }
 
   // Lists are mostly read along axis 0, so this is the order of the boxes in memory.
-  static std::vector<Copy> sorted_copies(std::vector<const Box*> boxes)
+  static std::vector<Box> sorted_copies(Boxes boxes)
   {
     sort(boxes, 0);
-    std::vector<Copy> copies;
+    std::vector<Box> copies;
     copies.reserve(boxes.size());
     for(const Box* box : boxes)
-      copies.emplace_back(*box);
+      copies.push_back(*box);
     return copies;
   }
 
-  static Boxes pointers(const std::vector<Copy>& boxes)
+  static Boxes pointers(const std::vector<Box>& boxes)
   {
     Boxes pointers;
     pointers.reserve(boxes.size());
-    for(const Copy& box : boxes)
+    for(const Box& box : boxes)
       pointers.push_back(&box);
     return pointers;
   }
@@ -130,12 +147,30 @@ private:
   {
     if(holding.empty() || starting.empty())
       return true;
+    if(stop_.is_set())
+      return false;
     if(axis == 0)
-      return scan_.search(holding, starting);
+      return client_.have_groups ? groups_.search(holding, starting) : scan(holding, starting);
     Boxes by_start = starting;
     sort(by_start, axis);
     return search(holding, starting, by_start.begin(), by_start.end(), axis);
   }
+
+  // The same along axis 0.
+  bool scan(const Boxes& holding, const Boxes& starting)
+  {
+    auto first = starting.begin();
+    for(const Box* a : holding) {
+      while(first != starting.end() && !begins_before(a, *first, 0))
+        ++first;
+      for(auto b = first; b != starting.end() && (*b)->low[0] <= a->high[0]; ++b)
+        if(!give(a, *b))
+          return false;
+    }
+    return true;
+  }
+
+  bool give(const Box* a, const Box* b) { return client_.take_pair(a->position, b->position); }
 
   // The same, where [first, last) are the boxes `starting`, sorted along `axis`. Sweeps along this
   // axis or along axis 0, if few boxes meet along it. Otherwise halves the boxes that start: what
@@ -145,7 +180,7 @@ private:
     if(holding.empty() || starting.empty())
       return true;
     const auto test_along_axis = [&](const Box* a, const Box* b) {
-      return !do_meet_below(a, b, axis) || report_(*a, *b);
+      return !do_meet_below(a, b, axis) || give(a, b);
     };
     if((starting.size() < few || held_count(holding, first, last, axis) <= max_held)
        && find_held(holding, first, last, axis, held_))
@@ -158,7 +193,7 @@ private:
 
     const Iterator middle = first + (last - first) / 2;
     Boxes spanning, holding_low, holding_high, starting_low, starting_high;
-    for(const Copy* box : holding)
+    for(const Box* box : holding)
       if(begins_before(box, *first, axis) && low(last[-1], axis) <= high(box, axis))
         spanning.push_back(box);
       else {
@@ -167,7 +202,7 @@ private:
         if(begins_before(box, last[-1], axis) && low(*middle, axis) <= high(box, axis))
           holding_high.push_back(box);
       }
-    for(const Copy* box : starting)
+    for(const Box* box : starting)
       (begins_before(box, *middle, axis) ? starting_low : starting_high).push_back(box);
     return search_both(spanning, starting, axis - 1)
            && search(holding_low, starting_low, first, middle, axis)
@@ -228,17 +263,18 @@ private:
   {
     const auto test = [&](const Box* a, const Box* b) {
       const bool is_held = begins_before(a, b, axis) && low(b, axis) <= high(a, axis);
-      return !is_held || !do_meet_below(a, b, axis) || report_(*a, *b);
+      return !is_held || !do_meet_below(a, b, axis) || give(a, b);
     };
     const auto test_mirrored = [&](const Box* b, const Box* a) { return test(a, b); };
     return for_held(holding, held_, test)
            && for_held(starting, held_by_starting_, test_mirrored);
   }
 
-  Report& report_;
+  Client& client_;
+  const Stop_flag& stop_;
+  Group_scan<Box> groups_;
   std::vector<Range> held_; // by the boxes of a sweep
   std::vector<Range> held_by_starting_;
-  Scan scan_;
 };
 
 } // namespace internal

@@ -5,22 +5,24 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_BOXES_BOXED_OBJECTS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_BOXES_BOXED_OBJECTS_H
 
-// Objects with boxes, as the box route sees them: the boxes that it moves into pieces, the lanes
-// that find pairs, and the test that decides the found pairs.
+// Objects with boxes, and the callback and progress of the user, as the search by boxes reads, asks
+// and calls them.
 
 #include <CGAL/Uncertain.h>
 
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Box_client.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
-#include <CGAL/Thick_intersection_d/internal/boxes/has_groups.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Box_run.h>
-#include <CGAL/Thick_intersection_d/internal/lanes/Flush.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Found_pairs.h>
-#include <CGAL/Thick_intersection_d/internal/lanes/with_lanes.h>
+#include <CGAL/Thick_intersection_d/internal/lanes/Run.h>
+#include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -29,102 +31,139 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// `Objects` has
+// What most objects do not say otherwise. Derived classes have besides:
 //
 //   size(), dimension()
-//   intervals(position)        a functor: of an axis, gives the closed interval of doubles that
-//                              encloses the object along it
-//   are_exact()                whether two objects intersect iff their intervals meet along all
-//                              axes
-//   do_intersect(i, j)         asked about pairs whose boxes meet
-//   Box_filter                 decides about most of these pairs by their boxes, as Ball_box_filter
-//                              does; or void
-//   prefetch(i)                 may ask for the memory that do_intersect() will read; not called if
-//                              there is a filter
-//
-// Objects may have groups (has_groups.h). Then they are not exact, they have no filter, and
-// do_intersect() is asked about wanted pairs only.
-//
-// Boxes have `Axes` of the axes. If there are more axes, the intervals along the others are read
-// when a pair has met along those of the boxes.
-template <int Axes, class Objects>
-class Boxed_objects
+//   static_dimension     that dimension, or 0 if it is known at run time only
+//   intervals(position)  a functor: of an axis, gives the closed interval of doubles that encloses
+//                        the object along it
+//   do_intersect(i, j)   asked about pairs whose boxes meet, and that are wanted
+struct Objects_in_boxes
 {
+  // Decides about most pairs by their boxes, as Ball_box_filter does; or void.
+  using Box_filter = void;
+
+  // Whether objects have groups, as Box_client says. Then they are not exact, and have no filter.
+  static constexpr bool have_groups = false;
+
+  std::size_t group_of(std::size_t) const { return 0; }
+  bool is_wanted(std::size_t, std::size_t) const { return true; }
+
+  // Whether two objects intersect iff their intervals meet along all axes.
+  bool are_exact() const { return false; }
+
+  // May ask for the memory that do_intersect() will read. Not called if there is a filter.
+  void prefetch(std::size_t) const {}
+};
+
+// Boxes have `Axes` of the axes of objects. If there are more axes, the intervals along the others
+// are read when a pair has met along those of the boxes.
+template <int Axes, class Objects, class Callback, class Progress>
+class Boxed_objects final : public Box_client<Axes>
+{
+  using Box = Piece_box<Axes>;
+  using Run = Box_run<Axes>;
   using Box_filter = typename Objects::Box_filter;
 
 public:
-  using Box = Piece_box<Axes>;
-  using Run = Box_run<Axes>;
-  static constexpr bool has_groups = has_groups_v<Objects>;
-
   // The axes are distinct; those of boxes come first.
-  Boxed_objects(const Objects& objects, std::vector<int> axes)
-    : objects_(objects), axes_(std::move(axes)), are_exact_(objects.are_exact())
-  {}
+  Boxed_objects(const Objects& objects, std::vector<int> axes, Callback& callback,
+                Progress& progress)
+    : objects_(objects), axes_(std::move(axes)), are_exact_(objects.are_exact()),
+      callback_(callback), progress_(progress)
+  {
+    this->size = objects.size();
+    this->are_decided = are_exact_ && dimension() <= Axes;
+    this->have_groups = Objects::have_groups;
+  }
 
-  std::size_t size() const { return objects_.size(); }
+  // Makes the objects two sets, of which the first has so many.
+  void divide(std::size_t size_of_first)
+  {
+    this->first_size = static_cast<Place>(size_of_first);
+    first_of_second_ = size_of_first;
+  }
+
+  // Boxes of fewer dimensions are [0, 0] along the other axes.
+  void read(std::size_t first, std::size_t last, Box* boxes) const override
+  {
+    for(std::size_t position = first; position != last; ++position, ++boxes) {
+      const auto intervals = objects_.intervals(position);
+      for(int axis = 0; axis < Axes; ++axis) {
+        const Interval interval = axis < dimension() ? intervals(axes_[axis]) : Interval{0, 0};
+        boxes->low[axis] = interval.low;
+        boxes->high[axis] = interval.high;
+      }
+      boxes->position = static_cast<Place>(position);
+      boxes->sides = 0;
+    }
+  }
+
+  // The loop that calls the user stores nothing. This makes short callbacks fast.
+  bool take(const Run& a, const Run& b, Found_pair* pairs, Place count,
+            std::uint64_t& wanted_count) override
+  {
+    if(!this->are_decided)
+      count = remove_others(a, b, pairs, count, wanted_count);
+    const Place* const p = a.positions;
+    const Place* const q = b.positions;
+    const std::size_t second = first_of_second_;
+    for(const Found_pair* const end = pairs + count; pairs != end; ++pairs)
+      if(!report(p[pairs->i], q[pairs->j], second))
+        return false;
+    return true;
+  }
+
+  bool take_row(Place i, const Place* others) override
+  {
+    const std::size_t second = first_of_second_;
+    for(Place lane = 0; lane < lanes; ++lane)
+      if(!report(i, others[lane], second))
+        return false;
+    return true;
+  }
+
+  bool take_pair(Place i, Place j) override
+  {
+    return !objects_.is_wanted(i, j) || !do_intersect(i, j)
+           || report(i, j, first_of_second_);
+  }
+
+  std::size_t group_of(Place position) const override { return objects_.group_of(position); }
+
+  bool is_wanted(Place i, Place j) const override { return objects_.is_wanted(i, j); }
+
+  bool advance(std::size_t finished) override { return progress_.advance(finished); }
+
+private:
   int dimension() const { return static_cast<int>(axes_.size()); }
 
-  // Makes the box of an object. Boxes of fewer dimensions are [0, 0] along the other axes.
-  void put(std::size_t position, Box& box) const
+  // Moves the pairs of objects that intersect to the front. Returns their number.
+  Place remove_others(const Run& a, const Run& b, Found_pair* pairs, Place count,
+                      std::uint64_t& wanted_count) const
   {
-    const auto intervals = objects_.intervals(position);
-    for(int axis = 0; axis < Axes; ++axis) {
-      const Interval interval = axis < dimension() ? intervals(axes_[axis]) : Interval{0, 0};
-      box.low[axis] = interval.low;
-      box.high[axis] = interval.high;
+    Place pair_count = 0;
+    for(Place c = 0; c < count; ++c) {
+      if constexpr(std::is_void_v<Box_filter>)
+        if(c + prefetch_distance < count) {
+          objects_.prefetch(a.positions[pairs[c + prefetch_distance].i]);
+          objects_.prefetch(b.positions[pairs[c + prefetch_distance].j]);
+        }
+      pairs[pair_count] = pairs[c];
+      pair_count += is_pair(a, b, pairs[c], wanted_count);
     }
-    box.position = static_cast<Place>(position);
-    box.sides = 0;
+    return pair_count;
   }
 
-  template <class Function>
-  void collect_between(const Run& a, const Run& b, Found_pairs& found, const Function& flush) const
+  bool is_pair(const Run& a, const Run& b, Found_pair pair,
+               [[maybe_unused]] std::uint64_t& wanted_count) const
   {
-    with_lanes([&](auto set) { set.collect_meeting(a, b, found, Flush(flush)); });
-  }
-
-  // Whether lanes tell that boxes meet, but not whether they are a pair.
-  bool are_undecided(const Run& a, const Run& b) const
-  {
-    return !do_lanes_decide() || (a.has_copies && b.has_copies);
-  }
-
-  // Whether a pair that is found is one unless it is found in another piece as well.
-  bool are_copies(const Run& a, const Run& b) const
-  {
-    return do_lanes_decide() && a.has_copies && b.has_copies;
-  }
-
-  // Whether a pair belongs to this piece: to the one where not both boxes go on beyond the same
-  // side.
-  static bool is_of_piece(const Run& a, const Run& b, Found_pair pair)
-  {
-    return (a.sides[pair.i] & b.sides[pair.j]) == 0;
-  }
-
-  void prefetch(const Run& a, const Run& b, Found_pair pair) const
-  {
-    if constexpr(std::is_void_v<Box_filter>) {
-      objects_.prefetch(a.positions[pair.i]);
-      objects_.prefetch(b.positions[pair.j]);
+    const Place i = a.positions[pair.i], j = b.positions[pair.j];
+    if constexpr(Objects::have_groups) {
+      if(!objects_.is_wanted(i, j))
+        return false;
+      ++wanted_count;
     }
-  }
-
-  std::size_t group_of(Place position) const { return objects_.group_of(position); }
-
-  bool is_wanted([[maybe_unused]] Place i, [[maybe_unused]] Place j) const
-  {
-    if constexpr(has_groups)
-      return objects_.is_wanted(i, j);
-    else
-      return true;
-  }
-
-  bool is_pair(const Run& a, const Run& b, Found_pair pair) const
-  {
-    if(!is_of_piece(a, b, pair))
-      return false;
     if constexpr(!std::is_void_v<Box_filter>)
       if(dimension() == Axes) {
         const Uncertain<bool> answer
@@ -132,7 +171,7 @@ public:
         if(is_certain(answer))
           return get_certain(answer);
       }
-    return do_intersect(a.positions[pair.i], b.positions[pair.j]);
+    return do_intersect(i, j);
   }
 
   // Whether two objects whose boxes meet intersect.
@@ -146,8 +185,14 @@ public:
     return true;
   }
 
-private:
-  bool do_lanes_decide() const { return are_exact_ && dimension() <= Axes; }
+  // Calls the user with the smaller position first, and the other one less the first position of
+  // its set.
+  bool report(Place i, Place j, std::size_t first_of_second)
+  {
+    const Place swapped = (i ^ j) & (Place(0) - static_cast<Place>(j < i)); // no branch
+    return goes_on_after(callback_, std::size_t(i ^ swapped),
+                         std::size_t(j ^ swapped) - first_of_second);
+  }
 
   // The axes are in another order, but in the same one for all boxes.
   static std::array<Interval, Axes> box_at(const Run& run, Place place)
@@ -161,6 +206,9 @@ private:
   const Objects& objects_;
   const std::vector<int> axes_;
   const bool are_exact_;
+  Callback& callback_;
+  Progress& progress_;
+  std::size_t first_of_second_ = 0;
 };
 
 } // namespace internal

@@ -13,7 +13,6 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -30,28 +29,30 @@ namespace internal {
 //
 // If the boxes are themselves in a piece of an earlier cut along the same axis, copies begin before
 // it, that is, in the first piece, and they remain copies there.
-template <class ConcurrencyTag, class Box>
+template <class Box>
 class Cut_boxes
 {
 public:
   // Counts the boxes of each piece, and of each set in it.
-  Cut_boxes(const Piece<Box>& boxes, int axis, const Equal_cut& cut)
-    : boxes_(boxes), axis_(axis), cut_(cut),
-      blocks_(boxes.size() < min_size_for_threads ? 1 : block_count<ConcurrencyTag>()),
+  Cut_boxes(const Piece<Box>& boxes, int axis, const Equal_cut& cut, const Threads& threads)
+    : boxes_(boxes), axis_(axis), cut_(cut), threads_(threads),
+      blocks_(boxes.size() < min_size_for_threads ? 1 : threads.block_count()),
       next_(make_uninitialized<Place>(boxes.set_count() * cut.count() * blocks_)),
       begins_(boxes.set_count() * cut.count() + std::size_t(1), 0)
   {
     for_each_block_of_boxes([&](std::size_t, Place* next, const Box* box, const Box* end) {
-      std::fill_n(next, cut_.count(), Place(0));
+      const Equal_cut piece_of = cut_; // a copy, which stays in registers, as in distribute()
+      const int axis = axis_;
+      std::fill_n(next, piece_of.count(), Place(0));
       for(; box != end; ++box) {
-        const Place last = cut_(box->high[axis_]);
-        for(Place piece = cut_(box->low[axis_]); piece <= last; ++piece)
+        const Place last = piece_of(box->high[axis]);
+        for(Place piece = piece_of(box->low[axis]); piece <= last; ++piece)
           ++next[piece];
       }
     });
     for(std::size_t set = 0; set < boxes.set_count(); ++set)
-      replace_by_sums_over_blocks(Threads(ConcurrencyTag()), next_of(set, 0), blocks_, cut.count(),
-                                                  begins_.data() + set * cut.count());
+      replace_by_sums_over_blocks(threads_, next_of(set, 0), blocks_, cut.count(),
+                                  begins_.data() + set * cut.count());
     size_ = replace_by_prefix_sums(begins_.data(), begins_.data() + begins_.size());
   }
 
@@ -63,15 +64,18 @@ public:
   {
     copies_ = make_uninitialized<Box>(size_);
     for_each_block_of_boxes([&](std::size_t set, Place* next, const Box* box, const Box* end) {
-      add_begins(next, begins_.data() + set * cut_.count(), cut_.count());
+      const Equal_cut piece_of = cut_;
+      const int axis = axis_;
+      Box* const copies = copies_.get();
+      add_begins(next, begins_.data() + set * piece_of.count(), piece_of.count());
       for(; box != end; ++box) {
-        const Place first = cut_(box->low[axis_]);
-        const Place last = cut_(box->high[axis_]);
-        copies_[next[first]++] = *box;
+        const Place first = piece_of(box->low[axis]);
+        const Place last = piece_of(box->high[axis]);
+        copies[next[first]++] = *box;
         for(Place piece = first + 1; piece <= last; ++piece) {
-          Box& copy = copies_[next[piece]++];
+          Box& copy = copies[next[piece]++];
           copy = *box;
-          copy.sides |= Place(1) << axis_;
+          copy.sides |= Place(1) << axis;
         }
       }
     });
@@ -102,7 +106,7 @@ private:
   void for_each_block_of_boxes(const Task& task)
   {
     for(std::size_t set = 0; set < boxes_.set_count(); ++set)
-      for_each_numbered_block<ConcurrencyTag>(
+      threads_.run_numbered_blocks(
         blocks_, boxes_[set].size(), [&](std::size_t block, std::size_t i, std::size_t last) {
           task(set, next_of(set, block), boxes_[set].first + i, boxes_[set].first + last);
         });
@@ -111,6 +115,7 @@ private:
   const Piece<Box> boxes_;
   const int axis_;
   const Equal_cut cut_;
+  const Threads threads_;
   const std::size_t blocks_;
   const std::unique_ptr<Place[]> next_; // for each set, block and piece
   std::vector<std::uint64_t> begins_; // for each set and piece

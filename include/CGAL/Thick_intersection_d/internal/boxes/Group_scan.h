@@ -5,12 +5,13 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_BOXES_GROUP_SCAN_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_BOXES_GROUP_SCAN_H
 
-// The last step of a tree, as Box_scan, for boxes that have groups: of the boxes of a group that is
-// not wanted, only the first one is looked at.
+// The last step of a tree of boxes that have groups: of the boxes of a group that is not wanted,
+// only the first one is looked at.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Box_client.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Boxes_by_group.h>
-#include <CGAL/Thick_intersection_d/internal/boxes/begins_before.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -20,38 +21,31 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// A box, and the number of its group among those of the boxes of a tree.
 template <class Box>
-struct Box_of_group : Box
-{
-  explicit Box_of_group(const Box& box) : Box(box) {}
-
-  Place group = 0;
-};
-
-// `Report` is as for Box_tree, and has groups (has_groups.h), of boxes.
-template <class Box, class Report>
 class Group_scan
 {
 public:
-  using Copy = Box_of_group<Box>;
-  using Boxes = std::vector<const Copy*>;
+  using Boxes = std::vector<const Box*>;
+  using Client = Box_client<Box::axes>;
 
-  explicit Group_scan(Report& report) : report_(report) {}
+  explicit Group_scan(Client& client) : client_(client) {}
 
-  // Numbers the groups of the boxes, which may be the same ones twice.
-  void set_boxes(std::vector<Copy>& a, std::vector<Copy>& b)
+  // Numbers the groups of the boxes, which may be the same ones twice. The number of a group takes
+  // the place of the sides of a box, which nobody asks for in a tree.
+  void set_boxes(std::vector<Box>& a, std::vector<Box>& b)
   {
     std::vector<std::size_t> groups;
-    for(const std::vector<Copy>* boxes : {&a, &b})
-      for(const Copy& box : *boxes)
-        groups.push_back(report_.group_of(box));
+    for(const std::vector<Box>* boxes : {&a, &b})
+      for(const Box& box : *boxes)
+        groups.push_back(client_.group_of(box.position));
     std::sort(groups.begin(), groups.end());
     groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
-    for(std::vector<Copy>* boxes : {&a, &b})
-      for(Copy& box : *boxes)
-        box.group = static_cast<Place>(
-          std::lower_bound(groups.begin(), groups.end(), report_.group_of(box)) - groups.begin());
+    for(std::vector<Box>* boxes : {&a, &b})
+      for(Box& box : *boxes) {
+        const std::size_t group = client_.group_of(box.position);
+        box.sides = static_cast<Place>(
+          std::lower_bound(groups.begin(), groups.end(), group) - groups.begin());
+      }
     by_group_.set_group_count(static_cast<Place>(groups.size()));
   }
 
@@ -65,7 +59,7 @@ public:
     for(auto a = holding.rbegin(); a != holding.rend(); ++a) {
       while(first != 0 && begins_before(*a, starting[first - 1], 0)) {
         --first;
-        by_group_.push_front(static_cast<Place>(first), starting[first]->group);
+        by_group_.push_front(static_cast<Place>(first), starting[first]->sides);
       }
       for(Place group = by_group_.first(); is_held(starting, group, **a);
           group = by_group_.next_group(group))
@@ -77,23 +71,24 @@ public:
 
 private:
   // Whether there is a box at a place, and it begins before `a` ends.
-  static bool is_held(const Boxes& starting, Place place, const Copy& a)
+  static bool is_held(const Boxes& starting, Place place, const Box& a)
   {
     return place != Boxes_by_group::none && starting[place]->low[0] <= a.high[0];
   }
 
   // Reports the pairs of `a` and the boxes of a group, from its first one on, as long as they are
   // wanted.
-  bool report_wanted(const Copy& a, const Boxes& starting, Place first)
+  bool report_wanted(const Box& a, const Boxes& starting, Place first)
   {
-    for(Place b = first; is_held(starting, b, a) && report_.is_wanted(a, *starting[b]);
+    for(Place b = first;
+        is_held(starting, b, a) && client_.is_wanted(a.position, starting[b]->position);
         b = by_group_.next_in_group(b))
-      if(!report_(a, *starting[b]))
+      if(!client_.take_pair(a.position, starting[b]->position))
         return false;
     return true;
   }
 
-  Report& report_;
+  Client& client_;
   Boxes_by_group by_group_;
 };
 

@@ -10,6 +10,7 @@
 // decided exactly.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Numbered_boxes.h>
 
 #include <cmath>
@@ -33,10 +34,9 @@ bool have_same_id([[maybe_unused]] const Traits& traits, A& a, B& b)
 
 // `Boxes` are Numbered_boxes. `Dimension` is their dimension, or 0 if it is known at run time only.
 template <int Dimension, class Boxes>
-class Meeting_boxes
+class Meeting_boxes : public Objects_in_boxes
 {
 public:
-  using Box_filter = void;
   static constexpr int static_dimension = Dimension;
 
   Meeting_boxes(const Boxes& boxes, bool are_closed)
@@ -63,8 +63,6 @@ public:
       return interval;
     };
   }
-
-  void prefetch(std::size_t) const {}
 
   bool do_intersect(std::size_t i, std::size_t j) const
   {

@@ -9,6 +9,7 @@
 // are within the reach along an axis iff they meet when each is longer by the reach.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/input/kinds.h>
@@ -23,10 +24,9 @@ namespace internal {
 // `Test` tells the dimension and the reach, the interval of an object along an axis, and whether
 // two objects are near.
 template <int Dimension, class Elements, class Test>
-class Near_object_boxes
+class Near_object_boxes : public Objects_in_boxes
 {
 public:
-  using Box_filter = void;
   static constexpr int static_dimension = Dimension;
 
   Near_object_boxes(const Elements& objects, const Test& test) : objects_(objects), test_(test) {}
@@ -45,7 +45,6 @@ public:
   double reach() const { return test_.reach(); }
   Interval with_reach(const Interval& interval) const { return longer(interval, test_.reach()); }
 
-  bool are_exact() const { return false; }
   void prefetch(std::size_t position) const { prefetch_object(objects_, position); }
   bool do_intersect(std::size_t i, std::size_t j) const
   {

@@ -31,6 +31,17 @@ struct Piece_box
   Place sides;
 };
 
+// The lower ends of boxes are ordered by coordinate and position, so no two of them are equal. Two
+// boxes meet along an axis iff one of them holds the lower end of the other one: it begins before
+// the other one begins, and does not end before.
+template <class Box>
+bool begins_before(const Box* a, const Box* b, int axis)
+{
+  const double x = a->low[axis];
+  const double y = b->low[axis];
+  return x < y || (x == y && a->position < b->position);
+}
+
 // Consecutive boxes of one set.
 template <class Box>
 struct Span

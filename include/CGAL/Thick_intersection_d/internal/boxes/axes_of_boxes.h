@@ -44,21 +44,22 @@ double meeting_share_along(const Objects& objects, int axis)
   return profile.meeting_share();
 }
 
-// Returns all axes. The first `count` axes, which boxes have, are those along which the fewest
+// Returns all axes. The first `Axes` of them, which boxes have, are those along which the fewest
 // objects meet.
-template <class Objects>
-std::vector<int> axes_of_boxes(const Objects& objects, int count)
+template <int Axes, class Objects>
+std::vector<int> axes_of_boxes(const Objects& objects)
 {
   std::vector<int> axes(static_cast<std::size_t>(objects.dimension()));
   std::iota(axes.begin(), axes.end(), 0);
-  if(objects.dimension() <= count)
-    return axes;
-  std::vector<double> shares;
-  for(const int axis : axes)
-    shares.push_back(meeting_share_along(objects, axis));
-  std::stable_sort(axes.begin(), axes.end(), [&](int a, int b) {
-    return shares[static_cast<std::size_t>(a)] < shares[static_cast<std::size_t>(b)];
-  });
+  if constexpr(Objects::static_dimension == 0 || Objects::static_dimension > Axes)
+    if(objects.dimension() > Axes) {
+      std::vector<double> shares;
+      for(const int axis : axes)
+        shares.push_back(meeting_share_along(objects, axis));
+      std::stable_sort(axes.begin(), axes.end(), [&](int a, int b) {
+        return shares[static_cast<std::size_t>(a)] < shares[static_cast<std::size_t>(b)];
+      });
+    }
   return axes;
 }
 

@@ -8,19 +8,14 @@
 // The search of objects by their boxes, for objects of any type that have intervals.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
-#include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
-#include <CGAL/Thick_intersection_d/internal/boxes/Box_route.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
-#include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/axes_of_boxes.h>
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/box_search.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
-#include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
-#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <memory>
 #include <stdexcept>
 #include <string>
 
@@ -48,68 +43,36 @@ constexpr int max_box_axes(int static_dimension)
   return static_dimension == 0 ? 4 : (std::min)(static_dimension, 8);
 }
 
-// Returns search(report) for what reports pairs in one numbering to a callback of positions in each
-// set.
-template <class Sets, class Callback, class Search>
-bool with_reporter([[maybe_unused]] const Sets& sets, Callback& callback, const Search& search)
-{
-  if constexpr(Sets::are_two) {
-    const auto callback_of_two_sets
-      = [&](std::size_t i, std::size_t j) { return callback(i, j - sets.first_size); };
-    Pair_reporter<decltype(callback_of_two_sets)> report(callback_of_two_sets);
-    return search(report);
-  }
-  else {
-    Pair_reporter<Callback> report(callback);
-    return search(report);
-  }
-}
-
 // Reports the pairs of objects by boxes with `Axes` axes.
-template <class ConcurrencyTag, int Axes, class Objects, class Sets, class Report, class Progress>
-bool report_by_boxes(const Objects& objects, const Sets& sets, Report& report,
-                     Progress& progress)
+template <int Axes, class Objects, class Sets, class Callback, class Progress>
+bool report_by_boxes(const Objects& objects, [[maybe_unused]] const Sets& sets, Callback& callback,
+                     Progress& progress, const Threads& threads)
 {
-  using Test = Boxed_objects<Axes, Objects>;
-  const Test test(objects, axes_of_boxes(objects, Axes));
-  using Box_of_test = typename Test::Box;
-  const std::unique_ptr<Box_of_test[]> boxes = make_uninitialized<Box_of_test>(objects.size());
-  for_each_block<ConcurrencyTag>(objects.size(), [&](std::size_t i, std::size_t last) {
-    for(; i != last; ++i)
-      test.put(i, boxes[i]);
-  });
-  Box_of_test* const first = boxes.get();
-  Box_of_test* const last = first + objects.size();
-  Box_route<ConcurrencyTag, Test, Report, Progress> route(test, report, progress);
-  if constexpr(Sets::are_two) {
-    Box_of_test* const middle = first + sets.first_size;
-    return route.search(Piece<Box_of_test>({first, middle}, {middle, last}));
-  }
-  else
-    return route.search(Piece<Box_of_test>({first, last}));
+  Boxed_objects<Axes, Objects, Callback, Progress> client(objects, axes_of_boxes<Axes>(objects),
+                                                          callback, progress);
+  if constexpr(Sets::are_two)
+    client.divide(sets.first_size);
+  return search_boxes<Axes>(client, threads);
 }
 
-// Reports the pairs of objects. `Objects` is as for Boxed_objects, with a constant static_dimension
-// that is 0 if only the objects know their dimension. Returns false iff the search was stopped.
-template <class ConcurrencyTag, class Objects, class Sets, class Callback, class Progress>
+// Reports the pairs of objects, which are Objects_in_boxes. Returns false iff the search was
+// stopped.
+template <class Objects, class Sets, class Callback, class Progress>
 bool report_meeting_boxes(const Objects& objects, const Sets& sets, Callback& callback,
-                          Progress& progress)
+                          Progress& progress, const Threads& threads)
 {
   if(!fits_box_route(objects.size()))
     throw_too_many_objects(objects.size());
-  const auto search = [&](auto& report) {
-    constexpr int dimension = Objects::static_dimension;
-    constexpr int many_axes = max_box_axes(dimension);
-    if constexpr(dimension == 0 || dimension > 3)
-      if(dimension > 3 || objects.dimension() > 3)
-        return report_by_boxes<ConcurrencyTag, many_axes>(objects, sets, report, progress);
-    if constexpr(dimension == 0 || dimension == 3)
-      if(dimension == 3 || objects.dimension() == 3)
-        return report_by_boxes<ConcurrencyTag, 3>(objects, sets, report, progress);
-    if constexpr(dimension < 3)
-      return report_by_boxes<ConcurrencyTag, 2>(objects, sets, report, progress);
-  };
-  return with_reporter(sets, callback, search);
+  constexpr int dimension = Objects::static_dimension;
+  constexpr int many_axes = max_box_axes(dimension);
+  if constexpr(dimension == 0 || dimension > 3)
+    if(dimension > 3 || objects.dimension() > 3)
+      return report_by_boxes<many_axes>(objects, sets, callback, progress, threads);
+  if constexpr(dimension == 0 || dimension == 3)
+    if(dimension == 3 || objects.dimension() == 3)
+      return report_by_boxes<3>(objects, sets, callback, progress, threads);
+  if constexpr(dimension < 3)
+    return report_by_boxes<2>(objects, sets, callback, progress, threads);
 }
 
 } // namespace internal

@@ -16,6 +16,7 @@
 #include <CGAL/Thick_intersection_d/internal/boxes/box_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
@@ -157,7 +158,7 @@ bool report_box_pairs(const First& first, const Second& second, const Traits& tr
       if(boxes.size() <= max_few_boxes && meeting.are_exact())
         return report_few_boxes<dimension>(meeting, sets, report);
     Unwatched_progress progress;
-    return report_meeting_boxes<ConcurrencyTag>(meeting, sets, report, progress);
+    return report_meeting_boxes(meeting, sets, report, progress, Threads(ConcurrencyTag()));
   }
   else
     return false;

@@ -12,6 +12,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
 #include <CGAL/Thick_intersection_d/internal/features/Known_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/vertices.h>
@@ -42,10 +43,9 @@ struct Segments_intersect
 
 // `Test` is like Segments_intersect.
 template <class ConcurrencyTag, class Segments, class Test>
-class Feature_boundaries
+class Feature_boundaries : public Objects_in_boxes
 {
 public:
-  using Box_filter = void;
   static constexpr int static_dimension = vertex_dimension_v<typename Segments::Segment>;
 
   Feature_boundaries(const Segments& segments, const Test& test,
@@ -55,7 +55,6 @@ public:
 
   std::size_t size() const { return segments_.size(); }
   int dimension() const { return static_dimension; }
-  bool are_exact() const { return false; }
 
   auto intervals(std::size_t position) const
   {
@@ -67,7 +66,7 @@ public:
   void prefetch(std::size_t position) const { prefetch_to_read(&segments_[position]); }
 
   // The segments of a feature are a group. To look for a pair takes less time than most tests do.
-  static constexpr bool has_groups = true;
+  static constexpr bool have_groups = true;
   Place group_of(std::size_t position) const { return segments_.feature_of(position); }
   bool is_wanted(std::size_t i, std::size_t j) const
   {

@@ -20,6 +20,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
 #include <CGAL/Thick_intersection_d/internal/features/Known_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
 
@@ -39,10 +40,9 @@ struct Part_range
 };
 
 template <class ConcurrencyTag, class Segments>
-class Feature_insides
+class Feature_insides : public Objects_in_boxes
 {
 public:
-  using Box_filter = void;
   static constexpr int static_dimension = 2;
 
   // The vertices of some parts, and the polygons among others.
@@ -58,7 +58,6 @@ public:
   std::size_t point_count() const { return points_.last - points_.first; }
   std::size_t size() const { return point_count() + polygons_.size(); }
   int dimension() const { return 2; }
-  bool are_exact() const { return false; }
 
   Place feature_of(std::size_t position) const { return segments_.part(part_of(position)).feature; }
 
@@ -69,10 +68,9 @@ public:
     };
   }
 
-  void prefetch(std::size_t) const {}
 
   // The vertices and polygons of a feature are a group.
-  static constexpr bool has_groups = true;
+  static constexpr bool have_groups = true;
   Place group_of(std::size_t position) const { return feature_of(position); }
   bool is_wanted(std::size_t i, std::size_t j) const
   {

@@ -22,6 +22,7 @@
 #include <CGAL/Thick_intersection_d/internal/features/feature_kinds.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/objects/near_objects_search.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
@@ -122,7 +123,7 @@ public:
     const auto take = [&](std::size_t i, std::size_t j) {
       return put(segments_.feature_of(i), segments_.feature_of(second_.segments + j));
     };
-    return report_meeting_boxes<ConcurrencyTag>(boundaries, sets, take, progress_)
+    return report_meeting_boxes(boundaries, sets, take, progress_, Threads(ConcurrencyTag()))
            && (segments_.polygon_count() == 0 || !test.takes_insides() || search_insides());
   }
 
@@ -143,8 +144,8 @@ private:
       const auto take = [&](std::size_t i, std::size_t j) {
         return put(insides.feature_of(i), insides.feature_of(insides.point_count() + j));
       };
-      return report_meeting_boxes<ConcurrencyTag>(insides, Two_sets{insides.point_count()}, take,
-                                                  progress_);
+      return report_meeting_boxes(insides, Two_sets{insides.point_count()}, take, progress_,
+                                  Threads(ConcurrencyTag()));
     }
     else
       return true;

@@ -16,9 +16,11 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/check_denormals.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/box_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
 #include <CGAL/Thick_intersection_d/internal/meshes/Mesh_face.h>
 #include <CGAL/Thick_intersection_d/internal/meshes/mesh_triangles.h>
@@ -49,12 +51,11 @@ namespace internal {
 // Faces of a triangle mesh, as the box route reads them. Two faces intersect if they have more in
 // common than the vertex or edge that they share.
 template <class Mesh, class Point_map>
-class Mesh_triangles
+class Mesh_triangles : public Objects_in_boxes
 {
 public:
   using Face = Mesh_face<Mesh>;
   using Faces = std::vector<Face>;
-  using Box_filter = void;
   static constexpr int static_dimension = 3;
 
   Mesh_triangles(const Mesh& mesh, const Point_map& point_map) : mesh_(mesh), point_map_(point_map)
@@ -88,7 +89,6 @@ public:
   const Face& operator[](std::size_t position) const { return faces_[position]; }
   std::size_t size() const { return faces_.size(); }
   int dimension() const { return 3; }
-  bool are_exact() const { return false; }
 
   auto intervals(std::size_t position) const
   {
@@ -255,7 +255,7 @@ Iterator write_mesh_pairs(const FaceRange& face_range, const Mesh& mesh, Iterato
         return write(triangles[i].face, triangles[j].face);
       };
       auto progress = make_progress(np, triangles.size());
-      report_meeting_boxes<ConcurrencyTag>(triangles, One_set(), write_faces, progress);
+      report_meeting_boxes(triangles, One_set(), write_faces, progress, Threads(ConcurrencyTag()));
     }
     return out;
   }

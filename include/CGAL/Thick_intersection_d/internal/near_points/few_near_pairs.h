@@ -13,7 +13,6 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/check_denormals.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
-#include <CGAL/Thick_intersection_d/internal/boxes/box_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/input/few_coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Flush.h>
@@ -23,6 +22,7 @@
 #include <CGAL/Thick_intersection_d/internal/near_points/Element_points.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Plain_is_within.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/near_search.h>
 
@@ -191,6 +191,23 @@ private:
   std::size_t first_size_;
   Is_within is_within_;
 };
+
+// Returns search(report) for what reports pairs in one numbering to a callback of positions in each
+// set.
+template <class Sets, class Callback, class Search>
+bool with_reporter([[maybe_unused]] const Sets& sets, Callback& callback, const Search& search)
+{
+  if constexpr(Sets::are_two) {
+    const auto callback_of_two_sets
+      = [&](std::size_t i, std::size_t j) { return callback(i, j - sets.first_size); };
+    Pair_reporter<decltype(callback_of_two_sets)> report(callback_of_two_sets);
+    return search(report);
+  }
+  else {
+    Pair_reporter<Callback> report(callback);
+    return search(report);
+  }
+}
 
 // Reports the pairs of at most `max_few_points` points. Returns false iff the search was stopped.
 // Returns nothing, and reports none, if the bound or a point is not valid.

@@ -162,8 +162,8 @@ private:
                           Callback& callback, Progress& progress)
   {
     using Boxes = Near_object_boxes<dimension_or<Point>(0), Elements, Is_within_distance<Point>>;
-    return report_meeting_boxes<ConcurrencyTag>(Boxes(points_, is_within), sets, callback,
-                                                progress);
+    return report_meeting_boxes(Boxes(points_, is_within), sets, callback, progress,
+                                Threads(ConcurrencyTag()));
   }
 
   template <class Sets, class Callback, class Progress>

@@ -10,8 +10,10 @@
 #include <CGAL/Dimension.h>
 
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/box_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/kinds.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/objects/segment_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/recursion/Recursive_route.h>
@@ -74,7 +76,7 @@ struct Box_filter_of_traits
 
 // Objects whose traits give intervals, as the box route reads them.
 template <class Elements, class Traits>
-class Traits_boxes
+class Traits_boxes : public Objects_in_boxes
 {
 public:
   using Box_filter = typename Box_filter_of_traits<Traits>::type;
@@ -209,7 +211,7 @@ bool report_objects(const Elements& objects, const Sets& sets, const Traits& tra
                    && !has_own_tests_v<typename Elements::value_type>)
         return report_segment_pairs<ConcurrencyTag>(boxes, objects, sets, callback, progress);
       else
-        return report_meeting_boxes<ConcurrencyTag>(boxes, sets, callback, progress);
+        return report_meeting_boxes(boxes, sets, callback, progress, Threads(ConcurrencyTag()));
     }
   }
   if constexpr(may_recurse)

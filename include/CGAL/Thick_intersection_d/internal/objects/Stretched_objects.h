@@ -9,6 +9,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
 #include <CGAL/Thick_intersection_d/internal/objects/Stretches.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
@@ -42,12 +43,11 @@ protected:
   ~Stretchable_objects() = default;
 };
 
-// As Boxed_objects reads them. Positions are those of stretches, in the order of the objects.
+// Positions are those of stretches, in the order of the objects.
 template <int Dimension>
-class Stretched_objects
+class Stretched_objects : public Objects_in_boxes
 {
 public:
-  using Box_filter = void;
   static constexpr int static_dimension = Dimension;
 
   // `counts` has the number of stretches of each object of the set that begins with `first`.
@@ -78,7 +78,6 @@ public:
     return [box = objects_.box(stretch_at(position))](int axis) { return box[axis]; };
   }
 
-  bool are_exact() const { return false; }
   void prefetch(std::size_t position) const { objects_.prefetch(stretch_at(position).object); }
 
   // A pair of objects is one of the first stretch whose box meets that of the other object.

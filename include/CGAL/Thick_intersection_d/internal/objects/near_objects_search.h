@@ -22,6 +22,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/input/kinds.h>
 #include <CGAL/Thick_intersection_d/internal/input/scan_objects.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/near_points/near_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/objects/Object_route.h>
@@ -220,7 +221,7 @@ bool report_near_boxes(const Elements& objects, const Sets& sets, const Test& te
                && Has_segments<typename Elements::value_type>::value)
     return report_segment_pairs<ConcurrencyTag>(boxes, objects, sets, callback, progress);
   else
-    return report_meeting_boxes<ConcurrencyTag>(boxes, sets, callback, progress);
+    return report_meeting_boxes(boxes, sets, callback, progress, Threads(ConcurrencyTag()));
 }
 
 template <class Object>

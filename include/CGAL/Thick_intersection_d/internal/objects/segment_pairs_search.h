@@ -14,6 +14,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/kinds.h>
 #include <CGAL/Thick_intersection_d/internal/input/vertices.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/objects/Stretched_objects.h>
 #include <CGAL/Thick_intersection_d/internal/objects/Stretches.h>
@@ -50,7 +51,7 @@ struct Has_segments<One_of_two<A, B>>
   static constexpr bool value = in_first || in_second;
 };
 
-// `Objects` is as for Boxed_objects, and has the boxes of `Elements`, or boxes that are longer by a
+// `Objects` are Objects_in_boxes, and have the boxes of `Elements`, or boxes that are longer by a
 // reach.
 template <class Objects, class Elements>
 class Segments_and_others final : public Stretchable_objects<Objects::static_dimension>
@@ -178,7 +179,8 @@ bool report_stretches(const Stretched_objects<Dimension>& stretched, Callback& c
   };
   progress.restart(stretched.size());
   Any_progress any_progress{[&](std::size_t finished) { return progress.advance(finished); }};
-  return report_meeting_boxes<ConcurrencyTag>(stretched, stretched.sets(), take, any_progress);
+  return report_meeting_boxes(stretched, stretched.sets(), take, any_progress,
+                              Threads(ConcurrencyTag()));
 }
 
 // Reports the pairs of two sets of objects.
@@ -191,7 +193,7 @@ bool report_segment_pairs(const Objects& objects, const Elements& elements, cons
   const Segments_and_others<Objects, Elements> segments(objects, elements);
   const Stretch_counts stretches = plan_stretches<ConcurrencyTag>(segments, sets);
   if(stretches.added == 0 || !fits_box_route(segments.size() + stretches.added))
-    return report_meeting_boxes<ConcurrencyTag>(objects, sets, callback, progress);
+    return report_meeting_boxes(objects, sets, callback, progress, Threads(ConcurrencyTag()));
   const Stretched_objects<Objects::static_dimension> stretched(segments, sets, stretches.first,
                                                                stretches.counts);
   return report_stretches<ConcurrencyTag>(stretched, callback, progress);

@@ -20,7 +20,7 @@
 #include <string>
 #include <vector>
 
-BOOST_AUTO_TEST_SUITE(has_groups)
+BOOST_AUTO_TEST_SUITE(groups)
 
 using namespace test_support;
 using internal::Boxes_by_group;
