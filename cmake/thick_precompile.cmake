@@ -6,7 +6,7 @@
 #
 # gives them to a target that is already linked with its libraries, but not to one with Eigen, which
 # the headers of CGAL take notice of. If a target has further options that change what the headers
-# are compiled to, it is to set the property DISABLE_PRECOMPILE_HEADERS.
+# are compiled to, it must set the property DISABLE_PRECOMPILE_HEADERS.
 #
 # A file that forgets to include such a header is found by the builds without this option.
 # Boost.Test is among the headers, and so it is among the libraries of all these targets.

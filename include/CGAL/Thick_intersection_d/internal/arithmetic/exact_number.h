@@ -118,7 +118,7 @@ Exact_rational rational_of_integer(Integer x)
   }
 }
 
-// Returns the exact value of x. It is to be a rational number.
+// Returns the exact value of x, which must be a rational number.
 template <class NT>
 Exact_rational to_exact_rational(const NT& x)
 {

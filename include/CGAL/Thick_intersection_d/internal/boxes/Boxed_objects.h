@@ -52,7 +52,7 @@ struct Objects_in_boxes
   // Whether two objects intersect iff their intervals meet along all axes.
   bool are_exact() const { return false; }
 
-  // May ask for the memory that do_intersect() will read. Not called if there is a filter.
+  // May prefetch what do_intersect() will read. Not called if there is a filter.
   void prefetch(std::size_t) const {}
 };
 

@@ -49,7 +49,7 @@ public:
     : boxes_(boxes), meeting_(meeting), is_complete_(is_complete), callback_(callback)
   {}
 
-  // Returns false iff the search is to stop.
+  // Returns false to stop the search.
   bool operator()(std::size_t i, std::size_t j) const
   {
     const int last_axis = boxes_.dimension() - 1;

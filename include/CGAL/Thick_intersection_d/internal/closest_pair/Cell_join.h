@@ -99,7 +99,7 @@ template <class ConcurrencyTag, int Dimension, class Elements>
 class Cell_join
 {
 public:
-  // Joins pairs within `distance`, for which Hashed_cells::fits() is to hold. The order of visits
+  // Joins pairs within `distance`, for which Hashed_cells::fits() must hold. The order of visits
   // depends on the seed.
   Cell_join(const Elements& points, double distance, double cell_side, std::uint64_t seed)
     : points_(points),

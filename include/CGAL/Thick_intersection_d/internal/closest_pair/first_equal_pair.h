@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Finds the lexicographically smallest pair of equal points, by hashing. The coordinates are to be
+// Finds the lexicographically smallest pair of equal points, by hashing. The coordinates must be
 // doubles, or of a type that doubles hold.
 template <class Elements>
 class First_equal_pair

@@ -78,7 +78,7 @@ public:
   }
 
   // Sends the lists to the holders, and returns those of the points that this process holds. Each
-  // neighbor that arrives is put where its list is to be. Collective.
+  // neighbor that arrives is put where its list will be. Collective.
   template <class ConcurrencyTag>
   Distributed_neighbor_lists exchange()
   {

@@ -39,7 +39,7 @@ inline constexpr int max_exchange_steps = 8;
 class Byte_exchange
 {
 public:
-  // Tells all processes how much they are to receive. Collective.
+  // Tells all processes how much they will receive. Collective.
   Byte_exchange(const Communicator& comm, Bytes_of_ranks& outgoing,
                 std::size_t chunk_size = max_chunk_size, int max_steps = max_exchange_steps)
     : comm_(comm), outgoing_(outgoing), chunk_size_(chunk_size),

@@ -34,7 +34,7 @@ struct Stored_point
 {
   using Ambient_dimension = Dimension_tag<Dimension>;
 
-  Stored_point() {} // sets nothing: a vector of points that are to be read is touched once
+  Stored_point() {} // sets nothing: a vector of points that will be read is touched once
   Stored_point(const std::array<double, Dimension>& coordinates, std::uint64_t position)
     : x(coordinates), id(position)
   {}

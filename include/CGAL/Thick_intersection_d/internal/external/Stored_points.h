@@ -87,7 +87,7 @@ public:
   }
 
 private:
-  // How many points ahead the memory that they go to is asked for.
+  // How many points ahead the memory that they go to is prefetched.
   static constexpr std::size_t points_ahead = 8;
 
   // Reads points of one row, from a place of the list on.

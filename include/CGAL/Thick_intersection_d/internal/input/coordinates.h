@@ -79,7 +79,7 @@ void prefetch_approximation([[maybe_unused]] const Elements& points,
     prefetch_to_read(points[position].for_compact_container());
 }
 
-// Asks for the memory of a point, if the range holds it: for the cache lines of its two ends.
+// Prefetches a point, if the range holds it: for the cache lines of its two ends.
 template <class Elements>
 void prefetch_point([[maybe_unused]] const Elements& points, [[maybe_unused]] std::size_t position)
 {

@@ -233,7 +233,7 @@ bool with_kinds(const Object& a, const Object& b, const Test& test)
   });
 }
 
-// Asks for the memory of an object, if the range holds it.
+// Prefetches an object, if the range holds it.
 template <class Elements>
 void prefetch_object([[maybe_unused]] const Elements& objects,
                      [[maybe_unused]] std::size_t position)

@@ -60,7 +60,7 @@ inline double end_of_run(Place)
 
 // Coordinates that are 32-bit integers are from zero to this number, and their reach is at most the
 // other one. So no difference of coordinates overflows, those at the ends of runs included. Squared
-// distances from the square of this reach on are to be certainly beyond the bound, as those of the
+// distances from the square of this reach on must be certainly beyond the bound, as those of the
 // ends are.
 inline constexpr std::int32_t max_narrow_coordinate = 1 << 30;
 inline constexpr std::int32_t max_narrow_reach = 1 << 25;

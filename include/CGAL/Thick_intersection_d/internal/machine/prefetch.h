@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// How many undecided pairs ahead the memory of a pair is asked for.
+// How many undecided pairs ahead the memory of a pair is prefetched.
 inline constexpr std::size_t prefetch_distance = 12;
 
 // The bytes that come to the cache at once.

@@ -30,7 +30,7 @@ public:
   static constexpr int all_parts = -1;
 
   // Makes the cuts of all parts, or only those on the way to one part. If each part has the same
-  // sample, the cuts that it is to tell others are all cuts of the tree.
+  // sample, the cuts that it must tell others are all cuts of the tree.
   Bisection(const Point_sample& sample, int part_count, double reach, int part = all_parts)
     : Cut_tree(part_count), sample_(&sample), reach_(reach), wanted_part_(part),
       is_in_first_(sample.size())
@@ -44,7 +44,7 @@ public:
     is_in_first_ = {};
   }
 
-  // The cuts that other parts are to add.
+  // The cuts that other parts must add.
   const std::vector<Cut>& own_cuts() const { return own_cuts_; }
 
 private:

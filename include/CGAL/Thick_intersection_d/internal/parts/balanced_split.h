@@ -36,7 +36,7 @@ class Split_finder
 public:
   static constexpr double tolerance = 0.04;
 
-  // `sums[i]` is the load of the first i points, as a share of all loads. One group is to have
+  // `sums[i]` is the load of the first i points, as a share of all loads. One group must have
   // `share` of it.
   Split_finder(std::vector<Point_load> sums, double share)
     : sums_(std::move(sums)), share_(share)

@@ -35,7 +35,7 @@ class Image_moves
   using Fractions = typename Boundary::Fractions;
 
 public:
-  // `basis` is to live as long as this. Takes all moves of homes in two sets, and positive ones in
+  // `basis` must live as long as this. Takes all moves of homes in two sets, and positive ones in
   // one set.
   CGAL_THICK_INTERSECTION_D_RARELY_CALLED
   Image_moves(const Lattice_basis<Dimension>& basis, const Boundary& boundary, bool are_two_sets)

@@ -95,7 +95,7 @@ public:
     return {points_[image.position], image, periods_};
   }
 
-  // Asks for the memory of the point that is moved.
+  // Prefetches the point that is moved.
   void prefetch(std::size_t position) const { prefetch_point(points_, images_[position].position); }
 
 private:

@@ -50,7 +50,7 @@ class Scene_images
 public:
   using Image_list = std::vector<Image<Dimension>>;
 
-  // `basis` is to live as long as this.
+  // `basis` must live as long as this.
   Scene_images(const Lattice_basis<Dimension>& basis, const Boundary& boundary, bool are_two_sets)
     : moves_(basis, boundary, are_two_sets), are_two_sets_(are_two_sets)
   {}

@@ -50,7 +50,7 @@ class Integer_distance
 {
 public:
   // `tier` is INT64 for points on the grid 2^e Z whose squares fits_int64() holds for, and INT128
-  // for all points; fits_int128() is to hold for the squares of steps within the reach.
+  // for all points; fits_int128() must hold for the squares of steps within the reach.
   template <class Exact>
   CGAL_THICK_INTERSECTION_D_RARELY_CALLED
   Integer_distance(const Squared_bound<Exact>& bound, int exponent, Arithmetic_tier tier)

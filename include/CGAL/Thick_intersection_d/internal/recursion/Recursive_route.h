@@ -51,7 +51,7 @@ struct Median_and_sweep
     return *median;
   }
 
-  // The base case. Returns false iff the search is to stop.
+  // The base case. Returns false to stop the search.
   template <class Predicates, class Reporter>
   bool finish(const Predicates& predicates, Member_iterator first, Member_iterator last,
               Reporter& report) const

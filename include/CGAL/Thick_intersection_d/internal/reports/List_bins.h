@@ -139,7 +139,7 @@ private:
   }
 
   // Large blocks of memory hold many chunks, because each block costs an allocation. Chunks double:
-  // one of many threads has few lists in each bin, and the memory of all is to be linear in these.
+  // one of many threads has few lists in each bin, and the memory of all must be linear in these.
   CGAL_THICK_INTERSECTION_D_RARELY_CALLED void extend(Bin& bin)
   {
     const std::size_t size = first_chunk_size << (std::min)(bin.chunks.size(), doublings);

@@ -33,7 +33,7 @@ class Pair_reporter
 public:
   explicit Pair_reporter(Callback& callback) : callback_(callback) {}
 
-  // Calls callback(i, j). Returns false iff the search is to stop. A callback that returns void
+  // Calls callback(i, j). Returns false to stop the search. A callback that returns void
   // never stops the search. A callback that returns bool stops the search by false, and this thread
   // does not call it again. What a callback throws stops the other threads.
   bool operator()(std::size_t i, std::size_t j)

@@ -68,7 +68,7 @@ public:
   // one axis or all of them.
   virtual void read(std::size_t first, std::size_t count, int axis, double* x) const = 0;
 
-  // May ask for the memory of the point at a position.
+  // May prefetch the point at a position.
   virtual void prefetch(std::size_t position) const = 0;
 
   // Sets numbers[i] to the number of the point at `first` + i, for `count` points.
@@ -127,7 +127,7 @@ struct Near_task
 {
   std::array<Interval, Dimension> box; // of the points
   Scaled_filter near;
-  Narrow_scale<Dimension> scale; // is usable if coordinates are to have 32 bits
+  Narrow_scale<Dimension> scale; // is usable if coordinates have 32 bits
   Point_sets sets;
   Threads threads;
   Shared_decision_counts* counts = nullptr; // or null

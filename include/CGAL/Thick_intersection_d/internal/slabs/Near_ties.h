@@ -133,7 +133,7 @@ public:
     : scale_(task.scale), ties_(points, task)
   {}
 
-  // Asks for the memory that is_pair() reads, if it is not that of runs.
+  // Prefetches what is_pair() reads, if it is not that of runs.
   void prefetch(Found_pair at) const
   {
     if(!are_doubles && !scale_.is_exact()) {

@@ -46,7 +46,7 @@ std::array<double, Dimension> doubles_of(const Near_points<Dimension>& points, s
   return x;
 }
 
-// Asks for the memory of the doubles of a point.
+// Prefetches the doubles of a point.
 template <int Dimension>
 void prefetch_doubles(const Near_points<Dimension>& points, std::size_t position)
 {

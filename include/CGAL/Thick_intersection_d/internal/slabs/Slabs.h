@@ -117,7 +117,7 @@ private:
   static constexpr int axis = Point::slab_axis;
   static constexpr int column_axis = axis - 1;
 
-  // How many points ahead the memory that a point goes to is asked for.
+  // How many points ahead the memory that a point goes to is prefetched.
   static constexpr std::size_t distance = 16;
 
   void find_axes(const Reader& source)

@@ -152,7 +152,7 @@ public:
   }
 
 private:
-  // Appends a strip of the points whose position is to be kept.
+  // Appends a strip of the points whose position is kept.
   template <class Keep>
   void append_if(const Point* first, const Point* last, Place sides, const Keep& keep)
   {

@@ -57,7 +57,7 @@ inline constexpr double sample_margin = 1. / 16;       // in ranges of the sampl
 inline constexpr double max_stretch = 4;               // in ranges of the sample
 
 // In parallel, slabs that are less than half as many as the blocks that threads take are cut into
-// columns, so that there are about four for each block. The columns are to be much wider than the
+// columns, so that there are about four for each block. The columns must be much wider than the
 // reach, because of their borders.
 inline constexpr double slabs_per_block = 4;
 inline constexpr double min_column_width = 8; // in reaches
