@@ -11,7 +11,8 @@ endif()
 
 add_library(Thick_intersection_d_compiled ${thick_only_for_programs}
   ${PROJECT_SOURCE_DIR}/src/boxes.cpp
-  ${PROJECT_SOURCE_DIR}/src/near_points.cpp)
+  ${PROJECT_SOURCE_DIR}/src/near_points.cpp
+  ${PROJECT_SOURCE_DIR}/src/objects.cpp)
 add_library(Thick_intersection_d::compiled ALIAS Thick_intersection_d_compiled)
 target_link_libraries(Thick_intersection_d_compiled PUBLIC Thick_intersection_d)
 target_compile_definitions(Thick_intersection_d_compiled

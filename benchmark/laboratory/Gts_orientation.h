@@ -20,7 +20,7 @@
 
 namespace lab {
 
-template <int Dimension, std::size_t Size>
+template <int Dimension>
 class Gts_orientation
 {
 public:
@@ -43,9 +43,12 @@ public:
     const Vertex* vertex_;
   };
 
+  template <std::size_t Size>
   using Vertices = std::array<Vertex, Size>;
 
-  explicit Gts_orientation(Vertices&, CGAL::Arithmetic_tier) {}
+  template <std::size_t Size>
+  explicit Gts_orientation(Vertices<Size>&, CGAL::Arithmetic_tier)
+  {}
 
   static CGAL::Arithmetic_tier needed_tier() { return CGAL::Arithmetic_tier::FILTERED_EXACT; }
 

@@ -113,8 +113,8 @@ bool do_intersect_by_gts(const Object& a, const Object& b)
 {
   using namespace CGAL::Thick_intersection_d::internal;
   constexpr std::size_t count = corner_count_v<Object>;
-  using Orientation = Gts_orientation<vertex_dimension_v<Object>, 2 * count>;
-  typename Orientation::Vertices vertices;
+  using Orientation = Gts_orientation<vertex_dimension_v<Object>>;
+  typename Orientation::template Vertices<2 * count> vertices;
   const auto read = [&](const Object& object, std::size_t first) {
     read_vertices(object, [&](std::size_t k, int axis, double x) {
       vertices[first + k].x[static_cast<std::size_t>(axis)] = x;
@@ -124,7 +124,7 @@ bool do_intersect_by_gts(const Object& a, const Object& b)
   read(b, count);
   CGAL::Arithmetic_tier tier = CGAL::Arithmetic_tier::FILTERED_EXACT;
   return have_common_vertex<count>(vertices)
-         || do_vertices_intersect<Object, Object, Orientation>(vertices, tier);
+         || do_vertices_intersect<Orientation, shape_v<Object>, shape_v<Object>>(vertices, tier);
 }
 
 Predicate_column shewchuk()

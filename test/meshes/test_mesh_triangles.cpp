@@ -28,42 +28,20 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
-using Doubles = internal::Staged_orientation<3, 5>;
-using Numbers = internal::Kernel_orientation<Kernel, 3, 5>;
+using Doubles = internal::Staged_orientation<3>;
+using Numbers = internal::Kernel_orientation<Kernel, 3>;
 
 void read(const Point& p, Doubles::Vertex& result) { result.x = {p.x(), p.y(), p.z()}; }
 void read(const Point& p, Numbers::Vertex& result) { result = p; }
 
-// Returns test(orientation, points) for some points.
-template <class Orientation, class Function>
-bool with_points(const std::array<Point, 5>& points, const Function& test)
+// Asks about faces that share the first of these points.
+template <class Orientation, std::size_t Count>
+bool do_faces_intersect(const std::array<Point, Count>& points)
 {
-  typename Orientation::Vertices vertices;
-  std::array<typename Orientation::Point, 5> all;
-  for(std::size_t k = 0; k < 5; ++k) {
+  typename Orientation::template Vertices<Count> vertices;
+  for(std::size_t k = 0; k < Count; ++k)
     read(points[k], vertices[k]);
-    all[k] = typename Orientation::Point(vertices[k]);
-  }
-  Orientation orientation(vertices);
-  return test(orientation, all);
-}
-
-template <class Orientation>
-bool do_intersect_at_vertex(const Point& v, const Point& a, const Point& b, const Point& c,
-                            const Point& d)
-{
-  return with_points<Orientation>({v, a, b, c, d}, [](Orientation& orientation, const auto& p) {
-    return internal::do_triangles_at_vertex_intersect<Orientation>(
-      orientation, {p[0], p[1], p[2]}, {p[0], p[3], p[4]});
-  });
-}
-
-template <class Orientation>
-bool do_intersect_at_edge(const Point& p, const Point& q, const Point& a, const Point& b)
-{
-  return with_points<Orientation>({p, q, a, b, b}, [](Orientation& orientation, const auto& x) {
-    return internal::do_triangles_at_edge_intersect(orientation, x[0], x[1], x[2], x[3]);
-  });
+  return internal::do_faces_intersect<Orientation, Count>(vertices);
 }
 
 // The neighbors of the origin on the lattice.
@@ -96,8 +74,8 @@ BOOST_AUTO_TEST_CASE(triangles_at_a_vertex_meet_where_an_opposite_edge_does)
               = CGAL::do_intersect(Kernel::Triangle_3(v, a, b), Kernel::Segment_3(c, d))
                 || CGAL::do_intersect(Kernel::Triangle_3(v, c, d), Kernel::Segment_3(a, b));
             intersecting += truth;
-            wrong += truth != do_intersect_at_vertex<Doubles>(v, a, b, c, d);
-            wrong += truth != do_intersect_at_vertex<Numbers>(v, a, b, c, d);
+            wrong += truth != do_faces_intersect<Doubles, 5>({v, a, b, c, d});
+            wrong += truth != do_faces_intersect<Numbers, 5>({v, a, b, c, d});
           }
   BOOST_CHECK_EQUAL(wrong, 0u);
   BOOST_CHECK_GT(intersecting, 5000u);
@@ -118,8 +96,8 @@ BOOST_AUTO_TEST_CASE(triangles_at_an_edge_meet_if_one_is_folded_onto_the_other)
           const Point close = middle + (a - middle) / 1024;
           const bool truth = Kernel::Triangle_3(p, q, b).has_on(close);
           intersecting += truth;
-          wrong += truth != do_intersect_at_edge<Doubles>(p, q, a, b);
-          wrong += truth != do_intersect_at_edge<Numbers>(p, q, a, b);
+          wrong += truth != do_faces_intersect<Doubles, 4>({p, q, a, b});
+          wrong += truth != do_faces_intersect<Numbers, 4>({p, q, a, b});
         }
   BOOST_CHECK_EQUAL(wrong, 0u);
   BOOST_CHECK_GT(intersecting, 100u);

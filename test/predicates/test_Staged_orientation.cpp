@@ -24,7 +24,7 @@ using namespace test_support;
 namespace internal = CGAL::Thick_intersection_d::internal;
 using CGAL::Arithmetic_tier;
 
-using Space = internal::Staged_orientation<3, 4>;
+using Space = internal::Staged_orientation<3>;
 using Rational_point = CGAL::Simple_cartesian<CGAL::Exact_rational>::Point_3;
 
 using Doubles = std::array<double, 3>;
@@ -58,7 +58,7 @@ struct Answer
 
 Answer answer(const Four_points& p, Arithmetic_tier least_tier)
 {
-  Space::Vertices vertices;
+  Space::Vertices<4> vertices;
   for(std::size_t k = 0; k < 4; ++k)
     vertices[k].x = p[k];
   const auto point = [&](std::size_t k) { return Space::Point(vertices[k]); };

@@ -28,7 +28,7 @@ using Integers = Hull_vectors<std::int64_t>;
 template <int Dimension, std::size_t Size>
 auto vertices_of(const Integers& vertices, int exponent)
 {
-  typename internal::Staged_orientation<Dimension, Size>::Vertices result;
+  typename internal::Staged_orientation<Dimension>::template Vertices<Size> result;
   for(std::size_t k = 0; k < Size; ++k)
     for(std::size_t axis = 0; axis < Dimension; ++axis)
       result[k].x[axis] = std::ldexp(static_cast<double>(vertices[k][axis]), exponent);
@@ -70,7 +70,7 @@ template <int Dimension, std::size_t Count>
 bool is_found(const Integers& object, const Integers& corners, int exponent)
 {
   constexpr std::size_t corner_count = std::size_t(1) << Dimension;
-  using Orientation = internal::Staged_orientation<Dimension, Count + corner_count>;
+  using Orientation = internal::Staged_orientation<Dimension>;
   Integers all = object;
   all.insert(all.end(), corners.begin(), corners.end());
   auto vertices = vertices_of<Dimension, Count + corner_count>(all, exponent);
@@ -126,7 +126,7 @@ BOOST_AUTO_TEST_CASE(objects_and_a_cuboid)
 template <int Dimension>
 void check_two_boxes()
 {
-  using Orientation = internal::Staged_orientation<Dimension, 4>;
+  using Orientation = internal::Staged_orientation<Dimension>;
   Random random(Dimension);
   for(int i = 0; i < 3000; ++i) {
     const Integers a = box<Dimension>(random, 5, false), b = box<Dimension>(random, 5, false);

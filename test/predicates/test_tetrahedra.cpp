@@ -22,15 +22,15 @@ BOOST_AUTO_TEST_CASE(tetrahedra) { check_simplices<3, 4, 4>(20000); }
 template <std::size_t Count>
 bool is_found_within(const std::array<std::array<double, 3>, Count>& object)
 {
-  using Orientation = internal::Staged_orientation<3, Count + 4>;
+  using Orientation = internal::Staged_orientation<3>;
   const std::array<double, 3> corners[] = {{0, 0, 0}, {99, 0, 0}, {0, 99, 0}, {0, 0, 99}};
-  typename Orientation::Vertices vertices;
+  Orientation::Vertices<Count + 4> vertices;
   internal::Simplex<Orientation, Count> inner;
   internal::Simplex<Orientation, 4> outer;
   for(std::size_t k = 0; k < Count + 4; ++k) {
     vertices[k].x = k < Count ? object[k] : corners[k - Count];
     (k < Count ? inner[k % Count] : outer[(k + 4 - Count) % 4])
-      = typename Orientation::Point(vertices[k]);
+      = Orientation::Point(vertices[k]);
   }
   Orientation orientation(vertices);
   return internal::do_intersect_in_space(orientation, inner, outer);

@@ -95,7 +95,7 @@ public:
   template <class Orientation>
   bool answer() const
   {
-    typename Orientation::Vertices vertices;
+    typename Orientation::template Vertices<A + B> vertices;
     for(std::size_t k = 0; k < A + B; ++k)
       set(vertices[k], doubles_[k]);
     internal::Simplex<Orientation, A> a;
@@ -120,7 +120,7 @@ private:
     else
       vertex = Vertex(x[0], x[1], x[2]);
   }
-  static void set(typename internal::Staged_orientation<Dimension, A + B>::Vertex& vertex,
+  static void set(typename internal::Staged_orientation<Dimension>::Vertex& vertex,
                   const Doubles& x)
   {
     vertex.x = x;
@@ -161,9 +161,9 @@ Simplex_counts count_answers(const Vertex_source& source, std::size_t count)
 template <int Dimension, std::size_t A, std::size_t B>
 void check_simplices(std::size_t count)
 {
-  using Doubles = internal::Staged_orientation<Dimension, A + B>;
+  using Doubles = internal::Staged_orientation<Dimension>;
   using Rationals
-    = internal::Kernel_orientation<CGAL::Simple_cartesian<CGAL::Exact_rational>, Dimension, A + B>;
+    = internal::Kernel_orientation<CGAL::Simple_cartesian<CGAL::Exact_rational>, Dimension>;
   using Long_integer = boost::multiprecision::int512_t;
   const auto check = [&](const Vertex_source& source, const Simplex_counts& counts) {
     BOOST_CHECK_MESSAGE(counts.wrong == 0, A << " and " << B << " vertices, " << source.name << ": "

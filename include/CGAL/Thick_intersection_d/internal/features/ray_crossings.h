@@ -43,19 +43,23 @@ bool is_above_ray(const Segment& edge, int v, const Segment& ray)
 }
 
 template <class Orientation>
-Sign orientation_of_vertices(typename Orientation::Vertices& vertices)
+Sign orientation_of_vertices(typename Orientation::template Vertices<3>& vertices)
 {
   using Point = typename Orientation::Point;
   return Orientation(vertices).orientation(Point(vertices[0]), Point(vertices[1]),
                                            Point(vertices[2]), 0, 1);
 }
 
+#ifdef CGAL_THICK_INTERSECTION_D_COMPILED
+extern template Sign orientation_of_vertices<Staged_orientation<2>>(
+  Staged_orientation<2>::Vertices<3>&);
+#endif
+
 // Returns whether the edge and then the source of `ray` make a left turn, a right turn or none.
 template <class Segment>
 Sign orientation_to_source(const Segment& edge, const Segment& ray)
 {
-  using Orientation = Staged_orientation<2, 3>;
-  typename Orientation::Vertices vertices;
+  Staged_orientation<2>::Vertices<3> vertices;
   const bool are_doubles = read_vertices(edge, [&](std::size_t k, int axis, double x) {
     vertices[k].x[static_cast<std::size_t>(axis)] = x;
   }) && read_vertices(ray, [&](std::size_t k, int axis, double x) {
@@ -63,10 +67,10 @@ Sign orientation_to_source(const Segment& edge, const Segment& ray)
       vertices[2].x[static_cast<std::size_t>(axis)] = x;
   });
   if(are_doubles)
-    return orientation_of_vertices<Orientation>(vertices);
+    return orientation_of_vertices<Staged_orientation<2>>(vertices);
   using Kernel = Exact_kernel_of<Segment>;
-  using Exact_orientation = Kernel_orientation<Kernel, 2, 3>;
-  typename Exact_orientation::Vertices exact_vertices
+  using Exact_orientation = Kernel_orientation<Kernel, 2>;
+  typename Exact_orientation::template Vertices<3> exact_vertices
     = {exact_vertex<Kernel, 2>(edge, 0), exact_vertex<Kernel, 2>(edge, 1),
        exact_vertex<Kernel, 2>(ray, 0)};
   return orientation_of_vertices<Exact_orientation>(exact_vertices);

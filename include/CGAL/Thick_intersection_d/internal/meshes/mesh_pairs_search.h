@@ -27,7 +27,6 @@
 #include <CGAL/Thick_intersection_d/internal/predicates/Kernel_orientation.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Staged_orientation.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_kernel_objects_intersect.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/spatial_objects.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
@@ -105,17 +104,12 @@ public:
     const Face& a = faces_[i];
     const Face& b = faces_[j];
     const Common_vertices common = common_vertices(a, b);
+    const auto v = [&](std::size_t k) { return a.vertices[(common.place_in_first + k) % 3]; };
+    const auto w = [&](std::size_t k) { return b.vertices[(common.place_in_second + k) % 3]; };
     if(common.count == 0)
-      return with_triangles(a, 0, b, 0, [](Orientation& orientation, const Points<6>& p) {
-        return do_intersect_in_space(orientation, Points<3>{p[0], p[1], p[2]},
-                                     Points<3>{p[3], p[4], p[5]});
-      });
+      return do_intersect<6>({v(0), v(1), v(2), w(0), w(1), w(2)});
     if(common.count == 1)
-      return with_triangles(a, common.place_in_first, b, common.place_in_second,
-                            [](Orientation& orientation, const Points<6>& p) {
-                              return do_triangles_at_vertex_intersect<Orientation>(
-                                orientation, {p[0], p[1], p[2]}, {p[0], p[4], p[5]});
-                            });
+      return do_intersect<5>({v(0), v(1), v(2), w(1), w(2)});
     const auto edge = find_common_edge(a, b, mesh_);
     return !edge || do_intersect_beyond_edge(*edge);
   }
@@ -127,10 +121,8 @@ private:
     = typename Kernel_traits<typename boost::property_traits<Point_map>::value_type>::Kernel;
   static constexpr bool are_doubles = is_held_by_double_v<typename Kernel::FT>;
   using Orientation
-    = std::conditional_t<are_doubles, Staged_orientation<3, 6>,
-                         Kernel_orientation<Kernel_with_exact_predicates<Kernel>, 3, 6>>;
-  template <std::size_t Count>
-  using Points = std::array<typename Orientation::Point, Count>;
+    = std::conditional_t<are_doubles, Staged_orientation<3>,
+                         Kernel_orientation<Kernel_with_exact_predicates<Kernel>, 3>>;
 
   void read(const Vertex& vertex, typename Orientation::Vertex& result) const
   {
@@ -142,33 +134,20 @@ private:
       result = with_exact_predicates(p);
   }
 
-  // Returns test(orientation, points) for the points of up to six vertices. The first one takes the
-  // places that are left.
-  template <std::size_t Count, class Function>
-  bool with_points(const std::array<Vertex, Count>& vertices, const Function& test) const
+  template <std::size_t Count>
+  auto points_of(const std::array<Vertex, Count>& vertices) const
   {
-    typename Orientation::Vertices all;
-    Points<Count> points;
-    for(std::size_t k = 0; k < all.size(); ++k)
-      if(k < Count) {
-        read(vertices[k], all[k]);
-        points[k] = typename Orientation::Point(all[k]);
-      }
-      else
-        all[k] = all[0];
-    Orientation orientation(all);
-    return test(orientation, points);
+    typename Orientation::template Vertices<Count> result;
+    for(std::size_t k = 0; k < Count; ++k)
+      read(vertices[k], result[k]);
+    return result;
   }
 
-  // The same for the vertices of two faces, from one of them on.
-  template <class Function>
-  bool with_triangles(const Face& a, std::size_t i, const Face& b, std::size_t j,
-                      const Function& test) const
+  template <std::size_t Count>
+  bool do_intersect(const std::array<Vertex, Count>& vertices) const
   {
-    const auto& v = a.vertices;
-    const auto& w = b.vertices;
-    return with_points<6>(
-      {v[i], v[(i + 1) % 3], v[(i + 2) % 3], w[j], w[(j + 1) % 3], w[(j + 2) % 3]}, test);
+    auto points = points_of(vertices);
+    return do_faces_intersect<Orientation, Count>(points);
   }
 
   Bbox_3 vertex_box(const Vertex& vertex) const
@@ -189,21 +168,16 @@ private:
 
   bool is_degenerate(const Face& face) const
   {
-    return with_points(face.vertices, [](Orientation& orientation, const Points<3>& points) {
-      return !project_triangle<Orientation>(orientation, points);
-    });
+    auto points = points_of(face.vertices);
+    return is_degenerate_face<Orientation>(points);
   }
 
   bool do_intersect_beyond_edge(const Halfedge& edge) const
   {
     const Halfedge after = next(edge, mesh_);
     const Halfedge after_opposite = next(opposite(edge, mesh_), mesh_);
-    return with_points<4>({source(edge, mesh_), target(edge, mesh_), target(after, mesh_),
-                           target(after_opposite, mesh_)},
-                          [](Orientation& orientation, const Points<4>& p) {
-                            return do_triangles_at_edge_intersect(orientation, p[0], p[1], p[2],
-                                                                  p[3]);
-                          });
+    return do_intersect<4>({source(edge, mesh_), target(edge, mesh_), target(after, mesh_),
+                                     target(after_opposite, mesh_)});
   }
 
   const Mesh& mesh_;

@@ -12,8 +12,12 @@
 
 #include <CGAL/enum.h>
 
+#include <CGAL/Thick_intersection_d/internal/predicates/Staged_orientation.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/planar_objects.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/spatial_objects.h>
+
+#include <array>
+#include <cstddef>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -107,6 +111,45 @@ bool do_triangles_at_vertex_intersect(Orientation& orientation, const Simplex<Or
   return orientation.side(plane_cd, vab[1]) != opposite(side)
          && orientation.side(plane_cd, vab[2]) != side;
 }
+
+// ---- by vertices --------------------------------------------------------------------------------
+
+// Whether the vertices of a face are on a line.
+template <class Orientation>
+bool is_degenerate_face(typename Orientation::template Vertices<3>& vertices)
+{
+  using Point = typename Orientation::Point;
+  Orientation orientation(vertices);
+  return !project_triangle<Orientation>(
+    orientation, {Point(vertices[0]), Point(vertices[1]), Point(vertices[2])});
+}
+
+// Whether two faces have more in common than the vertices that they share. These come first, and
+// then those of each face alone: `Count` of them in all.
+template <class Orientation, std::size_t Count>
+bool do_faces_intersect(typename Orientation::template Vertices<Count>& vertices)
+{
+  const auto p = [&](std::size_t k) { return typename Orientation::Point(vertices[k]); };
+  using Triangle = Simplex<Orientation, 3>;
+  const Triangle first = {p(0), p(1), p(2)};
+  Orientation orientation(vertices);
+  if constexpr(Count == 6)
+    return do_intersect_in_space(orientation, first, Triangle{p(3), p(4), p(5)});
+  else if constexpr(Count == 5)
+    return do_triangles_at_vertex_intersect(orientation, first, Triangle{p(0), p(3), p(4)});
+  else
+    return do_triangles_at_edge_intersect(orientation, p(0), p(1), p(2), p(3));
+}
+
+#ifdef CGAL_THICK_INTERSECTION_D_COMPILED
+extern template bool is_degenerate_face<Staged_orientation<3>>(Staged_orientation<3>::Vertices<3>&);
+extern template bool do_faces_intersect<Staged_orientation<3>, 4>(
+  Staged_orientation<3>::Vertices<4>&);
+extern template bool do_faces_intersect<Staged_orientation<3>, 5>(
+  Staged_orientation<3>::Vertices<5>&);
+extern template bool do_faces_intersect<Staged_orientation<3>, 6>(
+  Staged_orientation<3>::Vertices<6>&);
+#endif
 
 } // namespace internal
 } // namespace Thick_intersection_d

@@ -20,7 +20,7 @@ namespace Thick_intersection_d {
 namespace internal {
 
 // As Staged_orientation.
-template <class Kernel, int Dimension, std::size_t Size>
+template <class Kernel, int Dimension>
 class Kernel_orientation
 {
   using Point_2 = typename Kernel::Point_2;
@@ -42,9 +42,12 @@ public:
     const Vertex* vertex_;
   };
 
+  template <std::size_t Size>
   using Vertices = std::array<Vertex, Size>;
 
-  explicit Kernel_orientation(Vertices&, Arithmetic_tier = Arithmetic_tier::FILTERED_EXACT) {}
+  template <std::size_t Size>
+  explicit Kernel_orientation(Vertices<Size>&, Arithmetic_tier = Arithmetic_tier::FILTERED_EXACT)
+  {}
 
   static Arithmetic_tier needed_tier() { return Arithmetic_tier::FILTERED_EXACT; }
 

@@ -50,8 +50,8 @@ inline bool rounds_to_nearest()
 }
 
 // `Dimension` is that of the points, 2 or 3. An object of this class is for one question about two
-// objects, which have `Size` vertices. It remembers which arithmetic was needed.
-template <int Dimension, std::size_t Size>
+// objects. It remembers which arithmetic was needed.
+template <int Dimension>
 class Staged_orientation
 {
 public:
@@ -77,15 +77,16 @@ public:
     const Vertex* vertex_;
   };
 
+  template <std::size_t Size>
   using Vertices = std::array<Vertex, Size>;
 
   // The points asked about are those of the vertices. `least_tier` is the first arithmetic after
-  // the filter. It is exact for the differences of the points: DOUBLE if doubles compute their
-  // determinants without rounding. Where nothing is known about the points, it is INT64, because
-  // wider integers follow where they are needed.
-  explicit Staged_orientation(Vertices& vertices,
+  // the filter, and exact for the differences of the points: DOUBLE if doubles compute their
+  // determinants without rounding; INT64 if nothing is known, as wider integers follow if needed.
+  template <std::size_t Size>
+  explicit Staged_orientation(Vertices<Size>& vertices,
                               Arithmetic_tier least_tier = Arithmetic_tier::INT64)
-    : vertices_(vertices), least_tier_(least_tier),
+    : vertices_(vertices.data()), find_steps_(&find_steps<Size>), least_tier_(least_tier),
       least_bound_(rounds_to_nearest() ? least_sum : std::numeric_limits<double>::infinity())
   {}
 
@@ -138,7 +139,7 @@ public:
     std::array<double, 3> sums; // of the absolute values of the terms of the normal
   };
 
-  static Plane plane(const Point& p, const Point& q, const Point& r)
+  BOOST_FORCEINLINE static Plane plane(const Point& p, const Point& q, const Point& r)
   {
     Plane plane = {p, q, r, {}, {}};
     for(int i = 0; i < 3; ++i) {
@@ -185,6 +186,7 @@ public:
   }
 
 private:
+  static constexpr int too_many_bits = 1000;
   static constexpr double planar_factor = 0x1p-50, spatial_factor = 0x1p-49, least_sum = 0x1p-1000;
 
   // Returns the sign of a number that is off by at most `bound`, or zero if that is not known.
@@ -209,32 +211,31 @@ private:
   // ---- integers ---------------------------------------------------------------------------------
 
   // Each axis has steps of a grid of its own: to scale an axis changes the size of a determinant,
-  // not its sign. Turns have a grid of three points, because few of them get here. Sides have a
-  // grid of all vertices: where one vertex is close to a plane, others are. Returns whether
-  // integers hold the vertices.
+  // not its sign. Turns have a grid of three points, because few of them get here. Sides have one
+  // of all vertices: where one is close to a plane, others are. Returns whether integers hold them.
   bool have_steps()
   {
-    if(!are_steps_known_)
-      find_steps();
-    return are_steps_usable_;
+    if(bits_ == 0)
+      bits_ = least_tier_ < Arithmetic_tier::FILTERED_EXACT ? find_steps_(vertices_)
+                                                            : too_many_bits;
+    return bits_ < too_many_bits;
   }
 
-  BOOST_NOINLINE void find_steps()
+  template <std::size_t Size>
+  static int find_steps(Vertex* vertices)
   {
-    are_steps_known_ = true;
-    are_steps_usable_ = least_tier_ < Arithmetic_tier::FILTERED_EXACT;
-    bits_ = 3;
-    for(std::size_t axis = 0; axis < 3 && are_steps_usable_; ++axis) {
+    int all_bits = 3;
+    for(std::size_t axis = 0; axis < 3 && all_bits < too_many_bits; ++axis) {
       std::array<double, Size> x;
       std::array<std::int64_t, Size> steps;
       for(std::size_t k = 0; k < Size; ++k)
-        x[k] = vertices_[k].x[axis];
+        x[k] = vertices[k].x[axis];
       const int bits = grid_steps(x, steps);
       for(std::size_t k = 0; k < Size; ++k)
-        vertices_[k].steps[axis] = steps[k];
-      are_steps_usable_ = bits <= max_step_bits;
-      bits_ += bits;
+        vertices[k].steps[axis] = steps[k];
+      all_bits += bits <= max_step_bits ? bits : too_many_bits;
     }
+    return all_bits;
   }
 
   // A determinant has two terms of up to 2^bits in the plane, and six terms in space.
@@ -284,12 +285,11 @@ private:
 
   void need(Arithmetic_tier tier) { needed_tier_ = (std::max)(needed_tier_, tier); }
 
-  Vertices& vertices_;
-  int bits_; // of determinants of the steps
-  bool are_steps_known_ = false;
-  bool are_steps_usable_ = false;
-  Arithmetic_tier least_tier_;
+  Vertex* vertices_;
+  int (*find_steps_)(Vertex*);
+  int bits_ = 0; // of determinants of the steps, once these are known
   Arithmetic_tier needed_tier_ = Arithmetic_tier::DOUBLE;
+  Arithmetic_tier least_tier_;
   double least_bound_; // infinite if the filter decides nothing
 };
 

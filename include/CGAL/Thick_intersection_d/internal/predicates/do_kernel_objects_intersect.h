@@ -23,12 +23,8 @@
 #include <CGAL/Thick_intersection_d/internal/input/vertices.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Kernel_orientation.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Staged_orientation.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/iso_boxes.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/planar_objects.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/spatial_objects.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/tetrahedra.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/do_shapes_intersect.h>
 
-#include <array>
 #include <cstddef>
 #include <limits>
 #include <type_traits>
@@ -100,91 +96,16 @@ void settle(const Object& object)
         CGAL::exact(object);
 }
 
-// ---- by vertices --------------------------------------------------------------------------------
+// ---- two objects --------------------------------------------------------------------------------
 
-// How many vertices a question about A and B reads of A. Two opposite ones are all of an iso-box to
-// points and other iso-boxes.
+template <class Object>
+constexpr Shape shape_v = is_iso_box_v<Object> ? Shape::ISO_BOX
+                                               : static_cast<Shape>(Vertex_count<Object>::value);
+
+// How many vertices a question about A and B reads of A.
 template <class A, class B>
-constexpr std::size_t asked_count_v
-  = is_iso_box_v<A> && !is_iso_box_v<B> && Vertex_count<B>::value > 1
-      ? static_cast<std::size_t>(Vertex_count<A>::value) : corner_count_v<A>;
-
-template <class Orientation>
-bool are_points_equal(const typename Orientation::Point& p, const typename Orientation::Point& q)
-{
-  for(int axis = 0; axis < Orientation::dimension; ++axis)
-    if(Orientation::compare(p, q, axis) != ZERO)
-      return false;
-  return true;
-}
-
-// Whether a question about A and B is that about B and A: objects of fewer vertices come first, and
-// iso-boxes last.
-template <class A, class B>
-constexpr bool comes_last_v
-  = is_iso_box_v<A> != is_iso_box_v<B> ? is_iso_box_v<A>
-                                       : (Vertex_count<A>::value > Vertex_count<B>::value);
-
-// Whether objects of the types A and B intersect, by the vertices that are asked about. A does not
-// come last. A point is a segment.
-template <class A, class B, class Orientation, std::size_t Count_a, std::size_t Count_b>
-bool do_hulls_intersect(Orientation& orientation, const Simplex<Orientation, Count_a>& a,
-                        const Simplex<Orientation, Count_b>& b)
-{
-  if constexpr(Count_b == 1)
-    return are_points_equal<Orientation>(a[0], b[0]);
-  else if constexpr(Count_a == 1)
-    return do_hulls_intersect<B, B>(orientation, Simplex<Orientation, 2>{a[0], a[0]}, b);
-  else if constexpr(is_iso_box_v<A> || (is_iso_box_v<B> && Count_b == 2))
-    return do_iso_boxes_intersect<Orientation>(a, b);
-  else if constexpr(is_iso_box_v<B>)
-    return does_meet_iso_box(orientation, a, b);
-  else if constexpr(Orientation::dimension == 2)
-    return do_intersect_in_plane(orientation, a, b);
-  else
-    return do_intersect_in_space(orientation, a, b);
-}
-
-// Whether objects of the types A and B intersect. The vertices of A are the first ones.
-template <class A, class B, class Orientation>
-bool do_vertices_intersect(typename Orientation::Vertices& vertices, Arithmetic_tier& tier)
-{
-  constexpr std::size_t count_a = asked_count_v<A, B>, count_b = asked_count_v<B, A>;
-  Simplex<Orientation, count_a> a;
-  Simplex<Orientation, count_b> b;
-  for(std::size_t k = 0; k < count_a; ++k)
-    a[k] = typename Orientation::Point(vertices[k]);
-  for(std::size_t k = 0; k < count_b; ++k)
-    b[k] = typename Orientation::Point(vertices[count_a + k]);
-  Orientation orientation(vertices, tier);
-  const bool do_intersect = do_hulls_intersect<A, B>(orientation, a, b);
-  tier = orientation.needed_tier();
-  return do_intersect;
-}
-
-// Neighbors in meshes and roads share a vertex. No branch depends on which one it is, and most of
-// those that share none have no first coordinate in common either. The first object has the first
-// `Count` vertices.
-template <std::size_t Count, class Vertex, std::size_t Size>
-bool have_common_vertex(const std::array<Vertex, Size>& vertices)
-{
-  const auto is_any_pair = [&](const auto& is_common) {
-    bool is_any = false;
-    for(std::size_t a = 0; a < Count; ++a)
-      for(std::size_t b = Count; b < Size; ++b)
-        is_any |= is_common(vertices[a].x, vertices[b].x);
-    return is_any;
-  };
-  return is_any_pair([](const auto& x, const auto& y) { return x[0] == y[0]; })
-         && is_any_pair([](const auto& x, const auto& y) {
-              bool are_equal = true;
-              for(std::size_t i = 0; i < x.size(); ++i)
-                are_equal &= x[i] == y[i];
-              return are_equal;
-            });
-}
-
-// ---- by coordinates -----------------------------------------------------------------------------
+constexpr std::size_t asked_vertices_v
+  = asked_count_v<vertex_dimension_v<A>, shape_v<A>, shape_v<B>>;
 
 // A kernel whose predicates are exact on the points of A and of B. The corners of an iso-box are
 // made of the coordinates of others.
@@ -196,7 +117,8 @@ struct Common_exact_kernel
     = std::is_same_v<Kernel,
                      Kernel_with_exact_predicates<typename Kernel_traits<Vertex_t<B>>::Kernel>>;
   static constexpr bool has_made_corners
-    = (is_iso_box_v<A> && asked_count_v<A, B> > 2) || (is_iso_box_v<B> && asked_count_v<B, A> > 2);
+    = (is_iso_box_v<A> && asked_vertices_v<A, B> > 2)
+      || (is_iso_box_v<B> && asked_vertices_v<B, A> > 2);
   using type = std::conditional_t<has_common_kernel && !has_made_corners, Kernel,
                                   Simple_cartesian<Exact_rational>>;
 };
@@ -205,36 +127,15 @@ struct Common_exact_kernel
 template <class A, class B>
 bool do_objects_intersect_by_kernel(const A& a, const B& b, Arithmetic_tier& tier)
 {
-  constexpr std::size_t count_a = asked_count_v<A, B>, count_b = asked_count_v<B, A>;
+  constexpr std::size_t count_a = asked_vertices_v<A, B>, count_b = asked_vertices_v<B, A>;
   using Kernel = typename Common_exact_kernel<A, B>::type;
-  using Orientation = Kernel_orientation<Kernel, vertex_dimension_v<A>, count_a + count_b>;
-  typename Orientation::Vertices vertices;
+  using Orientation = Kernel_orientation<Kernel, vertex_dimension_v<A>>;
+  Asked_vertices<Orientation, shape_v<A>, shape_v<B>> vertices;
   for(std::size_t k = 0; k < count_a; ++k)
     vertices[k] = exact_vertex<Kernel, count_a>(a, k);
   for(std::size_t k = 0; k < count_b; ++k)
     vertices[count_a + k] = exact_vertex<Kernel, count_b>(b, k);
-  return do_vertices_intersect<A, B, Orientation>(vertices, tier);
-}
-
-// Tests two objects of which A does not come last.
-template <class A, class B>
-bool do_ordered_objects_intersect(const A& a, const B& b, Arithmetic_tier& tier)
-{
-  constexpr std::size_t count_a = asked_count_v<A, B>, count_b = asked_count_v<B, A>;
-  using Orientation = Staged_orientation<vertex_dimension_v<A>, count_a + count_b>;
-  typename Orientation::Vertices vertices;
-  const auto put_at = [&](std::size_t first) {
-    return [&, first](std::size_t k, int axis, double x) { vertices[first + k].x[axis] = x; };
-  };
-  [[maybe_unused]] const bool are_doubles = read_vertices<count_a>(a, put_at(0))
-                                            && read_vertices<count_b>(b, put_at(count_a));
-  if constexpr(!has_double_vertices_v<A> || !has_double_vertices_v<B>)
-    if(!are_doubles)
-      return do_objects_intersect_by_kernel(a, b, tier);
-  if(!have_common_vertex<count_a>(vertices))
-    return do_vertices_intersect<A, B, Orientation>(vertices, tier);
-  tier = Arithmetic_tier::DOUBLE;
-  return true;
+  return do_vertices_intersect<Orientation, shape_v<A>, shape_v<B>>(vertices, tier);
 }
 
 // Tests two objects of CGAL. `tier` is the first arithmetic after the filter, as for
@@ -242,10 +143,26 @@ bool do_ordered_objects_intersect(const A& a, const B& b, Arithmetic_tier& tier)
 template <class A, class B>
 bool do_kernel_objects_intersect(const A& a, const B& b, Arithmetic_tier& tier)
 {
-  if constexpr(comes_last_v<A, B>)
-    return do_ordered_objects_intersect(b, a, tier);
-  else
-    return do_ordered_objects_intersect(a, b, tier);
+  constexpr Shape shape_a = shape_v<A>, shape_b = shape_v<B>;
+  if constexpr(shape_a > shape_b)
+    return do_kernel_objects_intersect(b, a, tier);
+  else {
+    constexpr std::size_t count_a = asked_vertices_v<A, B>, count_b = asked_vertices_v<B, A>;
+    using Orientation = Staged_orientation<vertex_dimension_v<A>>;
+    Asked_vertices<Orientation, shape_a, shape_b> vertices;
+    const auto put_at = [&](std::size_t first) {
+      return [&, first](std::size_t k, int axis, double x) { vertices[first + k].x[axis] = x; };
+    };
+    [[maybe_unused]] const bool are_doubles = read_vertices<count_a>(a, put_at(0))
+                                              && read_vertices<count_b>(b, put_at(count_a));
+    if constexpr(!has_double_vertices_v<A> || !has_double_vertices_v<B>)
+      if(!are_doubles)
+        return do_objects_intersect_by_kernel(a, b, tier);
+    if(!have_common_vertex<count_a>(vertices))
+      return do_vertices_intersect<Orientation, shape_a, shape_b>(vertices, tier);
+    tier = Arithmetic_tier::DOUBLE;
+    return true;
+  }
 }
 
 } // namespace internal
