@@ -39,9 +39,11 @@ FILES = {  # file: the call, target for the time, limit of the text in kB of g++
     "closest_pair": ("`closest_pair`, plane", None, None),
     "closest_pair_in_space": ("`closest_pair`, space", 1.5, 98),
     "thick_objects": ("`thick_self_intersection_d`, segments", None, None),
-    "triangles": ("`thick_self_intersection_d`, triangles in space", 1.4, 71.3),
-    "near_segments": ("`fixed_radius_near_neighbors`, segments in space", None, 94.7),
-    "boxes": ("`thick_box_self_intersection_d`, boxes in space", 1.5, 60),
+    "triangles": ("`thick_self_intersection_d`, triangles in space", 1.4, 81),
+    "linked_triangles": ("`thick_self_intersection_d`, triangles in space, linked", 1.6, 28.3),
+    "near_segments": ("`fixed_radius_near_neighbors`, segments in space", None, 105),
+    "boxes": ("`thick_box_self_intersection_d`, boxes in space", 1.5, 68),
+    "linked_boxes": ("`thick_box_self_intersection_d`, boxes in space, linked", 1.5, 13.2),
     "box_intersection": ("`box_self_intersection_d`", None, None),
 }
 
