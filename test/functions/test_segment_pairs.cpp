@@ -41,6 +41,7 @@ using CGAL::Scene_profile;
 using CGAL::Thick_intersection_d::internal::Interval;
 using CGAL::Thick_intersection_d::internal::Place;
 using CGAL::Thick_intersection_d::internal::Stretch;
+using CGAL::Thick_intersection_d::internal::Threads;
 using CGAL::Thick_intersection_d::internal::Traits_boxes;
 using CGAL::Thick_intersection_d::internal::Two_sets;
 using CGAL::Thick_intersection_d::internal::count_stretches;
@@ -340,8 +341,8 @@ struct Long_segments
 BOOST_AUTO_TEST_CASE(stretches_take_linear_memory)
 {
   const Long_segments scene;
-  const auto stretches = count_stretches<CGAL::Sequential_tag>(
-    scene, 0, scene.segment_count, scene.segment_count, scene.size());
+  const auto stretches = count_stretches(
+    scene, 0, scene.segment_count, scene.segment_count, scene.size(), Threads());
   BOOST_CHECK_LT(stretches.added, 8 * scene.size());
   BOOST_CHECK_GT(stretches.added, 3 * scene.size());
 }
@@ -362,11 +363,9 @@ BOOST_AUTO_TEST_CASE(too_many_objects_are_refused_at_once)
   const Two_sets sets{1};
   const Callback ignore = [](std::size_t, std::size_t) {};
   auto progress = make_progress(CGAL::parameters::default_values(), 1);
-  BOOST_CHECK_THROW(report_segment_pairs<CGAL::Sequential_tag>(objects, none, sets, ignore,
-                                                               progress),
+  BOOST_CHECK_THROW(report_segment_pairs(objects, none, sets, ignore, progress, Threads()),
                     std::length_error);
-  const CGAL::Thick_intersection_d::internal::Threads one;
-  BOOST_CHECK_THROW(report_meeting_boxes(objects, sets, ignore, progress, one),
+  BOOST_CHECK_THROW(report_meeting_boxes(objects, sets, ignore, progress, Threads()),
                     std::length_error);
 }
 

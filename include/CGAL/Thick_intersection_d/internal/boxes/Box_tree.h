@@ -15,6 +15,8 @@
 #include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Stop_flag.h>
 
+#include <boost/config.hpp> // BOOST_NOINLINE
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -117,7 +119,7 @@ private:
   }
 
   // Lists are mostly read along axis 0, so this is the order of the boxes in memory.
-  static std::vector<Box> sorted_copies(Boxes boxes)
+  BOOST_NOINLINE static std::vector<Box> sorted_copies(Boxes boxes)
   {
     sort(boxes, 0);
     std::vector<Box> copies;
@@ -136,7 +138,7 @@ private:
     return pointers;
   }
 
-  bool search_both(const Boxes& a, const Boxes& b, int axis)
+  BOOST_NOINLINE bool search_both(const Boxes& a, const Boxes& b, int axis)
   {
     return search(a, b, axis) && search(b, a, axis);
   }

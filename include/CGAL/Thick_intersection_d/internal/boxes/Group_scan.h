@@ -12,6 +12,7 @@
 #include <CGAL/Thick_intersection_d/internal/boxes/Box_client.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Boxes_by_group.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -32,6 +33,7 @@ public:
 
   // Numbers the groups of the boxes, which may be the same ones twice. The number of a group takes
   // the place of the sides of a box, which nobody asks for in a tree.
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
   void set_boxes(std::vector<Box>& a, std::vector<Box>& b)
   {
     std::vector<std::size_t> groups;

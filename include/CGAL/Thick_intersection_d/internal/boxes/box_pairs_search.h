@@ -7,17 +7,23 @@
 
 // The search of objects by their boxes, for objects of any type that have intervals.
 
+#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/Random_numbers.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Axis_profile.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
-#include <CGAL/Thick_intersection_d/internal/boxes/axes_of_boxes.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/box_search.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/tuning.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -41,6 +47,46 @@ inline void throw_too_many_objects(std::size_t size)
 constexpr int max_box_axes(int static_dimension)
 {
   return static_dimension == 0 ? 4 : (std::min)(static_dimension, 8);
+}
+
+// Returns the share of pairs of objects that meet along an axis, by a sample of the objects: a
+// random one of each step, because objects at equal steps may be of one kind.
+template <class Objects>
+double meeting_share_along(const Objects& objects, int axis)
+{
+  std::vector<Piece_box<1>> boxes;
+  const std::size_t step = objects.size() / box_sample + 1;
+  Random_numbers random;
+  for(std::size_t first = 0; first < objects.size(); first += step) {
+    const std::size_t position = first + random.below((std::min)(step, objects.size() - first));
+    const Interval interval = objects.intervals(position)(axis);
+    boxes.push_back({{interval.low}, {interval.high}, static_cast<Place>(position), 0});
+  }
+  std::vector<const Piece_box<1>*> sample;
+  for(const Piece_box<1>& box : boxes)
+    sample.push_back(&box);
+  Axis_profile profile;
+  profile.set(sample, 0);
+  return profile.meeting_share();
+}
+
+// Returns all axes. The first `Axes` of them, which boxes have, are those along which the fewest
+// objects meet.
+template <int Axes, class Objects>
+std::vector<int> axes_of_boxes(const Objects& objects)
+{
+  std::vector<int> axes(static_cast<std::size_t>(objects.dimension()));
+  std::iota(axes.begin(), axes.end(), 0);
+  if constexpr(Objects::static_dimension == 0 || Objects::static_dimension > Axes)
+    if(objects.dimension() > Axes) {
+      std::vector<double> shares;
+      for(const int axis : axes)
+        shares.push_back(meeting_share_along(objects, axis));
+      std::stable_sort(axes.begin(), axes.end(), [&](int a, int b) {
+        return shares[static_cast<std::size_t>(a)] < shares[static_cast<std::size_t>(b)];
+      });
+    }
+  return axes;
 }
 
 // Reports the pairs of objects by boxes with `Axes` axes.

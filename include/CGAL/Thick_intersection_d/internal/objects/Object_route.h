@@ -206,12 +206,13 @@ bool report_objects(const Elements& objects, const Sets& sets, const Traits& tra
     const Traits_boxes<Elements, Traits> boxes(objects, traits);
     const bool are_finite = boxes.template are_finite<ConcurrencyTag>();
     if(are_finite || !may_recurse) {
+      const Threads threads = Threads(ConcurrencyTag());
       if constexpr(Sets::are_two && Has_boxes<Traits>::value
                    && Has_segments<typename Elements::value_type>::value
                    && !has_own_tests_v<typename Elements::value_type>)
-        return report_segment_pairs<ConcurrencyTag>(boxes, objects, sets, callback, progress);
+        return report_segment_pairs(boxes, objects, sets, callback, progress, threads);
       else
-        return report_meeting_boxes(boxes, sets, callback, progress, Threads(ConcurrencyTag()));
+        return report_meeting_boxes(boxes, sets, callback, progress, threads);
     }
   }
   if constexpr(may_recurse)

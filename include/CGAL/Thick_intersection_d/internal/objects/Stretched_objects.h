@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -29,30 +30,17 @@ struct Stretch
   Place count; // of the stretches of the object
 };
 
-// Objects of any kinds. It is an interface, so that a program has one search of stretches for all.
-template <int Dimension>
-class Stretchable_objects
-{
-public:
-  virtual std::size_t size() const = 0;
-  virtual Interval_box<Dimension> box(const Stretch& stretch) const = 0;
-  virtual void prefetch(std::size_t position) const = 0;
-  virtual bool do_intersect(std::size_t i, std::size_t j) const = 0;
-
-protected:
-  ~Stretchable_objects() = default;
-};
-
-// Positions are those of stretches, in the order of the objects.
-template <int Dimension>
+// `Objects` are like Segments_and_others. Positions are those of stretches, in the order of the
+// objects.
+template <class Objects>
 class Stretched_objects : public Objects_in_boxes
 {
 public:
-  static constexpr int static_dimension = Dimension;
+  static constexpr int static_dimension = Objects::dimension;
 
   // `counts` has the number of stretches of each object of the set that begins with `first`.
-  Stretched_objects(const Stretchable_objects<Dimension>& objects, const Two_sets& sets,
-                    std::size_t first, const std::vector<Place>& counts)
+  Stretched_objects(const Objects& objects, const Two_sets& sets, std::size_t first,
+                    const std::vector<Place>& counts)
     : objects_(objects), sets_(sets), first_(first), begins_(counts.size() + 1)
   {
     std::partial_sum(counts.begin(), counts.end(), begins_.begin() + 1);
@@ -63,12 +51,12 @@ public:
   }
 
   std::size_t size() const { return objects_.size() + added_; }
-  int dimension() const { return Dimension; }
+  int dimension() const { return static_dimension; }
 
   Two_sets sets() const { return {sets_.first_size + (first_ == 0 ? added_ : 0)}; }
 
   // Returns the positions of two objects in their sets, by those of stretches in theirs.
-  Position_pair objects_of(std::size_t i, std::size_t j) const
+  std::pair<std::size_t, std::size_t> objects_of(std::size_t i, std::size_t j) const
   {
     return {stretch_at(i).object, stretch_at(j + sets().first_size).object - sets_.first_size};
   }
@@ -104,15 +92,15 @@ private:
   {
     if(a.index == 0)
       return false;
-    const Interval_box<Dimension> before = objects_.box({a.object, a.index - 1, a.count});
-    const Interval_box<Dimension> other = objects_.box(b);
-    for(int axis = 0; axis < Dimension; ++axis)
+    const auto before = objects_.box({a.object, a.index - 1, a.count});
+    const auto other = objects_.box(b);
+    for(int axis = 0; axis < static_dimension; ++axis)
       if(!do_meet(before[axis], other[axis]))
         return false;
     return true;
   }
 
-  const Stretchable_objects<Dimension>& objects_;
+  const Objects& objects_;
   const Two_sets sets_;                // of objects
   const std::size_t first_;            // the first object of the set that is cut
   std::vector<Place> begins_;          // of the stretches of each object of this set

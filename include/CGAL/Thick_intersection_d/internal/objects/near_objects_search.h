@@ -215,13 +215,14 @@ template <class ConcurrencyTag, class Elements, class Sets, class Test, class Ca
 bool report_near_boxes(const Elements& objects, const Sets& sets, const Test& test,
                        Callback& callback, const NamedParameters& np)
 {
+  const Threads threads = Threads(ConcurrencyTag());
   auto progress = make_progress(np, objects.size());
   const Near_object_boxes<Test::static_dimension, Elements, Test> boxes(objects, test);
   if constexpr(Sets::are_two && Test::are_kinds_known
                && Has_segments<typename Elements::value_type>::value)
-    return report_segment_pairs<ConcurrencyTag>(boxes, objects, sets, callback, progress);
+    return report_segment_pairs(boxes, objects, sets, callback, progress, threads);
   else
-    return report_meeting_boxes(boxes, sets, callback, progress, Threads(ConcurrencyTag()));
+    return report_meeting_boxes(boxes, sets, callback, progress, threads);
 }
 
 template <class Object>

@@ -15,14 +15,12 @@
 #include <CGAL/Thick_intersection_d/internal/input/kinds.h>
 #include <CGAL/Thick_intersection_d/internal/input/vertices.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/objects/Stretched_objects.h>
 #include <CGAL/Thick_intersection_d/internal/objects/Stretches.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
 #include <cstddef>
-#include <functional>
 #include <numeric>
 #include <type_traits>
 #include <utility>
@@ -54,7 +52,7 @@ struct Has_segments<One_of_two<A, B>>
 // `Objects` are Objects_in_boxes, and have the boxes of `Elements`, or boxes that are longer by a
 // reach.
 template <class Objects, class Elements>
-class Segments_and_others final : public Stretchable_objects<Objects::static_dimension>
+class Segments_and_others
 {
   using Box = Interval_box<Objects::static_dimension>;
 
@@ -66,7 +64,7 @@ public:
     : objects_(objects), elements_(elements)
   {}
 
-  std::size_t size() const override { return objects_.size(); }
+  std::size_t size() const { return objects_.size(); }
   auto intervals(std::size_t position) const { return objects_.intervals(position); }
   double reach() const { return objects_.reach(); }
 
@@ -77,7 +75,7 @@ public:
     });
   }
 
-  Box box(const Stretch& stretch) const override
+  Box box(const Stretch& stretch) const
   {
     Box box;
     if(stretch.count == 1) {
@@ -95,9 +93,9 @@ public:
     return box;
   }
 
-  void prefetch(std::size_t position) const override { objects_.prefetch(position); }
+  void prefetch(std::size_t position) const { objects_.prefetch(position); }
 
-  bool do_intersect(std::size_t i, std::size_t j) const override
+  bool do_intersect(std::size_t i, std::size_t j) const
   {
     return objects_.do_intersect(i, j);
   }
@@ -125,16 +123,17 @@ struct Stretch_counts
 // Returns how to cut the objects at the positions [first, last), which are searched together with
 // those at [others_first, others_last). The more memory all stretches would take, the more each of
 // them costs.
-template <class ConcurrencyTag, class Segments>
+template <class Segments>
 Stretch_counts count_stretches(const Segments& segments, std::size_t first, std::size_t last,
-                               std::size_t others_first, std::size_t others_last)
+                               std::size_t others_first, std::size_t others_last,
+                               const Threads& threads)
 {
   constexpr std::size_t most_added = 8; // for each object
   Stretch_counts stretches{first, std::vector<Place>(last - first, 1), 0};
   const Stretch_planner<Segments::dimension> planner(segments, others_first, others_last);
   double cost = 2; // of a stretch, in that of a pair of boxes that meet
   do {
-    for_each_block<ConcurrencyTag>(last - first, [&](std::size_t i, std::size_t end) {
+    threads.run_blocks(last - first, [&](std::size_t i, std::size_t end) {
       for(; i != end; ++i)
         if(segments.is_segment(first + i))
           stretches.counts[i] = planner.best_count(segments.box({first + i, 0, 1}), cost);
@@ -147,56 +146,39 @@ Stretch_counts count_stretches(const Segments& segments, std::size_t first, std:
 }
 
 // Returns the counts of the set that gains more.
-template <class ConcurrencyTag, class Segments>
-Stretch_counts plan_stretches(const Segments& segments, const Two_sets& sets)
+template <class Segments>
+Stretch_counts plan_stretches(const Segments& segments, const Two_sets& sets,
+                              const Threads& threads)
 {
   const std::size_t middle = sets.first_size, last = segments.size();
   if(middle == 0 || middle == last)
     return {};
   Stretch_counts first, second;
   if constexpr(Has_segments<typename Segments::Object>::in_first)
-    first = count_stretches<ConcurrencyTag>(segments, 0, middle, middle, last);
+    first = count_stretches(segments, 0, middle, middle, last, threads);
   if constexpr(Has_segments<typename Segments::Object>::in_second)
-    second = count_stretches<ConcurrencyTag>(segments, middle, last, 0, middle);
+    second = count_stretches(segments, middle, last, 0, middle, threads);
   return second.added > first.added ? second : first;
 }
 
-// Calls the user's functor.
-struct Any_progress
-{
-  std::function<bool(std::size_t)> advance;
-};
-
-// Reports the pairs of objects by their stretches. Callbacks and progress of all types become those
-// of one type, so that all calls share a search.
-template <class ConcurrencyTag, int Dimension, class Callback, class Progress>
-bool report_stretches(const Stretched_objects<Dimension>& stretched, Callback& callback,
-                      Progress& progress)
-{
-  const std::function<bool(std::size_t, std::size_t)> take = [&](std::size_t i, std::size_t j) {
-    const Position_pair pair = stretched.objects_of(i, j);
-    return goes_on_after(callback, pair.first, pair.second);
-  };
-  progress.restart(stretched.size());
-  Any_progress any_progress{[&](std::size_t finished) { return progress.advance(finished); }};
-  return report_meeting_boxes(stretched, stretched.sets(), take, any_progress,
-                              Threads(ConcurrencyTag()));
-}
-
 // Reports the pairs of two sets of objects.
-template <class ConcurrencyTag, class Objects, class Elements, class Callback, class Progress>
+template <class Objects, class Elements, class Callback, class Progress>
 bool report_segment_pairs(const Objects& objects, const Elements& elements, const Two_sets& sets,
-                          Callback& callback, Progress& progress)
+                          Callback& callback, Progress& progress, const Threads& threads)
 {
   if(!fits_box_route(objects.size()))
     throw_too_many_objects(objects.size());
   const Segments_and_others<Objects, Elements> segments(objects, elements);
-  const Stretch_counts stretches = plan_stretches<ConcurrencyTag>(segments, sets);
+  const Stretch_counts stretches = plan_stretches(segments, sets, threads);
   if(stretches.added == 0 || !fits_box_route(segments.size() + stretches.added))
-    return report_meeting_boxes(objects, sets, callback, progress, Threads(ConcurrencyTag()));
-  const Stretched_objects<Objects::static_dimension> stretched(segments, sets, stretches.first,
-                                                               stretches.counts);
-  return report_stretches<ConcurrencyTag>(stretched, callback, progress);
+    return report_meeting_boxes(objects, sets, callback, progress, threads);
+  const Stretched_objects stretched(segments, sets, stretches.first, stretches.counts);
+  const auto take = [&](std::size_t i, std::size_t j) {
+    const auto pair = stretched.objects_of(i, j);
+    return goes_on_after(callback, pair.first, pair.second);
+  };
+  progress.restart(stretched.size());
+  return report_meeting_boxes(stretched, stretched.sets(), take, progress, threads);
 }
 
 } // namespace internal
