@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The library that programs link if they define CGAL_THICK_INTERSECTION_D_COMPILED: the searches
-// for near points by slabs, for all kernels. It does not depend on oneTBB: a program that has it
-// hands its threads to the searches.
+// The searches for near points by slabs in the library that programs link if they define
+// CGAL_THICK_INTERSECTION_D_COMPILED, for all kernels. The library does not depend on oneTBB: a
+// program that has it hands its threads to the searches.
 
 #include <CGAL/Thick_intersection_d/internal/slabs/near_search.inc>
 

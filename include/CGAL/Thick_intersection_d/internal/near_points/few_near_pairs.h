@@ -109,7 +109,7 @@ private:
   {
     const Place count = std::exchange(found_.count, 0);
     const Place undecided_count = std::exchange(found_.undecided_count, 0);
-    bool goes_on = !report_.is_stopped();
+    bool goes_on = true;
     for(Place c = 0; goes_on && c < count; ++c)
       goes_on = report_(found_.pairs[c].i, found_.pairs[c].j);
     for(Place c = 0; goes_on && c < undecided_count; ++c) {
@@ -192,23 +192,6 @@ private:
   Is_within is_within_;
 };
 
-// Returns search(report) for what reports pairs in one numbering to a callback of positions in each
-// set.
-template <class Sets, class Callback, class Search>
-bool with_reporter([[maybe_unused]] const Sets& sets, Callback& callback, const Search& search)
-{
-  if constexpr(Sets::are_two) {
-    const auto callback_of_two_sets
-      = [&](std::size_t i, std::size_t j) { return callback(i, j - sets.first_size); };
-    Pair_reporter<decltype(callback_of_two_sets)> report(callback_of_two_sets);
-    return search(report);
-  }
-  else {
-    Pair_reporter<Callback> report(callback);
-    return search(report);
-  }
-}
-
 // Reports the pairs of at most `max_few_points` points. Returns false iff the search was stopped.
 // Returns nothing, and reports none, if the bound or a point is not valid.
 template <class Elements, class Sets, class NT, class Callback, class NamedParameters>
@@ -221,12 +204,17 @@ std::optional<bool> report_few_near_pairs(const Elements& points, const Sets& se
   check_denormals();
   Few_near_pairs<Elements, Sets, NT> pairs(points, sets, bound);
   auto progress = make_progress(np, points.size());
-  bool are_valid = false;
-  const bool is_complete = with_reporter(sets, callback, [&](auto& report) {
-    are_valid = pairs.report_to(report);
-    return are_valid && !report.is_stopped() && progress.advance(points.size());
-  });
-  return are_valid ? std::optional<bool>(is_complete) : std::nullopt;
+  std::size_t first_of_second = 0;
+  if constexpr(Sets::are_two)
+    first_of_second = sets.first_size;
+  bool goes_on = true;
+  const auto report = [&](std::size_t i, std::size_t j) {
+    goes_on = goes_on_after(callback, i, j - first_of_second);
+    return goes_on;
+  };
+  if(!pairs.report_to(report))
+    return std::nullopt;
+  return goes_on && progress.advance(points.size());
 }
 
 } // namespace internal

@@ -11,7 +11,6 @@
 #include <CGAL/Distance_bound.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
-#include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
 #include <CGAL/Thick_intersection_d/internal/input/Ball_centers.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/near_points/near_points_search.h>
