@@ -176,11 +176,12 @@ struct Answers
   }
 };
 
-template <int Dimension, std::size_t Size>
-internal::Hull<Dimension, Size> hull(const Integers& vertices, int exponent)
+template <int Dimension>
+internal::Hull<Dimension> hull(const Integers& vertices, int exponent)
 {
-  internal::Hull<Dimension, Size> hull;
-  for(std::size_t k = 0; k < Size; ++k)
+  internal::Hull<Dimension> hull;
+  hull.size = vertices.size();
+  for(std::size_t k = 0; k < hull.size; ++k)
     hull.vertices[k] = as_doubles<Dimension>(vertices[k], exponent);
   return hull;
 }
@@ -190,16 +191,15 @@ internal::Hull<Dimension, Size> hull(const Integers& vertices, int exponent)
 template <int Dimension, std::size_t Size_a, std::size_t Size_b>
 class Asked
 {
-  using Distance = internal::Hull_distance<Dimension, Size_a, Size_b>;
+  using Hull = internal::Hull<Dimension>;
+  using Distance = internal::Hull_distance<Dimension>;
 
 public:
-  Asked(const internal::Hull<Dimension, Size_a>& a, const internal::Hull<Dimension, Size_b>& b)
-    : a_(a), b_(b)
-  {}
+  Asked(const Hull& a, const Hull& b) : a_(a), b_(b) {}
 
   CGAL::Uncertain<bool> guess(double low, double high)
   {
-    return internal::are_hulls_near<Size_a, Size_b>(a_, b_, a_.error + b_.error, {low, high}, v_);
+    return internal::are_hulls_near<Size_a, Size_b>(a_, b_, {low, high}, v_);
   }
 
   CGAL::Uncertain<bool> is_within(double low, double high)
@@ -218,8 +218,7 @@ public:
   }
 
 private:
-  internal::Hull<Dimension, Size_a> a_;
-  internal::Hull<Dimension, Size_b> b_;
+  Hull a_, b_;
   typename Distance::Vector v_;
 };
 
@@ -235,7 +234,7 @@ struct Question
 
   Asked_hulls hulls() const
   {
-    return Asked_hulls(hull<Dimension, Size_a>(a, exponent), hull<Dimension, Size_b>(b, exponent));
+    return Asked_hulls(hull<Dimension>(a, exponent), hull<Dimension>(b, exponent));
   }
 
   // Whether the hulls are within r steps.
@@ -516,12 +515,12 @@ BOOST_AUTO_TEST_CASE(numbers_that_are_too_large_or_too_small)
 }
 
 // Coordinates that are up to the error less than those of the object.
-template <int Dimension, std::size_t Size>
-void lower_vertices(internal::Hull<Dimension, Size>& hull, double error, Random& random)
+template <int Dimension>
+void lower_vertices(internal::Hull<Dimension>& hull, double error, Random& random)
 {
   hull.error = error;
-  for(auto& vertex : hull.vertices)
-    for(double& x : vertex)
+  for(std::size_t k = 0; k < hull.size; ++k)
+    for(double& x : hull.vertices[k])
       x -= error * static_cast<double>(random.below(3)) / 2;
 }
 
@@ -536,8 +535,8 @@ void check_vertices_that_are_off()
                                                lattice_hull<3, Size_b>(random, 6), true);
     if(question.square == 0)
       continue;
-    auto a = hull<3, Size_a>(question.a, 0);
-    auto b = hull<3, Size_b>(question.b, 0);
+    auto a = hull<3>(question.a, 0);
+    auto b = hull<3>(question.b, 0);
     lower_vertices(a, errors[random.below(4)], random);
     lower_vertices(b, errors[random.below(4)], random);
     const double r = std::sqrt(static_cast<double>(question.square));
@@ -561,7 +560,7 @@ void check_vertices_that_are_off()
 BOOST_AUTO_TEST_CASE(vertices_that_are_off)
 {
   BOOST_CHECK(CGAL::certainly(
-    Asked<2, 1, 1>({{{{1, 1}}}, 0x1p-50}, {{{{1, 1}}}, 0}).is_within(1, 1)));
+    Asked<2, 1, 1>({{{{1, 1}}}, 1, 0x1p-50}, {{{{1, 1}}}, 1, 0}).is_within(1, 1)));
   check_vertices_that_are_off<1, 2>();
   check_vertices_that_are_off<2, 2>();
   check_vertices_that_are_off<2, 3>();

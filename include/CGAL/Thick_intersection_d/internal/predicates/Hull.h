@@ -16,6 +16,8 @@
 #include <CGAL/Thick_intersection_d/internal/input/kinds.h>
 #include <CGAL/Thick_intersection_d/internal/input/vertices.h>
 
+#include <boost/config.hpp> // BOOST_FORCEINLINE
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -47,36 +49,22 @@ constexpr std::size_t hull_size_v
 template <class Object>
 constexpr int hull_dimension_v = vertex_dimension_v<Hull_points_t<Object>>;
 
-template <int Dimension, std::size_t Size>
+template <int Dimension>
 struct Hull
 {
-  std::array<std::array<double, Dimension>, Size> vertices;
+  std::array<std::array<double, Dimension>, std::size_t(1) << Dimension> vertices;
+  std::size_t size; // of them, those that the object has
 
   // Each coordinate is at most that of the object, and off by at most the error.
   double error = 0;
   Interval radius = {0, 0};
+
+  // Whether the doubles are the object.
+  bool is_exact() const { return error == 0 && radius.length() == 0; }
 };
 
 template <class Object>
-using Hull_of = Hull<hull_dimension_v<Object>, hull_size_v<Object>>;
-
-// Returns a vertex of the hull of an object of doubles, or of a Hull.
-template <class Object>
-auto hull_vertex(const Object& object, std::size_t k)
-{
-  using Points = Hull_points_t<Object>;
-  std::array<double, static_cast<std::size_t>(hull_dimension_v<Object>)> x;
-  for(int axis = 0; axis < hull_dimension_v<Object>; ++axis) {
-    const int v = place_of_vertex<Points, hull_size_v<Object>>(k, axis);
-    x[axis] = static_cast<double>(coordinate(vertex_of(hull_points(object), v), axis));
-  }
-  return x;
-}
-template <int Dimension, std::size_t Size>
-auto hull_vertex(const Hull<Dimension, Size>& hull, std::size_t k)
-{
-  return hull.vertices[k];
-}
+using Hull_of = Hull<hull_dimension_v<Object>>;
 
 template <class Object>
 Interval hull_radius(const Object& object)
@@ -89,23 +77,38 @@ Interval hull_radius(const Object& object)
     return {0, 0};
 }
 
-template <class Object>
-Hull_of<Object> hull_of(const Object& object)
+// Calls task(k) for the places 0, 1 and so on, each a constant: so arrays stay in registers.
+template <class Task, std::size_t... K>
+BOOST_FORCEINLINE void for_places(const Task& task, std::index_sequence<K...>)
 {
-  constexpr std::size_t size = hull_size_v<Object>;
+  (task(std::integral_constant<std::size_t, K>()), ...);
+}
+template <std::size_t Size, class Task>
+BOOST_FORCEINLINE void for_places(const Task& task)
+{
+  for_places(task, std::make_index_sequence<Size>());
+}
+
+template <class Object>
+BOOST_FORCEINLINE Hull_of<Object> hull_of(const Object& object)
+{
   using Points = Hull_points_t<Object>;
   Hull_of<Object> hull;
+  hull.size = hull_size_v<Object>;
   hull.radius = hull_radius(object);
   const Points& points = hull_points(object);
-  for(std::size_t k = 0; k < size; ++k)
-    if constexpr(has_double_vertices_v<Points>)
-      hull.vertices[k] = hull_vertex(object, k);
-    else
-      for(int axis = 0; axis < vertex_dimension_v<Points>; ++axis) {
-        const auto x = vertex_bounds(points, place_of_vertex<Points, size>(k, axis), axis);
+  for_places<hull_size_v<Object>>([&](auto k) {
+    for_places<hull_dimension_v<Object>>([&](auto axis) {
+      const int v = place_of_vertex<Points, hull_size_v<Object>>(k, axis);
+      if constexpr(has_double_vertices_v<Points>)
+        hull.vertices[k][axis] = static_cast<double>(coordinate(vertex_of(points, v), axis));
+      else {
+        const auto x = vertex_bounds(points, v, axis);
         hull.vertices[k][axis] = x.first;
         hull.error = (std::max)(hull.error, x.second - x.first);
       }
+    });
+  });
   return hull;
 }
 

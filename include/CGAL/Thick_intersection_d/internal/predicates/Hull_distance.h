@@ -13,7 +13,6 @@
 #include <CGAL/Uncertain.h>
 
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
-#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Hull.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Hull_simplex.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/are_hulls_near.h>
@@ -22,12 +21,14 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
+#include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-template <int Dimension, std::size_t Size_a, std::size_t Size_b>
+template <int Dimension>
 class Hull_distance
 {
 public:
@@ -35,28 +36,26 @@ public:
 
   // `v` is a point of C. If numbers are too large or too small for products of four, no point is
   // known: all levels are zero, and no vertex is left out.
-  Hull_distance(const Hull<Dimension, Size_a>& a, const Hull<Dimension, Size_b>& b, const Vector& v)
-    : largest_(a.error + b.error)
+  Hull_distance(const Hull<Dimension>& a, const Hull<Dimension>& b, const Vector& v)
+    : a_(a), b_(b), largest_(a.error + b.error)
   {
     const Vector origin = a.vertices[0];
-    const auto move = [&](const auto& from, auto& to) {
-      for(std::size_t k = 0; k < from.size(); ++k) {
-        to[k] = vector_difference(from[k], origin);
-        largest_ = larger(largest_, largest_absolute_value(to[k]));
+    for(Hull<Dimension>* hull : {&a_, &b_})
+      for(std::size_t k = 0; k < hull->size; ++k) {
+        Vector& vertex = hull->vertices[k];
+        vertex = vector_difference(vertex, origin);
+        largest_ = larger(largest_, largest_absolute_value(vertex));
       }
-    };
-    move(a.vertices, a_);
-    move(b.vertices, b_);
     slack_ = 0x1p-45 * largest_ + 4 * (a.error + b.error);
     look_along(is_moderate() ? v : Vector());
   }
 
   // Returns whether the distance is within a bound that is between two doubles, or nothing if that
   // is not known. Of two segments, `v` has told it.
-  CGAL_THICK_INTERSECTION_D_RARELY_CALLED Uncertain<bool> is_within(const Interval& reach)
+  Uncertain<bool> is_within(const Interval& reach)
   {
     Uncertain<bool> answer = Uncertain<bool>::indeterminate();
-    if((Size_a <= 2 && Size_b <= 2) || !is_moderate())
+    if((a_.size <= 2 && b_.size <= 2) || !is_moderate())
       return answer;
     Hull_simplex<Dimension> simplex;
     for(int step = 0; step < max_steps && !is_certain(answer); ++step) {
@@ -86,8 +85,21 @@ public:
     return !(levels_of_b_[k] > least_ + tolerance());
   }
 
+  // Return vertex(k) for the places k of these vertices.
+  template <class Vertex_at>
+  auto nearest_of_a(const Vertex_at& vertex) const
+  {
+    return nearest(a_.size, [&](std::size_t k) { return may_be_nearest_of_a(k); }, vertex);
+  }
+  template <class Vertex_at>
+  auto nearest_of_b(const Vertex_at& vertex) const
+  {
+    return nearest(b_.size, [&](std::size_t k) { return may_be_nearest_of_b(k); }, vertex);
+  }
+
 private:
   static constexpr int max_steps = 32;
+  using Levels = std::array<double, std::size_t(1) << Dimension>;
 
   bool is_moderate() const { return largest_ >= 0x1p-100 && largest_ <= 0x1p200; }
 
@@ -98,32 +110,41 @@ private:
     return 4 * largest_ * (std::sqrt(gap) + 2 * slack_) + slack_ * length;
   }
 
+  template <class May_be_nearest, class Vertex_at>
+  static auto nearest(std::size_t size, const May_be_nearest& may_be_nearest,
+                      const Vertex_at& vertex)
+  {
+    std::vector<std::decay_t<decltype(vertex(size))>> vertices;
+    for(std::size_t k = 0; k < size; ++k)
+      if(may_be_nearest(k))
+        vertices.push_back(vertex(k));
+    return vertices;
+  }
+
   // Finds the vertex of C with the least product with v.
   void look_along(const Vector& v)
   {
     square_ = dot_product(v, v);
     std::size_t of_a = 0, of_b = 0;
-    for(std::size_t k = 0; k < Size_a; ++k) {
-      levels_of_a_[k] = dot_product(a_[k], v);
+    for(std::size_t k = 0; k < a_.size; ++k) {
+      levels_of_a_[k] = dot_product(a_.vertices[k], v);
       of_a = levels_of_a_[k] > levels_of_a_[of_a] ? k : of_a;
     }
-    for(std::size_t k = 0; k < Size_b; ++k) {
-      levels_of_b_[k] = dot_product(b_[k], v);
+    for(std::size_t k = 0; k < b_.size; ++k) {
+      levels_of_b_[k] = dot_product(b_.vertices[k], v);
       of_b = levels_of_b_[k] < levels_of_b_[of_b] ? k : of_b;
     }
     most_ = levels_of_a_[of_a];
     least_ = levels_of_b_[of_b];
-    next_vertex_ = vector_difference(b_[of_b], a_[of_a]);
+    next_vertex_ = vector_difference(b_.vertices[of_b], a_.vertices[of_a]);
   }
 
-  std::array<Vector, Size_a> a_; // with the first vertex at the origin
-  std::array<Vector, Size_b> b_;
+  Hull<Dimension> a_, b_; // with the first vertex of a at the origin
   double largest_; // absolute value of a coordinate
   double slack_;
   Vector next_vertex_;
   double square_; // of the last v
-  std::array<double, Size_a> levels_of_a_; // products with v
-  std::array<double, Size_b> levels_of_b_;
+  Levels levels_of_a_, levels_of_b_; // products with v
   double most_, least_; // of them
 };
 

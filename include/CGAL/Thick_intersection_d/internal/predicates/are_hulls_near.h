@@ -41,7 +41,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <type_traits>
 #include <utility>
 
 namespace CGAL {
@@ -75,18 +74,6 @@ inline Uncertain<bool> answer_of_point(double square, double least_product, doub
   return Uncertain<bool>(is_near, !is_beyond);
 }
 
-// Calls task(k) for the places 0, 1 and so on, each a constant: so arrays stay in registers.
-template <class Task, std::size_t... K>
-BOOST_FORCEINLINE void for_places(const Task& task, std::index_sequence<K...>)
-{
-  (task(std::integral_constant<std::size_t, K>()), ...);
-}
-template <std::size_t Size, class Task>
-BOOST_FORCEINLINE void for_places(const Task& task)
-{
-  for_places(task, std::make_index_sequence<Size>());
-}
-
 // The least of the largest coordinates, which makes up for underflow, and for vertices that are
 // off: by less than `error`, of either hull.
 inline double least_extent(double error) { return larger(0x1p-400, 0x1p48 * error); }
@@ -108,20 +95,19 @@ are_segments_near(const std::array<double, Dimension>& pq, const std::array<doub
 }
 
 // Hulls of which one has three vertices or more.
-template <std::size_t Dimension, std::size_t Size_a, std::size_t Size_b>
+template <int Dimension, std::size_t Size_a, std::size_t Size_b>
 class Hulls_apart
 {
   using Vector = std::array<double, Dimension>;
 
 public:
-  template <class A, class B>
-  BOOST_FORCEINLINE Hulls_apart(const A& a, const B& b, double error)
-    : largest_(least_extent(error))
+  BOOST_FORCEINLINE Hulls_apart(const Hull<Dimension>& a, const Hull<Dimension>& b)
+    : largest_(least_extent(a.error + b.error))
   {
-    const Vector origin = hull_vertex(a, 0);
+    const Vector origin = a.vertices[0];
     a_[0] = {};
-    for_places<Size_a - 1>([&](auto k) { add(a_[k + 1], hull_vertex(a, k + 1), origin); });
-    for_places<Size_b>([&](auto k) { add(b_[k], hull_vertex(b, k), origin); });
+    for_places<Size_a - 1>([&](auto k) { add(a_[k + 1], a.vertices[k + 1], origin); });
+    for_places<Size_b>([&](auto k) { add(b_[k], b.vertices[k], origin); });
   }
 
   BOOST_FORCEINLINE Vector difference_of_means() const
@@ -207,21 +193,21 @@ private:
 };
 
 // Returns whether two hulls are within a bound on the distance that is between two doubles, or
-// nothing if that is not known. `v` becomes a point of C. `a` and `b` have hull_vertex(), and their
-// vertices are off by up to `error`.
-template <std::size_t Size_a, std::size_t Size_b, class A, class B, std::size_t Dimension>
-BOOST_FORCEINLINE Uncertain<bool> are_hulls_near(const A& a, const B& b, double error,
-                                                 const Interval& reach,
-                                                 std::array<double, Dimension>& v)
+// nothing if that is not known. The sizes are those of the hulls. `v` becomes a point of C.
+template <std::size_t Size_a, std::size_t Size_b, int Dimension>
+BOOST_FORCEINLINE Uncertain<bool>
+are_hulls_near(const Hull<Dimension>& a, const Hull<Dimension>& b, const Interval& reach,
+               std::array<double, static_cast<std::size_t>(Dimension)>& v)
 {
   if constexpr(Size_a <= 2 && Size_b <= 2) {
-    const auto p = hull_vertex(a, 0), r = hull_vertex(b, 0);
-    return are_segments_near(vector_difference(hull_vertex(a, Size_a - 1), p),
-                             vector_difference(hull_vertex(b, Size_b - 1), r),
-                             vector_difference(r, p), error, reach, v);
+    const auto& p = a.vertices[0];
+    const auto& r = b.vertices[0];
+    return are_segments_near(vector_difference(a.vertices[Size_a - 1], p),
+                             vector_difference(b.vertices[Size_b - 1], r),
+                             vector_difference(r, p), a.error + b.error, reach, v);
   }
   else {
-    Hulls_apart<Dimension, Size_a, Size_b> hulls(a, b, error);
+    Hulls_apart<Dimension, Size_a, Size_b> hulls(a, b);
     v = hulls.difference_of_means();
     const Uncertain<bool> answer = hulls.ask_point(v, reach);
     if(is_certain(answer))

@@ -24,8 +24,6 @@
 #include <CGAL/Thick_intersection_d/internal/predicates/do_kernel_objects_intersect.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/exact_hull_distance.h>
 
-#include <boost/config.hpp> // BOOST_FORCEINLINE
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -66,57 +64,83 @@ Exact exact_radius(const Object& object)
     return Exact(0);
 }
 
-// Returns what compares a squared distance n / d of the hulls of two objects with a bound.
-template <class Exact, class A, class B>
-auto comparison_with(const Squared_bound<Exact>& bound, const A& a, const B& b)
+template <class Object>
+using Hull_vector = typename Hull_distance<hull_dimension_v<Object>>::Vector;
+
+// The vertices of a hull in exact numbers, or those of them that may be nearest to another hull.
+template <class Exact, int Dimension>
+using Exact_vertices = std::vector<Exact_vector<Exact, static_cast<std::size_t>(Dimension)>>;
+
+// Whether hulls that are apart are within a bound: their vertices, and the sum of their radii.
+template <int Dimension, class Exact>
+CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+bool are_vertices_near(const Exact_vertices<Exact, Dimension>& a,
+                       const Exact_vertices<Exact, Dimension>& b, const Exact& radii,
+                       const Squared_bound<Exact>& bound)
 {
-  const Exact radii(exact_radius<Exact>(a) + exact_radius<Exact>(b));
-  return [&bound, radii](const Exact& n, const Exact& d) { return bound.holds_for(n, d, radii); };
+  const auto within = [&](const Exact& n, const Exact& d) { return bound.holds_for(n, d, radii); };
+  return Exact_hull_distance<Exact, Dimension, decltype(within)>(within)(a, b);
 }
 
-// The distance of objects as doubles know it.
-template <class A, class B>
-using Distance_of = Hull_distance<hull_dimension_v<A>, hull_size_v<A>, hull_size_v<B>>;
-
-// Whether objects of one kind each, which are apart, are within a bound, as integers of 128 bits
-// tell. Returns nothing if they have too few bits.
-template <class A, class B>
-CGAL_THICK_INTERSECTION_D_RARELY_CALLED std::optional<bool>
-are_near_in_integers(const Hull_of<A>& a, const Hull_of<B>& b, const Distance_of<A, B>& distance,
-                     const Hull_bound& bound)
+// Whether hulls that are exact, and apart, are within a bound. Integers of 128 bits tell, unless
+// they have too few bits, or `least_tier` is that of exact numbers. Then `tier` becomes this.
+template <int Dimension, class Exact>
+CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+bool are_exact_hulls_near(const Hull<Dimension>& a, const Hull<Dimension>& b,
+                          const Hull_distance<Dimension>& distance, const Hull_bound& bound,
+                          const Squared_bound<Exact>& exact_bound, Arithmetic_tier least_tier,
+                          Arithmetic_tier& tier)
 {
-  if(!bound.is_exact_radius || a.error != 0 || b.error != 0 || a.radius.length() != 0
-     || b.radius.length() != 0)
-    return std::nullopt;
-  std::vector<std::array<double, hull_dimension_v<A>>> vertices_of_a, vertices_of_b;
-  for(std::size_t k = 0; k < hull_size_v<A>; ++k)
-    if(distance.may_be_nearest_of_a(k))
-      vertices_of_a.push_back(a.vertices[k]);
-  for(std::size_t k = 0; k < hull_size_v<B>; ++k)
-    if(distance.may_be_nearest_of_b(k))
-      vertices_of_b.push_back(b.vertices[k]);
-  return Integer_hulls<hull_dimension_v<A>>(vertices_of_a, vertices_of_b, a.radius.low,
-                                            b.radius.low, bound.radius.low)
-    .are_near(bound.is_open);
+  const auto nearest_a = distance.nearest_of_a([&](std::size_t k) { return a.vertices[k]; });
+  const auto nearest_b = distance.nearest_of_b([&](std::size_t k) { return b.vertices[k]; });
+  if(bound.is_exact_radius && least_tier != Arithmetic_tier::FILTERED_EXACT) {
+    Integer_hulls<Dimension> hulls(nearest_a, nearest_b, a.radius.low, b.radius.low,
+                                   bound.radius.low);
+    if(const std::optional<bool> are_near = hulls.are_near(bound.is_open))
+      return *are_near;
+  }
+  tier = Arithmetic_tier::FILTERED_EXACT;
+  const auto exact = [](const std::vector<std::array<double, Dimension>>& vertices) {
+    Exact_vertices<Exact, Dimension> result(vertices.size());
+    for(std::size_t k = 0; k < vertices.size(); ++k)
+      for(int axis = 0; axis < Dimension; ++axis)
+        result[k][axis] = Exact(vertices[k][axis]);
+    return result;
+  };
+  return are_vertices_near<Dimension>(exact(nearest_a), exact(nearest_b),
+                                      Exact(Exact(a.radius.low) + Exact(b.radius.low)),
+                                      exact_bound);
 }
 
-// The same in exact numbers.
-template <class Exact, class A, class B>
-CGAL_THICK_INTERSECTION_D_RARELY_CALLED bool are_near_in_exact_numbers(const A& a, const B& b,
-                                                  const Distance_of<A, B>& distance,
-                                                  const Squared_bound<Exact>& bound)
+#ifdef CGAL_THICK_INTERSECTION_D_COMPILED
+extern template class Hull_distance<2>;
+extern template class Hull_distance<3>;
+extern template bool are_exact_hulls_near<2>(
+  const Hull<2>&, const Hull<2>&, const Hull_distance<2>&, const Hull_bound&,
+  const Squared_bound<Exact_number_t<double>>&, Arithmetic_tier, Arithmetic_tier&);
+extern template bool are_exact_hulls_near<3>(
+  const Hull<3>&, const Hull<3>&, const Hull_distance<3>&, const Hull_bound&,
+  const Squared_bound<Exact_number_t<double>>&, Arithmetic_tier, Arithmetic_tier&);
+#endif
+
+// Whether objects of one kind each are made of doubles, by their types.
+template <class A, class B>
+constexpr bool are_doubles_v = has_double_vertices_v<Hull_points_t<A>>
+                               && has_double_vertices_v<Hull_points_t<B>>
+                               && is_held_by_double_v<typename Radius_number<A>::type>
+                               && is_held_by_double_v<typename Radius_number<B>::type>;
+
+// The same of objects by the numbers that they have.
+template <class A, class B, class Exact>
+CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+bool are_near_in_their_numbers(const A& a, const B& b,
+                               const Hull_distance<hull_dimension_v<A>>& distance,
+                               const Squared_bound<Exact>& bound)
 {
-  constexpr std::size_t dimension = static_cast<std::size_t>(hull_dimension_v<A>);
-  std::vector<Exact_vector<Exact, dimension>> vertices_of_a, vertices_of_b;
-  for(std::size_t k = 0; k < hull_size_v<A>; ++k)
-    if(distance.may_be_nearest_of_a(k))
-      vertices_of_a.push_back(exact_hull_vertex<Exact>(a, k));
-  for(std::size_t k = 0; k < hull_size_v<B>; ++k)
-    if(distance.may_be_nearest_of_b(k))
-      vertices_of_b.push_back(exact_hull_vertex<Exact>(b, k));
-  const auto within = comparison_with(bound, a, b);
-  return Exact_hull_distance<Exact, dimension, decltype(within)>(within)(vertices_of_a,
-                                                                        vertices_of_b);
+  return are_vertices_near<hull_dimension_v<A>>(
+    distance.nearest_of_a([&](std::size_t k) { return exact_hull_vertex<Exact>(a, k); }),
+    distance.nearest_of_b([&](std::size_t k) { return exact_hull_vertex<Exact>(b, k); }),
+    Exact(exact_radius<Exact>(a) + exact_radius<Exact>(b)), bound);
 }
 
 // Returns doubles that enclose the bound on the distance of the hulls of two objects.
@@ -133,12 +157,12 @@ Interval reach_of_objects(const Hull_bound& bound, const A& a, const B& b)
 // intersect are within every bound.
 template <class A, class B, class Exact_bound>
 CGAL_THICK_INTERSECTION_D_RARELY_CALLED bool
-decide_near_objects(const A& a, const B& b, const typename Distance_of<A, B>::Vector& v,
-                    const Hull_bound& bound, const Exact_bound& exact_bound, Arithmetic_tier& tier)
+decide_near_objects(const A& a, const B& b, const Hull_vector<A>& v, const Hull_bound& bound,
+                    const Exact_bound& exact_bound, Arithmetic_tier& tier)
 {
-  const Hull_of<A> hull_a = hull_of(a);
-  const Hull_of<B> hull_b = hull_of(b);
-  Distance_of<A, B> distance(hull_a, hull_b, v);
+  constexpr int dimension = hull_dimension_v<A>;
+  const Hull<dimension> hull_a = hull_of(a), hull_b = hull_of(b);
+  Hull_distance<dimension> distance(hull_a, hull_b, v);
   const Uncertain<bool> are_within = distance.is_within(reach_of_objects(bound, a, b));
   if(is_certain(are_within)) {
     tier = Arithmetic_tier::DOUBLE;
@@ -149,27 +173,12 @@ decide_near_objects(const A& a, const B& b, const typename Distance_of<A, B>::Ve
   tier = (std::max)(tier, Arithmetic_tier::INT128);
   if(do_intersect)
     return true;
-  if(least_tier != Arithmetic_tier::FILTERED_EXACT)
-    if(const auto are_near = are_near_in_integers<A, B>(hull_a, hull_b, distance, bound))
-      return *are_near;
-  tier = Arithmetic_tier::FILTERED_EXACT;
-  return are_near_in_exact_numbers(a, b, distance, exact_bound());
-}
-
-// What doubles guess first about the distance of two objects. `v` is as in are_hulls_near().
-template <class A, class B>
-BOOST_FORCEINLINE Uncertain<bool> guess_near_objects(const A& a, const B& b,
-                                                     const Interval& reach,
-                                                     typename Distance_of<A, B>::Vector& v)
-{
-  constexpr std::size_t size_a = hull_size_v<A>, size_b = hull_size_v<B>;
-  if constexpr(has_double_vertices_v<Hull_points_t<A>> && has_double_vertices_v<Hull_points_t<B>>)
-    return are_hulls_near<size_a, size_b>(a, b, 0, reach, v);
-  else {
-    const Hull_of<A> hull_a = hull_of(a);
-    const Hull_of<B> hull_b = hull_of(b);
-    return are_hulls_near<size_a, size_b>(hull_a, hull_b, hull_a.error + hull_b.error, reach, v);
-  }
+  if constexpr(!are_doubles_v<A, B>)
+    if(!hull_a.is_exact() || !hull_b.is_exact()) {
+      tier = Arithmetic_tier::FILTERED_EXACT;
+      return are_near_in_their_numbers(a, b, distance, exact_bound());
+    }
+  return are_exact_hulls_near(hull_a, hull_b, distance, bound, exact_bound(), least_tier, tier);
 }
 
 // Whether objects of one kind each are within a bound, which holds for the distance zero at least.
@@ -179,8 +188,9 @@ template <class A, class B, class Exact_bound>
 bool are_kinds_near(const A& a, const B& b, const Hull_bound& bound, const Exact_bound& exact_bound,
                     Arithmetic_tier& tier)
 {
-  typename Distance_of<A, B>::Vector v;
-  const Uncertain<bool> are_near = guess_near_objects(a, b, reach_of_objects(bound, a, b), v);
+  Hull_vector<A> v;
+  const Uncertain<bool> are_near = are_hulls_near<hull_size_v<A>, hull_size_v<B>>(
+    hull_of(a), hull_of(b), reach_of_objects(bound, a, b), v);
   if(!is_certain(are_near))
     return decide_near_objects(a, b, v, bound, exact_bound, tier);
   tier = Arithmetic_tier::DOUBLE;
