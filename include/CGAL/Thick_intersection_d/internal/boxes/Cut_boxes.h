@@ -42,11 +42,11 @@ public:
   {
     for_each_block_of_boxes([&](std::size_t, Place* next, const Box* box, const Box* end) {
       const Equal_cut piece_of = cut_; // a copy, which stays in registers, as in distribute()
-      const int axis = axis_;
+      const int cut_axis = axis_;
       std::fill_n(next, piece_of.count(), Place(0));
       for(; box != end; ++box) {
-        const Place last = piece_of(box->high[axis]);
-        for(Place piece = piece_of(box->low[axis]); piece <= last; ++piece)
+        const Place last = piece_of(box->high[cut_axis]);
+        for(Place piece = piece_of(box->low[cut_axis]); piece <= last; ++piece)
           ++next[piece];
       }
     });
