@@ -33,7 +33,7 @@ public:
 
   explicit Closest_pair_algorithms(const std::vector<Point>& points)
     : elements_(points), n_(points.size()),
-      scene_(internal::scan_points<CGAL::Sequential_tag>(elements_, "point"))
+      scene_(internal::scan_points(elements_, "point"))
   {}
 
   Positions by_division() const

@@ -11,7 +11,6 @@
 #include <CGAL/Arithmetic_tier.h>
 #include <CGAL/Distance_bound.h>
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/tags.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
@@ -292,7 +291,7 @@ Scene_profile profile_scene(PointRange&& points, const Distance_bound<NT>& bound
   using Point = typename std::decay_t<decltype(elements)>::value_type;
   using Exact = internal::Exact_number_t<internal::Coordinate_t<Point>>;
   const double reach = internal::Squared_bound<Exact>(bound).reach();
-  return Scene_profile(internal::scan_points<Sequential_tag>(elements, "point"), reach);
+  return Scene_profile(internal::scan_points(elements, "point"), reach);
 }
 
 } // namespace CGAL

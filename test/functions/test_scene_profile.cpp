@@ -221,7 +221,7 @@ BOOST_AUTO_TEST_CASE(differences_of_a_multiple_of_2_to_64_steps_are_not_zero)
     const auto made = make_points<Plane>(points);
     const internal::Numbered_elements<std::vector<Kernel::Point_2>> elements(made);
     const internal::Is_within_distance<Kernel::Point_2> is_within(
-      bound, internal::scan_points<CGAL::Sequential_tag>(elements, "point"),
+      bound, internal::scan_points(elements, "point"),
       Arithmetic_tier::INT128);
     BOOST_CHECK(!is_within(made[0], made[17]));
   }

@@ -8,7 +8,6 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/tags.h>
 
 #include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
 
@@ -31,7 +30,7 @@ namespace internal = CGAL::Thick_intersection_d::internal;
 template <class Number>
 internal::Scene scene_of(const Plain_points<Number>& points)
 {
-  return internal::scan_points<CGAL::Sequential_tag>(points, "point");
+  return internal::scan_points(points, "point");
 }
 
 BOOST_AUTO_TEST_CASE(the_box_holds_all_points_and_no_more)
@@ -95,9 +94,10 @@ BOOST_AUTO_TEST_CASE(lower_bounds_are_stored_once_each)
   Plain_points<Rational> points = plain_points<Rational>({{1, 2}, {0.5, 4}, {-1, 8}});
   points[2].coordinates[0] = -Rational(1) / 3;
   std::vector<std::tuple<std::size_t, int, double>> stored;
-  const internal::Scene scene = internal::scan_points<CGAL::Sequential_tag>(
+  const internal::Scene scene = internal::scan_points(
     points, "point", false,
-    [&](std::size_t position, int axis, double x) { stored.emplace_back(position, axis, x); });
+    [&](std::size_t position, int axis, double x) { stored.emplace_back(position, axis, x); },
+    internal::Threads());
   BOOST_REQUIRE_EQUAL(stored.size(), 6u);
   for(std::size_t i = 0; i < stored.size(); ++i) {
     const auto [position, axis, x] = stored[i];
@@ -111,8 +111,7 @@ BOOST_AUTO_TEST_CASE(the_grid_is_found_if_it_is_asked_for)
 {
   const auto points = plain_points({{0.5, 4, 1e-9}, {-1, 8, 1e-9}, {0, 2.25, 1e-9}});
   const internal::Scene with = scene_of(points);
-  const internal::Scene without
-    = internal::scan_points<CGAL::Sequential_tag>(points, "point", false);
+  const internal::Scene without = internal::scan_points(points, "point", false);
   BOOST_CHECK(with.grid_exponent == -2);
   BOOST_CHECK(!without.grid_exponent);
   BOOST_CHECK_EQUAL(without.size, with.size);
@@ -130,7 +129,7 @@ BOOST_AUTO_TEST_CASE(other_numbers_have_no_grid)
   points[1].coordinates[0] /= 3;
   for(const bool finds_grid : {true, false}) {
     const internal::Scene scene
-      = internal::scan_points<CGAL::Sequential_tag>(points, "point", finds_grid);
+      = internal::scan_points(points, "point", finds_grid);
     BOOST_CHECK(!scene.grid_exponent);
     BOOST_CHECK_GT(scene.error, 0);
   }
@@ -164,7 +163,7 @@ BOOST_AUTO_TEST_CASE(the_first_bad_point_is_named)
 BOOST_AUTO_TEST_CASE(no_points_of_the_plane_make_an_empty_scene)
 {
   const std::vector<CGAL::Simple_cartesian<double>::Point_2> none;
-  const internal::Scene scene = internal::scan_points<CGAL::Sequential_tag>(none, "point");
+  const internal::Scene scene = internal::scan_points(none, "point");
   BOOST_CHECK_EQUAL(scene.size, 0u);
   BOOST_CHECK_EQUAL(scene.dimension(), 0);
 }

@@ -62,7 +62,7 @@ Counts counts_of(const Points& points, const Lattice& lattice, double reach,
 {
   constexpr CGAL::Sequential_tag tag;
   const auto elements = internal::make_elements(points, CGAL::parameters::default_values());
-  const internal::Scene scene = internal::scan_points<CGAL::Sequential_tag>(elements, "point");
+  const internal::Scene scene = internal::scan_points(elements, "point");
   const internal::Lattice_basis<Lattice::dimension> basis(lattice);
   const internal::Cell_boundary<Lattice::dimension> boundary(tag, basis, elements, scene, reach,
                                                              true);

@@ -165,7 +165,7 @@ BOOST_AUTO_TEST_CASE(certified_doubles_are_exact_at_the_limit)
   const double limit = 67108864;
   const std::vector<Point_2> scene = {{0, 0}, {1, 0}, {1e15, 0}};
   const internal::Numbered_elements<std::vector<Point_2>> elements(scene);
-  const internal::Scene scanned = internal::scan_points<CGAL::Sequential_tag>(elements, "point");
+  const internal::Scene scanned = internal::scan_points(elements, "point");
   for(int i = 0; i < 20000; ++i) {
     const double r = limit - static_cast<double>(random() % 1000);
     const auto bound = CGAL::within_distance(r);
@@ -203,7 +203,7 @@ void check_count(Arithmetic_tier tier, const Plain_point<Number>& q, bool is_wit
   using Point = Plain_point<Number>;
   const Plain_points<Number> points = {{{Number(0), Number(0)}}, q};
   const internal::Squared_bound<internal::Exact_number_t<Number>> bound(CGAL::within_distance(5));
-  const internal::Scene scene = internal::scan_points<CGAL::Sequential_tag>(points, "point");
+  const internal::Scene scene = internal::scan_points(points, "point");
   internal::Shared_decision_counts shared;
   const internal::Is_within_distance<Point> test(bound, scene, tier, &shared);
   BOOST_CHECK_EQUAL(test(points[0], points[1]), is_within);
@@ -238,7 +238,7 @@ void check_last_question(const Plain_point<Number>& q, bool is_within, Arithmeti
 {
   const Plain_points<Number> points = {{{Number(0), Number(0)}}, q};
   const internal::Squared_bound<internal::Exact_number_t<Number>> bound(CGAL::within_distance(5));
-  const internal::Scene scene = internal::scan_points<CGAL::Sequential_tag>(points, "point");
+  const internal::Scene scene = internal::scan_points(points, "point");
   const internal::Is_within_distance<Plain_point<Number>> test(bound, scene,
                                                                Arithmetic_tier::FILTERED_EXACT);
   internal::Decision_counts counts;

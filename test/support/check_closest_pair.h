@@ -31,7 +31,7 @@ using Exact_of = internal::Exact_number_t<internal::Coordinate_t<Point>>;
 template <class Elements>
 internal::Scene scene_of(const Elements& elements)
 {
-  return internal::scan_points<CGAL::Sequential_tag>(elements, "point");
+  return internal::scan_points(elements, "point");
 }
 
 // What the searches report near pairs by.

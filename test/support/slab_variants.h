@@ -39,9 +39,10 @@ void with_near_tasks(const std::vector<Point>& points,
   using Scale = internal::Narrow_scale<Dimension>;
   const Elements elements(points);
   internal::Doubles<Elements> doubles(elements);
-  const internal::Scene scene = internal::scan_points<CGAL::Sequential_tag>(
+  const internal::Scene scene = internal::scan_points(
     elements, "point", true,
-    [&](std::size_t position, int axis, double x) { doubles.set(position, axis, x); });
+    [&](std::size_t position, int axis, double x) { doubles.set(position, axis, x); },
+    internal::Threads());
   const internal::Squared_bound<internal::Exact_number_t<internal::Coordinate_t<Point>>> bound(
     distance_bound);
   const CGAL::Scene_profile profile(scene, bound.reach());

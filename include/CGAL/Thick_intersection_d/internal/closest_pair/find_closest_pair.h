@@ -60,7 +60,8 @@ template <class ConcurrencyTag, class Elements>
 Scene scan_checked_points(const Elements& points)
 {
   check_size(points.size(), max_place / 2); // crowds take slabs, as near_points_search.h does
-  return scan_points<ConcurrencyTag>(points, "point", may_need_grid(Scene_sample(points)));
+  return scan_points(points, "point", may_need_grid(Scene_sample(points)),
+                     Threads(ConcurrencyTag()));
 }
 
 // Reports the pairs of points of a scene in the plane or in space within a bound. There may be as

@@ -23,6 +23,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/near_points/near_points_search.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Carried_points.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_points.h>
@@ -106,7 +107,7 @@ auto distribute_points(const Communicator& comm, const Elements& elements, const
   run_together(comm, [&] {
     reach = Squared_bound<Exact_number_t<Coordinate_t<Point>>>(bound).reach();
     text = text_of_bound(bound);
-    dimension = scan_points<ConcurrencyTag>(elements, "point", false).dimension();
+    dimension = scan_points(elements, "point", false, Threads(ConcurrencyTag())).dimension();
   });
   agree_on(comm, "The distance bound", text);
   Distributed_points<Carried_point<Point>> points(comm, reach, profile);

@@ -7,8 +7,6 @@
 
 // Checks the coordinates of all points and makes the scene, in one pass, by blocks.
 
-#include <CGAL/tags.h>
-
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Double_grid.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/check_denormals.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
@@ -16,7 +14,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 
 #include <boost/config.hpp> // BOOST_NOINLINE
@@ -139,27 +137,33 @@ private:
 // Returns the scene of the points, and calls store(position, axis, lower bound) for each
 // coordinate. Throws if a coordinate is NaN or infinite, or if a point has another dimension than
 // the first point; messages call a point `name`. Throws if denormal numbers are flushed to zero.
-template <class ConcurrencyTag, class Elements, class Store>
+template <class Elements, class Store>
 CGAL_THICK_INTERSECTION_D_RARELY_CALLED
-Scene scan_points(const Elements& points, const char* name, bool finds_grid, const Store& store)
+Scene scan_points(const Elements& points, const char* name, bool finds_grid, const Store& store,
+                  const Threads& threads)
 {
   const int dimension = points.size() == 0 ? 0 : dimension_of(points[0]);
   Scene_scan all(dimension, finds_grid);
-  Per_thread<ConcurrencyTag, Scene_scan> scans(all);
-  for_each_block<ConcurrencyTag>(points.size(), [&](std::size_t first, std::size_t last) {
-    check_denormals(); // in each thread that takes part
-    scans.local().add(points, first, last, store);
-  });
-  scans.for_each([&](const Scene_scan& scan) { all.add(scan); });
+  std::vector<Scene_scan> scans(threads.block_count(), all);
+  threads.run_numbered_blocks(
+    scans.size(), points.size(), [&](std::size_t block, std::size_t first, std::size_t last) {
+      check_denormals(); // in each thread that takes part
+      Scene_scan scan(dimension, finds_grid);
+      scan.add(points, first, last, store);
+      scans[block] = std::move(scan);
+    });
+  for(const Scene_scan& scan : scans)
+    all.add(scan);
   if(all.first_bad() < points.size())
     check_point(points[all.first_bad()], dimension, name, all.first_bad());
   return all.scene(points.size());
 }
 
-template <class ConcurrencyTag, class Elements>
-Scene scan_points(const Elements& points, const char* name, bool finds_grid = true)
+template <class Elements>
+Scene scan_points(const Elements& points, const char* name, bool finds_grid = true,
+                  const Threads& threads = Threads())
 {
-  return scan_points<ConcurrencyTag>(points, name, finds_grid, [](std::size_t, int, double) {});
+  return scan_points(points, name, finds_grid, [](std::size_t, int, double) {}, threads);
 }
 
 } // namespace internal

@@ -74,9 +74,10 @@ public:
   CGAL_THICK_INTERSECTION_D_RARELY_CALLED
   Near_pairs_search(const Elements& points, const Distance_bound<NT>& bound, bool needs_grid)
     : points_(points), bound_(bound), doubles_(points), sample_(points),
-      scene_(scan_points<ConcurrencyTag>(
+      scene_(scan_points(
         points, "point", needs_grid || may_grid_decide_all(),
-        [&](std::size_t position, int axis, double x) { doubles_.set(position, axis, x); })),
+        [&](std::size_t position, int axis, double x) { doubles_.set(position, axis, x); },
+        Threads(ConcurrencyTag()))),
       profile_(scene_, bound_.reach())
   {}
 

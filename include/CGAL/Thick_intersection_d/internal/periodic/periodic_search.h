@@ -14,6 +14,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 #include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/near_points/near_points_search.h>
@@ -122,8 +123,8 @@ private:
       parameters_of_part(np, Periodic_scene::share_of_finding, Periodic_scene::share_of_scan),
       static_cast<std::size_t>(scene_.image_count()));
     const auto scan = [&](const Image_list& batch, double first, double last) {
-      const Scene_profile of_batch(scan_points<ConcurrencyTag>(scene_.moved(batch), "image"),
-                                   reach_);
+      const Scene_profile of_batch(scan_points(scene_.moved(batch), "image", true,
+                                               Threads(ConcurrencyTag())), reach_);
       profile = profile ? joined_profile(scene_.size(), dimension, reach_, *profile, of_batch)
                         : of_batch;
       return progress.advance(static_cast<std::size_t>(last - first));
