@@ -4,7 +4,7 @@
 // One call of fixed_radius_near_neighbors().
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/fixed_radius_near_neighbors.h>
+#include <CGAL/fixed_radius_near_points.h>
 
 #include <cstddef>
 #include <vector>
