@@ -9,7 +9,6 @@
 #include <CGAL/Memory_budget.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/external_fixed_radius_near_neighbors.h>
-#include <CGAL/tags.h>
 
 #include <CGAL/Thick_intersection_d/internal/arrays/Random_numbers.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
@@ -105,9 +104,10 @@ using Go_on = std::function<bool(double)>;
 bool search(const Points& points, const Bound& bound, std::size_t bytes, const Report& report,
             const Go_on& go_on = [](double) { return true; })
 {
-  using Search = External_search<CGAL::Sequential_tag, 3, Points, No_map, double, const Report,
-                                 Go_on>;
-  return Search(points, No_map(), bound, CGAL::Memory_budget(bytes), report, go_on).run();
+  using Search = External_search<3, Points, No_map, double, const Report, Go_on>;
+  return Search(points, No_map(), bound, CGAL::Memory_budget(bytes), report, go_on,
+                Threads())
+    .run();
 }
 
 Pairs pairs_of(const Points& points, const Bound& bound, std::size_t bytes)

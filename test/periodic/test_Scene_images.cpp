@@ -17,7 +17,6 @@
 #include <CGAL/Thick_intersection_d/internal/periodic/Scene_images.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
-#include <CGAL/tags.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -60,15 +59,15 @@ template <class Points, class Lattice, class Sets = internal::One_set>
 Counts counts_of(const Points& points, const Lattice& lattice, double reach,
                  const Sets& sets = Sets())
 {
-  constexpr CGAL::Sequential_tag tag;
+  const internal::Threads threads;
   const auto elements = internal::make_elements(points, CGAL::parameters::default_values());
   const internal::Scene scene = internal::scan_points(elements, "point");
   const internal::Lattice_basis<Lattice::dimension> basis(lattice);
-  const internal::Cell_boundary<Lattice::dimension> boundary(tag, basis, elements, scene, reach,
+  const internal::Cell_boundary<Lattice::dimension> boundary(threads, basis, elements, scene, reach,
                                                              true);
   internal::Scene_images<Lattice::dimension> images(basis, boundary, Sets::are_two);
   internal::Unwatched_progress progress;
-  BOOST_CHECK(images.find(tag, elements, sets, progress));
+  BOOST_CHECK(images.find(threads, elements, sets, progress));
   Counts counts = {images.near_home_count(), static_cast<std::size_t>(images.count()), 0,
                    images.are_moved()};
   images.for_each_batch(elements, [&](const auto& batch, double first, double last) {

@@ -183,8 +183,8 @@ void check_recursive_route(const std::vector<Ball>& balls, const Pairs& expected
   const internal::Numbered_elements<std::vector<Ball>> elements(balls);
   internal::Unwatched_progress progress;
   const Pairs_difference recursive = compare(expected, collected([&](const Report& report) {
-    internal::search_recursively<CGAL::Sequential_tag>(elements, internal::One_set(), traits,
-                                                       report, progress);
+    internal::search_recursively(elements, internal::One_set(), traits, report, progress,
+                                 internal::Threads());
   }));
   BOOST_CHECK_MESSAGE(recursive.empty(), "recursive route: " << recursive);
 }

@@ -276,15 +276,14 @@ void check_recursive_route(const Object_sets<Object>& sets, const Object_truth& 
   const auto& np = CGAL::parameters::default_values();
   internal::Unwatched_progress progress;
   const Pairs one_set = collected([&](const Callback& callback) {
-    internal::search_recursively<CGAL::Sequential_tag>(internal::make_elements(sets.all, np),
-                                                       internal::One_set(), traits, callback,
-                                                       progress);
+    internal::search_recursively(internal::make_elements(sets.all, np), internal::One_set(), traits,
+                                 callback, progress, internal::Threads());
   });
   const Pairs two_sets = collected([&](const Callback& callback) {
     const Callback callback_of_two = sets.callback_of_two_sets(callback);
     const auto report = [&](const auto& elements, const auto& sets_of_two) {
-      internal::search_recursively<CGAL::Sequential_tag>(elements, sets_of_two, traits,
-                                                         callback_of_two, progress);
+      internal::search_recursively(elements, sets_of_two, traits, callback_of_two, progress,
+                                   internal::Threads());
     };
     internal::with_sets(report, internal::make_elements(sets.a, np),
                         internal::make_elements(sets.b, np));

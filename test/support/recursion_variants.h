@@ -101,7 +101,8 @@ void search_by_variant(const Range& objects, const Traits& traits,
   using Elements = internal::Numbered_elements<Range>;
   const Elements elements(objects);
   internal::Unwatched_progress progress;
-  internal::search_recursively<ConcurrencyTag>(elements, sets, traits, callback, progress, variant);
+  internal::search_recursively(elements, sets, traits, callback, progress,
+                               internal::Threads(ConcurrencyTag()), variant);
 }
 
 // The pairs of one set, or of two if the size of the first one is given.

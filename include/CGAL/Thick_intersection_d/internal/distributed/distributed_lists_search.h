@@ -20,6 +20,7 @@
 #include <CGAL/Thick_intersection_d/internal/distributed/run_together.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/lists/neighbor_lists_search.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_points.h>
 #include <CGAL/Thick_intersection_d/internal/lists/Neighbor_collector.h>
@@ -79,8 +80,7 @@ public:
 
   // Sends the lists to the holders, and returns those of the points that this process holds. Each
   // neighbor that arrives is put where its list will be. Collective.
-  template <class ConcurrencyTag>
-  Distributed_neighbor_lists exchange()
+  Distributed_neighbor_lists exchange(const Threads& threads)
   {
     exchange_heads();
     std::vector<std::size_t> begins;
@@ -97,7 +97,7 @@ public:
     });
     size_sent_ += exchange.outgoing_size();
     run_together(comm_, [&] {
-      for_each_block<ConcurrencyTag>(size_, [&](std::size_t i, std::size_t last) {
+      threads.run_blocks(size_, [&](std::size_t i, std::size_t last) {
         for(; i != last; ++i)
           std::sort(ids.data() + begins[i], ids.data() + begins[i + 1]);
       });
@@ -205,6 +205,7 @@ collect_neighbors_here(const Communicator& comm,
                        const std::vector<Part_points<Carried>>& points, const Sets& sets,
                        const Distance_bound<NT>& bound, const NamedParameters& np)
 {
+  const Threads threads{ConcurrencyTag()};
   std::optional<Neighbor_collector<ConcurrencyTag>> collector;
   run_together(comm, [&] {
     check_list_size(points.front().size());
@@ -215,10 +216,10 @@ collect_neighbors_here(const Communicator& comm,
   search_together(comm, np, [&](const auto& watched_np) {
     if constexpr(Sets::are_two) {
       const auto add = [&](std::size_t i, std::size_t j) { collector->add(i, j); };
-      is_complete = report_pairs_here<ConcurrencyTag>(points, sets, bound, add, watched_np);
+      is_complete = report_pairs_here(points, sets, bound, add, watched_np, threads);
     }
     else
-      is_complete = report_pairs_here<ConcurrencyTag>(points, sets, bound, *collector, watched_np);
+      is_complete = report_pairs_here(points, sets, bound, *collector, watched_np, threads);
     return is_complete;
   });
   Neighbor_lists lists;
@@ -239,17 +240,17 @@ make_distributed_lists(const Communicator& comm, const Elements& elements, const
   if constexpr(!check_sent_points<Elements, NamedParameters>())
     return Distributed_neighbor_lists();
   else {
+    const Threads threads{ConcurrencyTag()};
     Phase_clock clock(profile);
     Distributed_lists lists(comm, elements.first().size());
     { // then the points are given up
-      const auto points
-        = distribute_points<ConcurrencyTag>(comm, elements, sets, bound, profile, clock);
+      const auto points = distribute_points(comm, elements, sets, bound, profile, clock, threads);
       const Neighbor_lists here
         = collect_neighbors_here<ConcurrencyTag>(comm, points.sets(), sets, bound, np);
       run_together(comm, [&] { lists.pack(here, points.sets().front(), points.sets().back()); });
       clock.finish(Distributed_phase::SEARCH);
     }
-    Distributed_neighbor_lists mine = lists.exchange<ConcurrencyTag>();
+    Distributed_neighbor_lists mine = lists.exchange(threads);
     profile.set_bytes_sent(Distributed_phase::LISTS, lists.size_sent());
     clock.finish(Distributed_phase::LISTS);
     return mine;

@@ -15,6 +15,7 @@
 #include <CGAL/Thick_intersection_d/internal/distributed/Communicator.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/distributed_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_points.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
@@ -44,11 +45,10 @@ constexpr bool check_callback_of_remote_ids()
 
 // Hands the pairs of this process to the user's callback, as ids, of one set the lesser one first.
 // A pair whose points were both received belongs to another process.
-template <class ConcurrencyTag, class Carried, class Sets, class NT, class Callback,
-          class NamedParameters>
+template <class Carried, class Sets, class NT, class Callback, class NamedParameters>
 bool report_own_pairs(const std::vector<Part_points<Carried>>& points, const Sets& sets,
                       const Distance_bound<NT>& bound, Callback& callback,
-                      const NamedParameters& np)
+                      const NamedParameters& np, const Threads& threads)
 {
   const Part_points<Carried>& first = points.front();
   const Part_points<Carried>& second = points.back();
@@ -60,7 +60,7 @@ bool report_own_pairs(const std::vector<Part_points<Carried>>& points, const Set
       ids = ids_in_order(ids.first, ids.second);
     return goes_on_after(callback, ids.first, ids.second);
   };
-  return report_pairs_here<ConcurrencyTag>(points, sets, bound, report, np);
+  return report_pairs_here(points, sets, bound, report, np, threads);
 }
 
 template <class ConcurrencyTag, class Elements, class Sets, class NT, class Callback,
@@ -76,10 +76,10 @@ bool report_distributed_pairs(const Communicator& comm, const Elements& elements
   else {
     auto&& report = pair_output<is_parallel_v<ConcurrencyTag>>(elements, elements, callback);
     Phase_clock clock(profile);
-    const auto points
-      = distribute_points<ConcurrencyTag>(comm, elements, sets, bound, profile, clock);
+    const Threads threads{ConcurrencyTag()};
+    const auto points = distribute_points(comm, elements, sets, bound, profile, clock, threads);
     const bool is_complete = search_together(comm, np, [&](const auto& watched_np) {
-      return report_own_pairs<ConcurrencyTag>(points.sets(), sets, bound, report, watched_np);
+      return report_own_pairs(points.sets(), sets, bound, report, watched_np, threads);
     });
     clock.finish(Distributed_phase::SEARCH);
     return is_complete;

@@ -95,10 +95,10 @@ std::string text_of_bound(const Distance_bound<NT>& bound)
 
 // Checks the points and the bound on all processes, and distributes the points, so that each
 // process has its own and those near them. Finishes all phases before the search.
-template <class ConcurrencyTag, class Elements, class Sets, class NT>
+template <class Elements, class Sets, class NT>
 auto distribute_points(const Communicator& comm, const Elements& elements, const Sets&,
                        const Distance_bound<NT>& bound, Distributed_profile& profile,
-                       Phase_clock& clock)
+                       Phase_clock& clock, const Threads& threads)
 {
   using Point = typename Elements::value_type;
   std::string text;
@@ -107,7 +107,7 @@ auto distribute_points(const Communicator& comm, const Elements& elements, const
   run_together(comm, [&] {
     reach = Squared_bound<Exact_number_t<Coordinate_t<Point>>>(bound).reach();
     text = text_of_bound(bound);
-    dimension = scan_points(elements, "point", false, Threads(ConcurrencyTag())).dimension();
+    dimension = scan_points(elements, "point", false, threads).dimension();
   });
   agree_on(comm, "The distance bound", text);
   Distributed_points<Carried_point<Point>> points(comm, reach, profile);
@@ -153,13 +153,13 @@ bool search_together(const Communicator& comm, const NamedParameters& np, const 
 
 // Reports the pairs of the points that this process has, as their places. Returns false iff the
 // search was stopped.
-template <class ConcurrencyTag, class Carried, class Sets, class NT, class Report,
-          class NamedParameters>
+template <class Carried, class Sets, class NT, class Report, class NamedParameters>
 bool report_pairs_here(const std::vector<Part_points<Carried>>& points, const Sets&,
-                       const Distance_bound<NT>& bound, Report& report, const NamedParameters& np)
+                       const Distance_bound<NT>& bound, Report& report, const NamedParameters& np,
+                       const Threads& threads)
 {
   const auto search = [&](const auto& elements, const auto& sets) {
-    return report_pairs_of_points<ConcurrencyTag>(elements, sets, bound, report, np);
+    return report_pairs_of_points(elements, sets, bound, report, np, threads);
   };
   using Elements = Numbered_elements<std::vector<Carried>>;
   if constexpr(Sets::are_two)

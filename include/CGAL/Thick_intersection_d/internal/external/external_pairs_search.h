@@ -24,6 +24,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Found_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/near_points/near_points_search.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_points.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
@@ -98,8 +99,7 @@ private:
 constexpr double share_of_writing = .25;
 
 // `Go_on` takes the progress and returns whether to go on.
-template <class ConcurrencyTag, int Dimension, class Range, class Map, class NT, class Callback,
-          class Go_on>
+template <int Dimension, class Range, class Map, class NT, class Callback, class Go_on>
 class External_search
 {
   using Readable = Read_range<Range>;
@@ -109,9 +109,11 @@ class External_search
 
 public:
   External_search(Readable& range, const Map& map, const Distance_bound<NT>& bound,
-                  const Memory_budget& budget, Callback& callback, const Go_on& go_on)
+                  const Memory_budget& budget, Callback& callback, const Go_on& go_on,
+                  const Threads& threads)
     : range_(range), map_(map), bound_(bound),
-      parts_(budget, Squared_bound<Exact>(bound).reach()), callback_(callback), go_on_(go_on)
+      parts_(budget, Squared_bound<Exact>(bound).reach()), callback_(callback), go_on_(go_on),
+      threads_(threads)
   {}
 
   // Reads as many points as can be searched at once. Returns false iff the search was stopped.
@@ -203,8 +205,8 @@ private:
     const Searched_points<Dimension> points(loaded_);
     const auto go_on = [&](double done) { return go_on_(start + share * done); };
     Part_taker<Dimension, Callback> taker(points, callback_);
-    return report_pairs_of_points<ConcurrencyTag>(points, One_set(), bound_, taker,
-                                                  parameters::callback(go_on));
+    return report_pairs_of_points(points, One_set(), bound_, taker, parameters::callback(go_on),
+                                  threads_);
   }
 
   Readable& range_;
@@ -213,6 +215,7 @@ private:
   External_parts<Dimension> parts_;
   Callback& callback_;
   const Go_on& go_on_;
+  const Threads threads_;
   Loaded_points<Dimension> loaded_; // some, or a part
   std::uint64_t size_ = 0; // of the points that were read
 };
@@ -255,10 +258,11 @@ bool search_externally(Range& range, const Distance_bound<NT>& bound, const Memo
     const auto& go_on = parameters::choose_parameter(given, go_on_always);
     using Map = std::decay_t<decltype(element_map(range, np))>;
     using Point = typename Elements_of<Range, NamedParameters>::value_type;
-    using Search = External_search<ConcurrencyTag, dimension_or<Point>(0),
-                                   std::remove_const_t<Range>, Map, NT, Callback,
-                                   std::decay_t<decltype(go_on)>>;
-    return Search(range, element_map(range, np), bound, budget, callback, go_on).run();
+    using Search = External_search<dimension_or<Point>(0), std::remove_const_t<Range>, Map, NT,
+                                   Callback, std::decay_t<decltype(go_on)>>;
+    return Search(range, element_map(range, np), bound, budget, callback, go_on,
+                  Threads(ConcurrencyTag()))
+      .run();
   }
   else
     return false;

@@ -13,6 +13,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/near_points/near_points_search.h>
 
 namespace CGAL {
@@ -41,7 +42,7 @@ struct Near_pairs_of<Point, true>
   static bool report(const Elements& points, const Sets& sets, const Distance_bound<NT>& bound,
                      Callback& callback, const NamedParameters& np)
   {
-    return report_pairs_of_points<ConcurrencyTag>(points, sets, bound, callback, np);
+    return report_pairs_of_points(points, sets, bound, callback, np, Threads(ConcurrencyTag()));
   }
 
   // The same. Takes the tier that is forced in `profile`, and sets `profile` to the profile of the
@@ -51,7 +52,7 @@ struct Near_pairs_of<Point, true>
   static bool report(const Elements& points, const Sets& sets, const Distance_bound<NT>& bound,
                      Callback& callback, Scene_profile& profile, const NamedParameters& np)
   {
-    Near_pairs_search<ConcurrencyTag, Elements> search(points, bound, true);
+    Near_pairs_search<Elements> search(points, bound, true, Threads(ConcurrencyTag()));
     return search.report_profiled(sets, callback, np, &profile);
   }
 };

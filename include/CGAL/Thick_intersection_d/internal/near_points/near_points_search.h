@@ -56,7 +56,7 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-template <class ConcurrencyTag, class Elements>
+template <class Elements>
 class Near_pairs_search
 {
   using Point = typename Elements::value_type;
@@ -72,12 +72,13 @@ public:
   // may decide all pairs.
   template <class NT>
   CGAL_THICK_INTERSECTION_D_RARELY_CALLED
-  Near_pairs_search(const Elements& points, const Distance_bound<NT>& bound, bool needs_grid)
-    : points_(points), bound_(bound), doubles_(points), sample_(points),
+  Near_pairs_search(const Elements& points, const Distance_bound<NT>& bound, bool needs_grid,
+                    const Threads& threads)
+    : points_(points), threads_(threads), bound_(bound), doubles_(points), sample_(points),
       scene_(scan_points(
         points, "point", needs_grid || may_grid_decide_all(),
         [&](std::size_t position, int axis, double x) { doubles_.set(position, axis, x); },
-        Threads(ConcurrencyTag()))),
+        threads)),
       profile_(scene_, bound_.reach())
   {}
 
@@ -103,7 +104,7 @@ public:
       throw std::length_error("There are too many points: " + std::to_string(points_.size()) + ".");
     else {
       const Thick_point_traits_d<Point> traits(is_within);
-      return search_recursively<ConcurrencyTag>(points_, sets, traits, callback, progress);
+      return search_recursively(points_, sets, traits, callback, progress, threads_);
     }
   }
 
@@ -163,8 +164,7 @@ private:
                           Callback& callback, Progress& progress)
   {
     using Boxes = Near_object_boxes<dimension_or<Point>(0), Elements, Is_within_distance<Point>>;
-    return report_meeting_boxes(Boxes(points_, is_within), sets, callback, progress,
-                                Threads(ConcurrencyTag()));
+    return report_meeting_boxes(Boxes(points_, is_within), sets, callback, progress, threads_);
   }
 
   template <class Sets, class Callback, class Progress>
@@ -194,7 +194,7 @@ private:
     task.near = is_within.filter_of_doubles();
     if constexpr(Sets::are_two)
       task.sets.first_size = static_cast<Place>(sets.first_size);
-    task.threads = Threads(ConcurrencyTag());
+    task.threads = threads_;
     task.counts = is_within.shared_counts();
     return task;
   }
@@ -230,6 +230,7 @@ private:
   }
 
   const Elements& points_;
+  const Threads threads_;
   const Bound bound_;
   Doubles<Elements> doubles_;
   const Scene_sample sample_;
@@ -238,18 +239,17 @@ private:
 };
 
 // Reports the near pairs of points of a kernel, whatever traits are given.
-template <class ConcurrencyTag, class Elements, class Sets, class NT, class Callback,
-          class NamedParameters>
+template <class Elements, class Sets, class NT, class Callback, class NamedParameters>
 bool report_pairs_of_points(const Elements& points, const Sets& sets,
                             const Distance_bound<NT>& bound, Callback& callback,
-                            const NamedParameters& np)
+                            const NamedParameters& np, const Threads& threads)
 {
   if constexpr(takes_few_points<Elements, Sets, NT, Callback>)
     if(points.size() <= max_few_points)
       if(const std::optional<bool> is_complete
          = report_few_near_pairs(points, sets, bound, callback, np))
         return *is_complete;
-  Near_pairs_search<ConcurrencyTag, Elements> search(points, bound, false);
+  Near_pairs_search<Elements> search(points, bound, false, threads);
   return search.report(sets, callback, np, nullptr);
 }
 

@@ -216,7 +216,8 @@ bool report_objects(const Elements& objects, const Sets& sets, const Traits& tra
     }
   }
   if constexpr(may_recurse)
-    return search_recursively<ConcurrencyTag>(objects, sets, traits, callback, progress);
+    return search_recursively(objects, sets, traits, callback, progress,
+                              Threads(ConcurrencyTag()));
   else
     return true;
 }

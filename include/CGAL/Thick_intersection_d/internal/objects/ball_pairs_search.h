@@ -13,6 +13,7 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/input/Ball_centers.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/near_points/near_points_search.h>
 #include <CGAL/Thick_intersection_d/internal/objects/Object_route.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Ball_box_filter.h>
@@ -49,8 +50,8 @@ struct Object_route<Thick_ball_traits_d<Point>>
       return report_objects<ConcurrencyTag>(balls, sets, traits, callback, np);
     using Exact = Exact_number_t<std::decay_t<decltype(*radius)>>;
     const Exact diameter(Exact(2) * to_exact_number(*radius));
-    return report_pairs_of_points<ConcurrencyTag>(Ball_centers<Balls>(balls), sets,
-                                                  within_distance(diameter), callback, np);
+    return report_pairs_of_points(Ball_centers<Balls>(balls), sets, within_distance(diameter),
+                                  callback, np, Threads(ConcurrencyTag()));
   }
 };
 

@@ -18,6 +18,7 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Cell_fractions.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Lattice_basis.h>
@@ -46,11 +47,11 @@ public:
   // Points may be anywhere if `are_anywhere`: then their homes are in one cell, and the points
   // themselves if they fit into it as they are. Throws std::length_error if the bound or the scene
   // is too many periods long.
-  template <class ConcurrencyTag, class Elements>
+  template <class Elements>
   CGAL_THICK_INTERSECTION_D_RARELY_CALLED
-  Cell_boundary(ConcurrencyTag tag, const Lattice_basis<Dimension>& basis, const Elements& points,
-                const Scene& scene, double reach, bool are_anywhere)
-    : fractions_(tag, basis, points, scene), rank_(basis.rank())
+  Cell_boundary(const Threads& threads, const Lattice_basis<Dimension>& basis,
+                const Elements& points, const Scene& scene, double reach, bool are_anywhere)
+    : fractions_(threads, basis, points, scene), rank_(basis.rank())
   {
     low_ends_.fill(-1); // where there is no vector, points are at zero
     high_ends_.fill(1);

@@ -22,7 +22,7 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Lattice_basis.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Local_coordinates.h>
@@ -45,10 +45,10 @@ class Cell_fractions
   using Vector = std::array<double, Dimension>;
 
 public:
-  template <class ConcurrencyTag, class Elements>
+  template <class Elements>
   CGAL_THICK_INTERSECTION_D_RARELY_CALLED
-  Cell_fractions(ConcurrencyTag, const Lattice_basis<Dimension>& basis, const Elements& points,
-                 const Scene& scene)
+  Cell_fractions(const Threads& threads, const Lattice_basis<Dimension>& basis,
+                 const Elements& points, const Scene& scene)
     : rank_(basis.rank()), local_(scene)
   {
     set_scale(basis);
@@ -60,7 +60,7 @@ public:
     for(int k = 0; k < rank_; ++k)
       set_error_and_range(k);
     if(!are_along_axes())
-      set_ranges<ConcurrencyTag>(points);
+      set_ranges(threads, points);
   }
 
   // Returns how many times each vector goes into a point, up to error(k): zero where there is no
@@ -201,12 +201,12 @@ private:
   }
 
   // Skewed vectors go into the corners of the box of the scene more often than into the points.
-  template <class ConcurrencyTag, class Elements>
-  void set_ranges(const Elements& points)
+  template <class Elements>
+  void set_ranges(const Threads& threads, const Elements& points)
   {
     using Ranges = std::array<Interval, Dimension>;
-    std::vector<Ranges> found(block_count<ConcurrencyTag>());
-    for_each_numbered_block<ConcurrencyTag>(
+    std::vector<Ranges> found(threads.block_count());
+    threads.run_numbered_blocks(
       found.size(), points.size(), [&](std::size_t block, std::size_t first, std::size_t last) {
         Ranges ranges;
         for(; first < last; ++first) {

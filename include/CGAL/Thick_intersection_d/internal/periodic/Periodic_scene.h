@@ -12,6 +12,7 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Cell_boundary.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Images.h>
@@ -31,7 +32,7 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-template <class ConcurrencyTag, class Elements, class Sets, class Domain>
+template <class Elements, class Sets, class Domain>
 class Periodic_scene
 {
   using Point = typename Elements::value_type;
@@ -51,15 +52,16 @@ public:
   // Checks the domain, and whether points are in it. `scene` is that of the points.
   CGAL_THICK_INTERSECTION_D_RARELY_CALLED
   Periodic_scene(const Elements& points, const Sets& sets, const Domain& domain,
-                 const Scene& scene, double reach)
-    : points_(points), sets_(sets), periods_(lattice_of(domain)), basis_(lattice_of(domain))
+                 const Scene& scene, double reach, const Threads& threads)
+    : points_(points), sets_(sets), threads_(threads), periods_(lattice_of(domain)),
+      basis_(lattice_of(domain))
   {
     if(points.size() == 0)
       return;
     check_size(points.size());
     if constexpr(!is_lattice_v<Domain>)
       check_in_box(points, scene, domain);
-    const Cell_boundary<dimension> boundary(ConcurrencyTag(), basis_, points, scene, reach,
+    const Cell_boundary<dimension> boundary(threads, basis_, points, scene, reach,
                                             is_lattice_v<Domain>);
     if(have_pairs())
       images_.emplace(basis_, boundary, Sets::are_two);
@@ -76,7 +78,7 @@ public:
     if(!images_)
       return true;
     auto progress = make_progress(parameters_of_part(np, 0, share_of_finding), points_.size());
-    return images_->find(ConcurrencyTag(), points_, sets_, progress);
+    return images_->find(threads_, points_, sets_, progress);
   }
 
   // Calls task(batch, first, last) with the images, as Scene_images does.
@@ -184,6 +186,7 @@ private:
 
   const Elements& points_;
   const Sets sets_;
+  const Threads threads_;
   const Periods<dimension, Exact> periods_;
   const Lattice_basis<dimension> basis_;
   std::optional<Scene_images<dimension>> images_; // none if there is no pair

@@ -20,7 +20,7 @@
 // homes near which they may be, so memory is linear in the number of points.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Cell_boundary.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Image_moves.h>
@@ -58,12 +58,12 @@ public:
   // Finds the homes, and counts the images. Each point is a step of progress. Returns false iff it
   // was cancelled. Throws std::length_error if a point is too many periods away, or if there are
   // too many images.
-  template <class ConcurrencyTag, class Elements, class Sets, class Progress>
+  template <class Elements, class Sets, class Progress>
   CGAL_THICK_INTERSECTION_D_RARELY_CALLED
-  bool find(ConcurrencyTag, const Elements& points, const Sets& sets, Progress& progress)
+  bool find(const Threads& threads, const Elements& points, const Sets& sets, Progress& progress)
   {
-    std::vector<Found> found(block_count<ConcurrencyTag>());
-    for_each_numbered_block<ConcurrencyTag>(
+    std::vector<Found> found(threads.block_count());
+    threads.run_numbered_blocks(
       found.size(), points.size(), [&](std::size_t block, std::size_t first, std::size_t last) {
         add_points(points, first, last, sets, found[block], progress);
       });

@@ -12,6 +12,7 @@
 #include <CGAL/Distance_bound.h>
 
 #include <CGAL/Thick_intersection_d/internal/closest_pair/find_closest_pair.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/periodic_search.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/periodic_sets.h>
@@ -34,7 +35,7 @@ template <class ConcurrencyTag, class Elements, class Domain>
 class Periodic_closest_pair_search
 {
   template <class NT>
-  using Search = Periodic_search<ConcurrencyTag, Elements, One_set, Domain, NT>;
+  using Search = Periodic_search<Elements, One_set, Domain, NT>;
   using Exact = typename Search<double>::Exact;
   using Offsets = typename Search<double>::Offsets;
 
@@ -43,7 +44,8 @@ public:
 
   // Checks the domain and the points.
   Periodic_closest_pair_search(const Elements& points, const Domain& domain)
-    : points_(points), domain_(domain), homes_(points, One_set(), domain, at_zero_, false)
+    : points_(points), domain_(domain), homes_(points, One_set(), domain, at_zero_, false,
+                                                Threads(ConcurrencyTag()))
   {}
 
   // Returns the closest pair. If the search is cancelled, returns the closest of those that it has
@@ -133,7 +135,8 @@ private:
     const auto report = [&](std::size_t i, std::size_t j, const Offsets& offset) {
       offer(minima.local(), Pair(i, j, offset));
     };
-    Search<NT>(points_, One_set(), domain_, bound, false).report(report, np, nullptr);
+    Search<NT>(points_, One_set(), domain_, bound, false, Threads(ConcurrencyTag()))
+      .report(report, np, nullptr);
     minima.for_each([&](const Minimum& own) { minimum.offer(*own.pair, own.square); });
   }
 

@@ -12,6 +12,7 @@
 #include <CGAL/Periodic_neighbor_lists.h>
 
 #include <CGAL/Thick_intersection_d/internal/lists/neighbor_lists_search.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Periods.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/periodic_search.h>
@@ -87,10 +88,10 @@ private:
 
 // Returns the lists of both kinds of neighbors, those that no offset between homes moves and the
 // others. offset_of(i, j) returns the offset of the former.
-template <class ConcurrencyTag, int Dimension, class Offset_of>
+template <int Dimension, class Offset_of>
 Periodic_neighbor_lists<Dimension>
 merged_lists(const Neighbor_lists& of_homes, const Image_neighbors<Dimension>& moved,
-             bool are_of_one_set, const Offset_of& offset_of)
+             bool are_of_one_set, const Offset_of& offset_of, const Threads& threads)
 {
   using Neighbor = Image_neighbor<Dimension>;
   std::vector<std::size_t> begins(of_homes.size() + 1, 0);
@@ -98,7 +99,7 @@ merged_lists(const Neighbor_lists& of_homes, const Image_neighbors<Dimension>& m
     begins[i] = of_homes.begins()[i] + moved.begin(i);
   std::vector<Neighbor_lists::Position> positions(begins.back());
   std::vector<Offset<Dimension>> offsets(begins.back());
-  for_each_block<ConcurrencyTag>(of_homes.size(), [&](std::size_t i, std::size_t end) {
+  threads.run_blocks(of_homes.size(), [&](std::size_t i, std::size_t end) {
     for(std::size_t place = begins[i]; i != end; ++i) {
       auto next = moved[i].begin();
       const auto put_until = [&](const Neighbor& last) {
@@ -144,8 +145,9 @@ auto collect_periodic_neighbors(const Domain& domain, const Distance_bound<NT>& 
     constexpr int dimension = domain_dimension_v<Domain>;
     using Neighbor = Image_neighbor<dimension>;
     using Sets = std::decay_t<decltype(sets)>;
-    Periodic_search<ConcurrencyTag, std::decay_t<decltype(elements)>, Sets, Domain, NT>
-      search(elements, sets, domain, bound, false);
+    const Threads threads{ConcurrencyTag()};
+    Periodic_search<std::decay_t<decltype(elements)>, Sets, Domain, NT>
+      search(elements, sets, domain, bound, false, threads);
 
     auto& scene = search.scene();
     Neighbor_lists of_homes(std::vector<std::size_t>(scene.first_size() + 1, 0), {},
@@ -163,11 +165,11 @@ auto collect_periodic_neighbors(const Domain& domain, const Distance_bound<NT>& 
     };
     if(is_complete)
       search.report_near(add, np, nullptr);
-    return merged_lists<ConcurrencyTag, dimension>(
+    return merged_lists<dimension>(
       of_homes, Image_neighbors<dimension>(of_homes.size(), parts), !Sets::are_two,
       [&](std::size_t i, std::size_t j) {
         return scene.offset_of_homes(i, scene.first_of_second() + j);
-      });
+      }, threads);
   };
   return with_periodic_sets<ConcurrencyTag, Domain>(np, collect, ranges...);
 }

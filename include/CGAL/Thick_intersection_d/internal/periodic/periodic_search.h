@@ -39,10 +39,10 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-template <class ConcurrencyTag, class Elements, class Sets, class Domain, class NT>
+template <class Elements, class Sets, class Domain, class NT>
 class Periodic_search
 {
-  using Periodic_scene = internal::Periodic_scene<ConcurrencyTag, Elements, Sets, Domain>;
+  using Periodic_scene = internal::Periodic_scene<Elements, Sets, Domain>;
 
 public:
   static constexpr int dimension = Periodic_scene::dimension;
@@ -52,10 +52,10 @@ public:
   // Checks the bound, the domain and the points.
   CGAL_THICK_INTERSECTION_D_RARELY_CALLED
   Periodic_search(const Elements& points, const Sets& sets, const Domain& domain,
-                  const Distance_bound<NT>& bound, bool is_profiled)
-    : sets_(sets), bound_(bound), reach_(finite_reach(bound)),
-      search_of_points_(points, bound, is_profiled),
-      scene_(points, sets, domain, search_of_points_.scene(), reach_)
+                  const Distance_bound<NT>& bound, bool is_profiled, const Threads& threads)
+    : sets_(sets), bound_(bound), threads_(threads), reach_(finite_reach(bound)),
+      search_of_points_(points, bound, is_profiled, threads),
+      scene_(points, sets, domain, search_of_points_.scene(), reach_, threads)
   {}
 
   Periodic_scene& scene() { return scene_; }
@@ -123,8 +123,8 @@ private:
       parameters_of_part(np, Periodic_scene::share_of_finding, Periodic_scene::share_of_scan),
       static_cast<std::size_t>(scene_.image_count()));
     const auto scan = [&](const Image_list& batch, double first, double last) {
-      const Scene_profile of_batch(scan_points(scene_.moved(batch), "image", true,
-                                               Threads(ConcurrencyTag())), reach_);
+      const Scene_profile of_batch(scan_points(scene_.moved(batch), "image", true, threads_),
+                                   reach_);
       profile = profile ? joined_profile(scene_.size(), dimension, reach_, *profile, of_batch)
                         : of_batch;
       return progress.advance(static_cast<std::size_t>(last - first));
@@ -183,7 +183,7 @@ private:
   bool search(const Moved& images, const Some_sets& sets, const Callback& callback,
               const NamedParameters& np, Scene_profile* profile) const
   {
-    Near_pairs_search<ConcurrencyTag, Moved> search(images, bound_, profile != nullptr);
+    Near_pairs_search<Moved> search(images, bound_, profile != nullptr, threads_);
     return search.report_profiled(sets, callback, np, profile);
   }
 
@@ -197,8 +197,9 @@ private:
 
   const Sets sets_;
   const Distance_bound<NT>& bound_;
+  const Threads threads_;
   const double reach_;
-  Near_pairs_search<ConcurrencyTag, Elements> search_of_points_;
+  Near_pairs_search<Elements> search_of_points_;
   Periodic_scene scene_;
 };
 
@@ -209,9 +210,8 @@ bool report_periodic_pairs(const Domain& domain, const Distance_bound<NT>& bound
                            Ranges&... ranges)
 {
   const auto search_sets = [&](const auto& elements, const auto& sets) {
-    Periodic_search<ConcurrencyTag, std::decay_t<decltype(elements)>,
-                    std::decay_t<decltype(sets)>, Domain, NT>
-      search(elements, sets, domain, bound, profile != nullptr);
+    Periodic_search<std::decay_t<decltype(elements)>, std::decay_t<decltype(sets)>, Domain, NT>
+      search(elements, sets, domain, bound, profile != nullptr, Threads(ConcurrencyTag()));
     using First = std::decay_t<decltype(elements.first())>;
     using Second = std::decay_t<decltype(elements.second())>;
     using Offsets = Offset<domain_dimension_v<Domain>>;

@@ -21,7 +21,7 @@
 
 #include <CGAL/tags.h>
 
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/recursion/Members.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
 
@@ -60,14 +60,14 @@ struct Median_and_sweep
   }
 };
 
-template <class ConcurrencyTag, class Predicates, class Reporter, class Progress, class Variant>
+template <class Predicates, class Reporter, class Progress, class Variant>
 class Recursive_route
 {
 public:
   Recursive_route(const Predicates& predicates, Reporter& report, Progress& progress,
-                  const Variant& variant)
-    : predicates_(predicates), report_(report), progress_(progress), variant_(variant),
-      last_axis_((std::min)(predicates.dimension(), max_cut_axes) - 1)
+                  const Threads& threads, const Variant& variant)
+    : predicates_(predicates), report_(report), progress_(progress), threads_(threads),
+      variant_(variant), last_axis_((std::min)(predicates.dimension(), max_cut_axes) - 1)
   {}
 
   // Returns false iff the search was stopped.
@@ -186,9 +186,8 @@ private:
     const auto search_above
       = [&] { return !cut.recurse_above || search(above_begin, last, axis); };
 
-    if(is_parallel_v<ConcurrencyTag> && last - first > parallel_cutoff)
-      return invoke_all<ConcurrencyTag>(search_strip, search_below, search_above);
-    return invoke_all<Sequential_tag>(search_strip, search_below, search_above);
+    const Threads threads = last - first > parallel_cutoff ? threads_ : Threads();
+    return threads.run_all(search_strip, search_below, search_above);
   }
 
   // Appends the members of one side of the cut that may intersect members of the other side. If the
@@ -227,23 +226,24 @@ private:
   const Predicates& predicates_;
   Reporter& report_;
   Progress& progress_;
+  const Threads threads_;
   const Variant variant_;
   const int last_axis_;
 };
 
 // Reports the intersecting pairs of checked objects. Returns false iff the search was stopped.
-template <class ConcurrencyTag, class Elements, class Sets, class Traits, class Callback,
-          class Progress, class Variant = Median_and_sweep>
+template <class Elements, class Sets, class Traits, class Callback, class Progress,
+          class Variant = Median_and_sweep>
 bool search_recursively(const Elements& objects, const Sets& sets, const Traits& traits,
-                        Callback& callback, Progress& progress,
+                        Callback& callback, Progress& progress, const Threads& threads,
                         const Variant& variant = Variant())
 {
   using Predicates = Member_predicates<Elements, Sets, Traits>;
   using Reporter = Pair_reporter<Callback>;
   const Predicates predicates(objects, sets, traits);
   Reporter report(callback);
-  Recursive_route<ConcurrencyTag, Predicates, Reporter, Progress, Variant> route(
-    predicates, report, progress, variant);
+  Recursive_route<Predicates, Reporter, Progress, Variant> route(predicates, report, progress,
+                                                                 threads, variant);
   return route();
 }
 
