@@ -93,15 +93,16 @@ public:
     : points_(points), is_within_(is_within), report_(report)
   {}
 
-  // Reports the pairs of a run if `b` is null, or else those of a point of either run.
-  void run(const Run& a, const Run* b)
+  // Reports the pairs of a run if `b` is null, or else those of a point of either run. Returns
+  // false iff the report said stop.
+  bool run(const Run& a, const Run* b)
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const Distance_filter filter = is_within_.filter();
     const auto flush = [&] { return report_found(a, b == nullptr ? a : *b); };
     collect_few_pairs<dimension>(a, b, {infinity, filter.inside, filter.outside}, found_,
                                  Flush(flush));
-    flush();
+    return goes_on_ && flush();
   }
 
 private:
@@ -109,21 +110,21 @@ private:
   {
     const Place count = std::exchange(found_.count, 0);
     const Place undecided_count = std::exchange(found_.undecided_count, 0);
-    bool goes_on = true;
-    for(Place c = 0; goes_on && c < count; ++c)
-      goes_on = report_(found_.pairs[c].i, found_.pairs[c].j);
-    for(Place c = 0; goes_on && c < undecided_count; ++c) {
+    for(Place c = 0; goes_on_ && c < count; ++c)
+      goes_on_ = report_(found_.pairs[c].i, found_.pairs[c].j);
+    for(Place c = 0; goes_on_ && c < undecided_count; ++c) {
       const Place i = a.positions[found_.undecided[c].i], j = b.positions[found_.undecided[c].j];
       if(is_within_.decide_undecided(points_[i], points_[j]))
-        goes_on = report_(i, j);
+        goes_on_ = report_(i, j);
     }
-    return goes_on;
+    return goes_on_;
   }
 
   const Elements& points_;
   Is_within& is_within_;
   Report& report_;
   Near_pairs found_;
+  bool goes_on_ = true;
 };
 
 // The pairs of at most `max_few_points` points: those of one set, or of a point of one set and a
@@ -143,10 +144,10 @@ public:
       first_size_ = sets.first_size;
   }
 
-  // Reports the pairs until the report says stop. Returns false, and reports none, if a coordinate
-  // is not finite.
+  // Reports the pairs. Returns false iff the report said stop. Returns nothing, and reports none,
+  // if a coordinate is not finite.
   template <class Report>
-  bool report_to(Report& report)
+  std::optional<bool> report_to(Report& report)
   {
     return points_.size() <= lanes ? report_in_turn(report) : report_in_lanes(report);
   }
@@ -154,11 +155,11 @@ public:
 private:
   // To fill lanes takes longer than to look at the pairs of so few points.
   template <class Report>
-  bool report_in_turn(Report& report)
+  std::optional<bool> report_in_turn(Report& report)
   {
     Few_coordinates<Point, lanes> x;
     if(!read_coordinates(points_, 0, points_.size(), x, 0))
-      return false;
+      return std::nullopt;
     const Distance_filter filter = is_within_.filter();
     for(std::size_t i = 0; i < first_size_; ++i)
       for(std::size_t j = Sets::are_two ? first_size_ : i + 1; j < points_.size(); ++j) {
@@ -167,13 +168,13 @@ private:
           continue;
         if((s <= filter.inside || is_within_.decide_undecided(points_[i], points_[j]))
            && !report(i, j))
-          return true;
+          return false;
       }
     return true;
   }
 
   template <class Report>
-  BOOST_NOINLINE bool report_in_lanes(Report& report)
+  BOOST_NOINLINE std::optional<bool> report_in_lanes(Report& report)
   {
     Few_runs<Point> runs;
     const auto a = runs.make(points_, 0, first_size_);
@@ -181,10 +182,9 @@ private:
     if constexpr(Sets::are_two)
       b = runs.make(points_, first_size_, points_.size());
     if(!runs.are_finite())
-      return false;
-    Few_sweep<Elements, Is_within, Report>(points_, is_within_, report)
+      return std::nullopt;
+    return Few_sweep<Elements, Is_within, Report>(points_, is_within_, report)
       .run(a, Sets::are_two ? &b : nullptr);
-    return true;
   }
 
   const Elements& points_;
@@ -204,17 +204,15 @@ std::optional<bool> report_few_near_pairs(const Elements& points, const Sets& se
   check_denormals();
   Few_near_pairs<Elements, Sets, NT> pairs(points, sets, bound);
   auto progress = make_progress(np, points.size());
-  std::size_t first_of_second = 0;
-  if constexpr(Sets::are_two)
-    first_of_second = sets.first_size;
-  bool goes_on = true;
   const auto report = [&](std::size_t i, std::size_t j) {
-    goes_on = goes_on_after(callback, i, j - first_of_second);
-    return goes_on;
+    if constexpr(Sets::are_two)
+      j -= sets.first_size;
+    return goes_on_after(callback, i, j);
   };
-  if(!pairs.report_to(report))
-    return std::nullopt;
-  return goes_on && progress.advance(points.size());
+  std::optional<bool> is_complete = pairs.report_to(report);
+  if(is_complete && *is_complete)
+    is_complete = progress.advance(points.size());
+  return is_complete;
 }
 
 } // namespace internal
