@@ -201,7 +201,8 @@ public:
   /// that a filter in doubles finds beyond the bound are not counted. So the sum over all tiers is
   /// the number of pairs within the bound, plus the number of near ties beyond the bound, which the
   /// filter does not decide. Of objects, each pair whose boxes meet is counted once, for the
-  /// hardest determinant that it needed. Of a long segment, these may be boxes of its stretches.
+  /// hardest determinant that it needed. Of a long segment, these may be boxes of its stretches. A
+  /// search that the callback stops may have decided a thousand pairs more than it reported.
   std::uint64_t decided(Arithmetic_tier tier) const { return counts_[tier]; }
 
   /// returns how many bits the search that has made this profile held a coordinate in, to find near
