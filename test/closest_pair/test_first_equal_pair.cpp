@@ -91,8 +91,8 @@ BOOST_AUTO_TEST_CASE(points_that_are_made_for_the_hash_take_few_looks)
   BOOST_CHECK_LT(looks, 200 * points.size());
 }
 
-// The search goes on with a tree in the middle of the points: one point after another is in a pair.
-BOOST_AUTO_TEST_CASE(the_tree_has_all_points_before_it)
+// The search changes its hash in the middle of the points: one point after another is in a pair.
+BOOST_AUTO_TEST_CASE(another_hash_has_all_points_before_it)
 {
   const std::uint64_t seed = 5, size = 100;
   for(std::size_t i = 1; i + 1 < size; ++i) {

@@ -20,7 +20,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <set>
 #include <vector>
 
 namespace CGAL {
@@ -36,24 +35,22 @@ public:
   First_equal_pair(const Elements& points, int dimension, std::uint64_t seed)
     : points_(points), dimension_(dimension), hash_(dimension, seed),
       slot_bits_(hash_table_bits(points.size())), heads_(std::size_t(1) << slot_bits_),
-      next_(points.size()), tree_(Less{*this})
+      next_(points.size())
   {}
 
-  First_equal_pair(const First_equal_pair&) = delete; // the tree refers to it
-
-  // Returns the pair, if there is one, in linear time, or in O(n log n) time if many points collide
-  // in the hash table, which is not to be expected of a random seed. The search may be cancelled.
-  // Each point is one step of progress.
+  // Returns the pair, if there is one, in expected linear time. The search may be cancelled. Each
+  // point is one step of progress.
   template <class Progress>
   BOOST_NOINLINE std::optional<Position_pair> find(Progress& progress)
   {
-    // Invariant: the slots or the tree hold the first point of each set of equal points before i.
+    // Invariant: the slots hold the first point of each set of equal points before i.
     std::optional<Position_pair> first;
     for(std::size_t i = 0; i < points_.size(); ++i) {
       if(i % batch_size == 0 && !progress.advance((std::min)(batch_size, points_.size() - i)))
         return first;
-      const std::size_t other = step_count_ > max_equality_steps_per_point * points_.size()
-                                  ? find_or_insert_in_tree(i) : find_or_insert(i);
+      if(step_count_ > max_equality_steps_per_point * points_.size())
+        hash_again(i);
+      const std::size_t other = find_or_insert(i);
       if(other < (first ? first->first : i))
         first = Position_pair(other, i);
       if(first && first->first == 0)
@@ -79,13 +76,16 @@ private:
     return i;
   }
 
-  // The same for points that are made for the hash.
-  CGAL_THICK_INTERSECTION_D_RARELY_CALLED std::size_t find_or_insert_in_tree(std::size_t i)
+  // Inserts the points before i by another hash, if the points were made for the first one. No
+  // input is made for this one.
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED void hash_again(std::size_t i)
   {
-    if(tree_.empty())
-      for(std::size_t j = 0; j < i; ++j)
-        tree_.insert(j);
-    return *tree_.insert(i).first;
+    std::uint64_t seed = seed_of_process() + ++hash_count_;
+    hash_ = Sequence_hash<>(dimension_, random_word(seed));
+    heads_.assign(heads_.size(), 0);
+    step_count_ = 0;
+    for(std::size_t j = 0; j < i; ++j)
+      find_or_insert(j);
   }
 
   std::size_t slot(std::size_t i) const
@@ -95,20 +95,6 @@ private:
       sum = hash_.add(sum, axis, key(i, axis));
     return hash_.finish(sum) >> (64 - slot_bits_);
   }
-
-  // The order of the tree.
-  struct Less
-  {
-    CGAL_THICK_INTERSECTION_D_RARELY_CALLED bool operator()(std::size_t i, std::size_t j) const
-    {
-      for(int axis = 0; axis < search.dimension_; ++axis)
-        if(const std::uint64_t x = search.key(i, axis), y = search.key(j, axis); x != y)
-          return x < y;
-      return false;
-    }
-
-    const First_equal_pair& search;
-  };
 
   bool are_equal(std::size_t i, std::size_t j) const
   {
@@ -126,11 +112,11 @@ private:
   const Elements& points_;
   int dimension_;
   Sequence_hash<> hash_;
+  std::uint64_t hash_count_ = 0; // of other hashes
   int slot_bits_;
   std::vector<Place> heads_; // by slot: 1 + the last point in the slot, or 0
   std::vector<Place> next_;  // by point: 1 + the point before it in the slot, or 0
   std::size_t step_count_ = 0;
-  std::set<std::size_t, Less> tree_; // after too many steps
 };
 
 } // namespace internal
