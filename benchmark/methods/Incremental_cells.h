@@ -11,13 +11,17 @@
 #ifndef THICK_INTERSECTION_BENCHMARK_METHODS_INCREMENTAL_CELLS_H
 #define THICK_INTERSECTION_BENCHMARK_METHODS_INCREMENTAL_CELLS_H
 
+#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Hashed_cells.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/Join_task.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Pair_minimum.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
+#include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -45,6 +49,7 @@ public:
       slot_bits_(internal::hash_table_bits(positions_.size())),
       heads_(std::size_t(1) << slot_bits_), next_(positions_.size())
   {
+    std::copy_n(scene.box.begin(), Dimension, box_.begin());
     std::mt19937_64 random(seed);
     for(std::size_t i = positions_.size(); i > 1; --i)
       std::swap(positions_[i - 1], positions_[random() % i]);
@@ -61,8 +66,7 @@ public:
     // Invariant: the closest pairs of the first k points have been offered, and these points are in
     // the cells.
     for(std::size_t k = 0; k < positions_.size(); ++k) {
-      const auto& p = points_[positions_[k]];
-      around_.for_each_cell_around(p, [&](std::uint64_t hash) {
+      around_.for_each_cell_around(doubles_of(positions_[k]).data(), [&](std::uint64_t hash) {
         for(Place other = heads_[slot(hash)]; other != 0; other = next_[other - 1])
           minimum.offer(positions_[k], positions_[other - 1]);
       });
@@ -77,13 +81,13 @@ private:
   // Makes cells that fit the distance, and inserts the first `count` points.
   bool refine(const Minimum& minimum, std::size_t count)
   {
-    if(!minimum.has_tight_reach() || !Cells::fits(minimum.reach(), error_))
+    if(!minimum.has_tight_reach() || !internal::do_cells_fit(minimum.reach(), error_))
       return false;
     reach_ = minimum.reach();
     const double padded_reach
       = std::nextafter(reach_ + error_, std::numeric_limits<double>::infinity());
-    around_ = Cells(padded_reach, 2 * reach_, seed_);
-    home_ = Cells(0, 2 * reach_, seed_);
+    around_ = Cells(box_, 0, padded_reach, 2 * reach_, seed_);
+    home_ = Cells(box_, 0, 0, 2 * reach_, seed_);
     std::fill(heads_.begin(), heads_.end(), 0);
     for(std::size_t k = 0; k < count; ++k)
       insert(k);
@@ -92,9 +96,18 @@ private:
 
   void insert(std::size_t k)
   {
-    Place& head = heads_[slot(home_.first_cell_around(points_[positions_[k]]).first)];
+    Place& head = heads_[slot(home_.first_cell_around(doubles_of(positions_[k]).data()).hash)];
     next_[k] = head;
     head = static_cast<Place>(k) + 1;
+  }
+
+  std::array<double, Dimension> doubles_of(Place position) const
+  {
+    std::array<double, Dimension> x;
+    for(int axis = 0; axis < Dimension; ++axis)
+      x[static_cast<std::size_t>(axis)]
+        = internal::coordinate_bounds(points_[position], axis).first;
+    return x;
   }
 
   std::size_t slot(std::uint64_t hash) const { return hash >> (64 - slot_bits_); }
@@ -104,8 +117,9 @@ private:
   double error_;
   std::uint64_t seed_; // of the hash
   double reach_ = 0;
-  Cells around_ = Cells(0, 1, 0); // the cells that points within the distance are in
-  Cells home_ = Cells(0, 1, 0);   // the cell of a point
+  std::array<internal::Interval, Dimension> box_;
+  Cells around_ = Cells(box_, 0, 0, 1, 0); // the cells that points within the distance are in
+  Cells home_ = around_;                   // the cell of a point
   int slot_bits_;
   std::vector<Place> heads_; // by slot: 1 + the last point in cells of this slot, or 0
   std::vector<Place> next_;  // by point: 1 + the point before it in the slot, or 0

@@ -7,8 +7,12 @@
 #include "support/plain_points.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/Cell_join.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <mutex>
 #include <set>
@@ -24,53 +28,68 @@ using Point = Epick::Point_2;
 
 constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
 
+// Writes down the pairs that are given, up to a number of pairs.
+class Set_taker final : public internal::Pair_taker
+{
+public:
+  explicit Set_taker(std::size_t max_count = no_limit) : max_count_(max_count) {}
+
+  bool take(const internal::Found_pair* pairs, std::size_t count) override
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    for(; count > 0 && taken_ < max_count_; --count, ++pairs, ++taken_)
+      this->pairs.insert(std::minmax(std::size_t(pairs->i), std::size_t(pairs->j)));
+    return taken_ < max_count_;
+  }
+
+  std::size_t taken() const { return taken_; }
+
+  std::set<Pair> pairs;
+
+private:
+  std::mutex mutex_;
+  std::size_t max_count_;
+  std::size_t taken_ = 0;
+};
+
+// Joins all points within a distance.
+template <int Dimension, class ConcurrencyTag = CGAL::Sequential_tag, class Elements>
+internal::Joined join_all(const Elements& elements, double distance, double cell_side,
+                          Set_taker& taker, std::size_t max_steps = no_limit)
+{
+  internal::Join_task<Dimension> task;
+  const internal::Scene scene = scene_of(elements);
+  std::copy_n(scene.box.begin(), Dimension, task.box.begin());
+  task.error = scene.error;
+  task.threads = internal::Threads(ConcurrencyTag());
+  internal::Unwatched_progress progress;
+  internal::Element_points<Dimension, Elements, internal::Unwatched_progress> points(elements,
+                                                                                     progress);
+  internal::Cell_join<Dimension> join(points, task, distance, cell_side, 1);
+  return join(internal::Some_positions(elements.size()), max_steps, taker);
+}
+
 // What a join promises: all close pairs are visited, in the order of the input or not.
 BOOST_AUTO_TEST_CASE(joins_visit_all_close_pairs)
 {
-  struct Visitor
-  {
-    Pairs& visited;
-    bool operator()(std::size_t i, std::size_t j)
-    {
-      visited.push_back(std::minmax(i, j));
-      return true;
-    }
-  };
-  using Elements = Elements_of<Point>;
   std::size_t joined = 0;
   for(const Point_scene& scene : closest_pair_scenes(2)) {
     const double reach = upper_bound(scene.radius);
-    if(!internal::Hashed_cells<2>::fits(reach, 0))
+    if(scene.points.empty() || !internal::do_cells_fit(reach, 0))
       continue;
     ++joined;
     const auto points = make_points<Maker<2>>(scene.points);
-    const Elements elements(points);
+    const Elements_of<Point> elements(points);
     for(const double factor : {2., 16.}) {
-      Pairs visited;
-      const internal::Cell_join<CGAL::Sequential_tag, 2, Elements> join(elements, reach,
-                                                                        factor * reach, 1);
-      internal::Unwatched_progress progress;
-      join(internal::Some_positions(points.size()), no_limit, [&] { return Visitor{visited}; },
-           progress);
-      std::sort(visited.begin(), visited.end());
+      Set_taker taker;
+      BOOST_CHECK(join_all<2>(elements, reach, factor * reach, taker) == internal::Joined::ALL);
       const Pairs& pairs = truth_of(scene).pairs;
-      BOOST_CHECK_MESSAGE(std::includes(visited.begin(), visited.end(), pairs.begin(),
+      BOOST_CHECK_MESSAGE(std::includes(taker.pairs.begin(), taker.pairs.end(), pairs.begin(),
                                         pairs.end()), scene << ", factor " << factor);
     }
   }
   BOOST_CHECK_GT(joined, 30u);
 }
-
-// Writes down the visited pairs.
-struct Set_visitor
-{
-  std::set<Pair>& visited;
-  bool operator()(std::size_t i, std::size_t j)
-  {
-    visited.insert(std::minmax(i, j));
-    return true;
-  }
-};
 
 // In space, with entries in several lists; distances of small integers are exact.
 template <class ConcurrencyTag>
@@ -81,15 +100,8 @@ void check_join_of_many_lists()
     for(double& x : c)
       x = std::floor(x);
   const Plain_points<double> elements = plain_points(points);
-  std::set<Pair> visited;
-  std::mutex mutex;
-  const auto visit = [&](std::size_t i, std::size_t j) {
-    const std::lock_guard<std::mutex> lock(mutex);
-    return Set_visitor{visited}(i, j);
-  };
-  const internal::Cell_join<ConcurrencyTag, 3, Plain_points<double>> join(elements, 3, 10, 1);
-  internal::Unwatched_progress progress;
-  join(internal::Some_positions(points.size()), no_limit, [&] { return visit; }, progress);
+  Set_taker taker;
+  join_all<3, ConcurrencyTag>(elements, 3, 10, taker);
   std::size_t close = 0, missing = 0;
   for(std::size_t i = 0; i < points.size(); ++i)
     for(std::size_t j = i + 1; j < points.size(); ++j) {
@@ -98,7 +110,7 @@ void check_join_of_many_lists()
         square += (points[i][axis] - points[j][axis]) * (points[i][axis] - points[j][axis]);
       if(square <= 9) {
         ++close;
-        missing += visited.count({i, j}) == 0;
+        missing += taker.pairs.count({i, j}) == 0;
       }
     }
   BOOST_CHECK_EQUAL(missing, 0u);
@@ -124,32 +136,48 @@ BOOST_AUTO_TEST_CASE(joins_visit_pairs_at_the_distance_across_borders_of_cells)
         points.push_back({4, 4});
         points.back()[static_cast<std::size_t>(axis)] = border + side;
       }
-  const Plain_points<double> elements = plain_points(points);
-  const internal::Cell_join<CGAL::Sequential_tag, 2, Plain_points<double>> join(elements, 2, 16,
-                                                                                    1);
-  internal::Unwatched_progress progress;
-  std::set<Pair> visited;
-  join(internal::Some_positions(points.size()), no_limit, [&] { return Set_visitor{visited}; },
-       progress);
+  Set_taker taker;
+  join_all<2>(plain_points(points), 2, 16, taker);
   for(std::size_t i = 0; i < points.size(); i += 2)
-    BOOST_CHECK_EQUAL(visited.count({i, i + 1}), 1u);
+    BOOST_CHECK_EQUAL(taker.pairs.count({i, i + 1}), 1u);
+}
+
+// The lower bounds of thirds are below them.
+BOOST_AUTO_TEST_CASE(joins_visit_close_pairs_of_coordinates_that_are_no_doubles)
+{
+  using Number = CGAL::Exact_rational;
+  Plain_points<Number> points;
+  for(int i = 0; i < 300; ++i)
+    points.push_back({{Number(i) / 3, Number(i % 7) / 3}});
+  for(const double side : {2., 5.}) {
+    Set_taker taker;
+    BOOST_CHECK(join_all<2>(points, 1, side, taker) == internal::Joined::ALL);
+    for(std::size_t i = 0; i + 3 < points.size(); ++i)
+      for(std::size_t j = i + 1; j <= i + 3; ++j)
+        if((Number(points[j].coordinates[0] - points[i].coordinates[0])
+            * Number(points[j].coordinates[0] - points[i].coordinates[0])
+            + Number(points[j].coordinates[1] - points[i].coordinates[1])
+              * Number(points[j].coordinates[1] - points[i].coordinates[1])) <= 1)
+          BOOST_CHECK_EQUAL(taker.pairs.count({i, j}), 1u);
+  }
 }
 
 // Each list has pairs of twins.
-BOOST_AUTO_TEST_CASE(joins_end_when_the_visitor_says_so)
+BOOST_AUTO_TEST_CASE(joins_end_when_the_taker_says_so)
 {
-  struct Visitor
-  {
-    int& calls;
-    bool operator()(std::size_t, std::size_t) { return ++calls < 5; }
-  };
   const auto elements = plain_points(repeated(axis_points(2, 5000, 0, 0, 10), 2));
-  const internal::Cell_join<CGAL::Sequential_tag, 2, Plain_points<double>> join(elements, 1, 2, 1);
-  internal::Unwatched_progress progress;
-  int calls = 0;
-  join(internal::Some_positions(elements.size()), no_limit, [&] { return Visitor{calls}; },
-       progress);
-  BOOST_CHECK_EQUAL(calls, 5);
+  Set_taker taker(5);
+  BOOST_CHECK(join_all<2>(elements, 1, 2, taker) == internal::Joined::STOPPED);
+  BOOST_CHECK_EQUAL(taker.taken(), 5u);
+}
+
+// All points are in one cell.
+BOOST_AUTO_TEST_CASE(joins_are_given_up_after_their_steps)
+{
+  const auto elements = plain_points(repeated({{1, 1}}, 1000));
+  Set_taker taker;
+  BOOST_CHECK(join_all<2>(elements, 1, 2, taker, 5000) == internal::Joined::GIVEN_UP);
+  BOOST_CHECK_LE(taker.taken(), 7000u);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

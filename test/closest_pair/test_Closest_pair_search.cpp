@@ -7,6 +7,8 @@
 #include "support/counted_points.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/Some_positions.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 
 #include <cmath>
 #include <limits>
@@ -29,10 +31,7 @@ BOOST_AUTO_TEST_CASE(first_point_may_be_far_out)
   const Counted_points<Point> counted = {points, looks};
   const internal::Scene scene = scene_of(counted);
   internal::Unwatched_progress progress;
-  const Pair pair
-    = internal::Closest_pair_search<CGAL::Sequential_tag, Counted_points<Point>,
-                                    internal::Unwatched_progress, Report_near_points>(
-        counted, scene, 1, progress, Report_near_points{scene}).find();
+  const Pair pair = closest_of_many(counted, scene, progress);
   BOOST_CHECK(pair == closest_by_division(points));
   BOOST_CHECK_LE(looks, 20 * points.size());
 }
@@ -55,50 +54,27 @@ BOOST_AUTO_TEST_CASE(cancelled_search_looks_at_few_points_more)
     using Progress = internal::Watched_progress<decltype(cancel)>;
     using Counted = Counted_points<Point>;
     Progress progress(cancel, points.size());
-    internal::Closest_pair_search<CGAL::Sequential_tag, Counted, Progress, Report_near_points>(
-      counted, scene, 1, progress, Report_near_points{scene}).find();
+    closest_of_many(counted, scene, progress);
     BOOST_CHECK_LE(looks - before, 4000u);
-    const auto report_near = [](const auto&, auto&) {};
     for(const auto& bound : {zero, tiny}) {
       Progress other(cancel, points.size());
-      internal::Close_pair_search<CGAL::Sequential_tag, Counted, Progress, decltype(report_near)>(
-        counted, bound, scene, other, report_near).find();
+      internal::Close_pair_search<CGAL::Sequential_tag, Counted, Progress>(counted, bound, scene,
+                                                                           other).find();
       BOOST_CHECK_LE(looks - before, 4000u);
     }
   }
 }
 
-// Counts how many searches were left to it.
-struct Counted_reports
-{
-  const internal::Scene& scene; // of the points
-  int& count;
-
-  template <class Elements, class Bound, class Callback, class Progress>
-  void operator()(const Elements& points, const Bound& bound, const Callback& callback,
-                  Progress& progress) const
-  {
-    ++count;
-    Report_near_points{scene}(points, bound, callback, progress);
-  }
-};
-
-// Returns how many reports the search for the closest pair asks for.
+// Returns how many searches for near pairs the search for the closest pair needs.
 template <int Dimension>
-int reports_of_closest_pair(const Points& scene)
+std::size_t near_searches_of_closest_pair(const Points& scene)
 {
   const auto points = make_points<Maker<Dimension>>(scene);
-  using Elements = Elements_of<typename Maker<Dimension>::Point>;
-  const Elements elements(points);
-  const internal::Scene scene_of_points = scene_of(elements);
-  int count = 0;
-  const Counted_reports report_near = {scene_of_points, count};
-  internal::Unwatched_progress progress;
-  const Pair pair = internal::Closest_pair_search<CGAL::Sequential_tag, Elements,
-                                                  internal::Unwatched_progress, Counted_reports>(
-    elements, scene_of_points, 1, progress, report_near).find();
-  check_pair("search", closest_by_division(points), pair);
-  return count;
+  const Elements_of<typename Maker<Dimension>::Point> elements(points);
+  Counting_progress progress(points.size());
+  check_pair("search", closest_by_division(points),
+             closest_of_many(elements, scene_of(elements), progress));
+  return progress.near_searches();
 }
 
 // A lattice whose points have moved by up to a share of its step.
@@ -115,12 +91,12 @@ Points moved_lattice(int dimension, double share)
 BOOST_AUTO_TEST_CASE(near_pairs_of_crowded_points_are_reported)
 {
   for(const double share : {1e-300, 1e-15, 1e-3, 0.1}) {
-    BOOST_CHECK_GT(reports_of_closest_pair<2>(moved_lattice(2, share)), 0);
-    BOOST_CHECK_GT(reports_of_closest_pair<3>(moved_lattice(3, share)), 0);
+    BOOST_CHECK_GT(near_searches_of_closest_pair<2>(moved_lattice(2, share)), 0u);
+    BOOST_CHECK_GT(near_searches_of_closest_pair<3>(moved_lattice(3, share)), 0u);
   }
   for(const double scale : {0.1, 1e-318, 1e-165, 1e170, 1e300}) {
-    BOOST_CHECK_GT(reports_of_closest_pair<2>(moved(moved_lattice(2, 0), scale, 0)), 0);
-    BOOST_CHECK_GT(reports_of_closest_pair<3>(moved(moved_lattice(3, 0), scale, 0)), 0);
+    BOOST_CHECK_GT(near_searches_of_closest_pair<2>(moved(moved_lattice(2, 0), scale, 0)), 0u);
+    BOOST_CHECK_GT(near_searches_of_closest_pair<3>(moved(moved_lattice(3, 0), scale, 0)), 0u);
   }
 }
 
@@ -130,18 +106,17 @@ BOOST_AUTO_TEST_CASE(wide_scenes_of_ties_are_searched_once)
   for(const double shift : {0., 0.5}) {
     Points points = shuffled(lattice_points(2, 60, 1), 3);
     points[1000][0] += shift;
-    const int reports = reports_of_closest_pair<2>(points);
+    const std::size_t searches = near_searches_of_closest_pair<2>(points);
     points.push_back({0x1p40, 0});
-    BOOST_CHECK_EQUAL(reports_of_closest_pair<2>(points), 1);
-    BOOST_CHECK_EQUAL(reports, shift == 0 ? 2 : 1);
+    BOOST_CHECK_EQUAL(near_searches_of_closest_pair<2>(points), 1u);
+    BOOST_CHECK_EQUAL(searches, shift == 0 ? 2u : 1u);
   }
 }
 
 // The points that a search with a seed looks at first are far apart, and the others are not.
 Points made_for_a_seed(int dimension, std::size_t size, std::uint64_t seed, double scale)
 {
-  const internal::Some_positions drawn(CGAL::Sequential_tag(),
-                                       internal::Some_positions(size), seed);
+  const internal::Some_positions drawn(internal::Threads(), internal::Some_positions(size), seed);
   Points points = moved(uniform_points(dimension, size, 0, 1, 8), scale, 0);
   for(std::size_t i = 0; i < drawn.size(); ++i)
     points[drawn[i]] = Coordinates(static_cast<std::size_t>(dimension),
@@ -150,13 +125,14 @@ Points made_for_a_seed(int dimension, std::size_t size, std::uint64_t seed, doub
 }
 
 // Too many pairs are within the distance of the first sample.
-BOOST_AUTO_TEST_CASE(points_that_are_made_for_a_seed_take_a_few_reports)
+BOOST_AUTO_TEST_CASE(points_that_are_made_for_a_seed_take_a_few_searches)
 {
   for(const double scale : {1e-3, 1e-20, 1e-200, 1e-310}) {
-    const int reports = reports_of_closest_pair<2>(made_for_a_seed(2, 4000, 1, scale));
-    BOOST_CHECK_GT(reports, 0);
-    BOOST_CHECK_LE(reports, 13);
-    BOOST_CHECK_GT(reports_of_closest_pair<3>(made_for_a_seed(3, 4000, 1, scale)), 0);
+    const std::size_t searches
+      = near_searches_of_closest_pair<2>(made_for_a_seed(2, 4000, 1, scale));
+    BOOST_CHECK_GT(searches, 0u);
+    BOOST_CHECK_LE(searches, 13u);
+    BOOST_CHECK_GT(near_searches_of_closest_pair<3>(made_for_a_seed(3, 4000, 1, scale)), 0u);
   }
 }
 
@@ -167,58 +143,35 @@ BOOST_AUTO_TEST_CASE(crowded_sample_is_drawn_from_again)
   for(const std::size_t dimension : {2, 3}) {
     std::uint64_t seed = 1;
     const internal::Some_positions all(32000);
-    const internal::Some_positions eighth(CGAL::Sequential_tag(), all, seed);
-    const internal::Some_positions drawn(CGAL::Sequential_tag(), eighth, seed);
+    const internal::Some_positions eighth(internal::Threads(), all, seed);
+    const internal::Some_positions drawn(internal::Threads(), eighth, seed);
     Points points = moved(uniform_points(static_cast<int>(dimension), 32000, 0, 1, 8), 1e-3, 0);
     for(std::size_t i = 0; i < drawn.size(); ++i)
       points[drawn[i]] = Coordinates(dimension, 1 + static_cast<double>(i) / 100);
-    BOOST_CHECK_EQUAL(
-      dimension == 2 ? reports_of_closest_pair<2>(points) : reports_of_closest_pair<3>(points), 0);
+    BOOST_CHECK_EQUAL(dimension == 2 ? near_searches_of_closest_pair<2>(points)
+                                     : near_searches_of_closest_pair<3>(points), 0u);
   }
 }
 
-// Claims that too many pairs are within each distance above a limit.
-struct Flooding_reports
+// The points that the search does not look at first are in two crowds. The join gives up in the
+// wide one, so too many pairs of the narrow one are nearer than all that it has seen.
+Points two_crowds()
 {
-  const internal::Scene& scene; // of the points
-  double limit;
-  int& count;
+  Points points = made_for_a_seed(2, 4000, 1, 1e-3);
+  for(std::size_t i = points.size() / 2; i < points.size(); ++i)
+    if(points[i][0] < 1)
+      points[i] = {1e-7 * points[i][0] - 1, 1e-7 * points[i][1]};
+  return points;
+}
 
-  template <class Elements, class Bound, class Callback, class Progress>
-  void operator()(const Elements& points, const Bound& bound, const Callback& callback,
-                  Progress& progress) const
-  {
-    ++count;
-    if(internal::Squared_bound<Exact_of<Point>>(bound).reach() > limit)
-      while(callback(0, 1)) {}
-    else
-      Report_near_points{scene}(points, bound, callback, progress);
-  }
-};
-
-// Bisection finds a distance that some pairs are within, at either end of the doubles. A sample
-// hardly has both points of the pair that is closer than all others.
-BOOST_AUTO_TEST_CASE(closest_pairs_are_found_though_too_many_are_nearly_as_close)
+// Bisection finds a distance that some pairs are within, at either end of the doubles.
+BOOST_AUTO_TEST_CASE(closest_pairs_of_crowds_are_found_at_all_scales)
 {
-  for(const double scale : {1., 1e-300, 1e-18, 1e300}) {
-    Points scene = moved_lattice(2, 0.1);
-    scene.push_back({scene[77][0] + 0.01, scene[77][1]});
-    const auto points = make_points<Maker<2>>(moved(scene, scale, 0));
-    const Pair closest = closest_by_division(points);
-    const Elements_of<Point> elements(points);
-    const internal::Scene scene_of_points = scene_of(elements);
-    const double distance = std::hypot(points[closest.first].x() - points[closest.second].x(),
-                                       points[closest.first].y() - points[closest.second].y());
-    for(const double factor : {2., 3.9}) {
-      int count = 0;
-      const Flooding_reports report_near = {scene_of_points, factor * distance, count};
-      internal::Unwatched_progress progress;
-      BOOST_CHECK((internal::Closest_pair_search<CGAL::Sequential_tag, Elements_of<Point>,
-                                                 internal::Unwatched_progress, Flooding_reports>(
-                     elements, scene_of_points, 1, progress, report_near).find()) == closest);
-      BOOST_CHECK_GT(count, 2);
-      BOOST_CHECK_LE(count, 13);
-    }
+  for(const double scale : {1., 1e-298, 1e-18, 1e300}) {
+    const std::size_t searches
+      = near_searches_of_closest_pair<2>(moved(two_crowds(), scale, 0));
+    BOOST_CHECK_GT(searches, 2u);
+    BOOST_CHECK_LE(searches, 13u);
   }
 }
 
@@ -230,18 +183,18 @@ BOOST_AUTO_TEST_CASE(points_that_are_as_far_apart_as_doubles_are_compared)
     if(std::fmod(c[0] + c[1] + c[2], 2) == 0)
       points.push_back(c);
   points = moved(moved(points, 0.4, -1), std::numeric_limits<double>::max(), 0);
-  BOOST_CHECK_GT(reports_of_closest_pair<3>(points), 1);
+  BOOST_CHECK_GT(near_searches_of_closest_pair<3>(points), 1u);
   points.back() = points.front();
   points.back()[0] /= 2;
-  reports_of_closest_pair<3>(points);
+  near_searches_of_closest_pair<3>(points);
 }
 
 // Neither are their samples crowded, nor samples of these.
 BOOST_AUTO_TEST_CASE(uniform_points_are_not_crowded)
 {
   for(const std::size_t size : {4000, 20000, 100000}) {
-    BOOST_CHECK_EQUAL(reports_of_closest_pair<2>(uniform_points(2, size, 0, 1, 5)), 0);
-    BOOST_CHECK_EQUAL(reports_of_closest_pair<3>(uniform_points(3, size, 0, 1, 5)), 0);
+    BOOST_CHECK_EQUAL(near_searches_of_closest_pair<2>(uniform_points(2, size, 0, 1, 5)), 0u);
+    BOOST_CHECK_EQUAL(near_searches_of_closest_pair<3>(uniform_points(3, size, 0, 1, 5)), 0u);
   }
 }
 
@@ -253,12 +206,10 @@ BOOST_AUTO_TEST_CASE(equal_points_are_found_by_few_looks)
   const Counted_points<Point> counted = {points, looks};
   const internal::Scene scene = scene_of(Elements_of<Point>(points));
   const internal::Squared_bound<Exact_of<Point>> zero(CGAL::within_distance(0));
-  const auto report_near = [](const auto&, auto&) {};
-  using Progress = internal::Unwatched_progress;
-  Progress progress;
-  BOOST_CHECK(!(internal::Close_pair_search<CGAL::Sequential_tag, Counted_points<Point>, Progress,
-                                            decltype(report_near)>(
-    counted, zero, scene, progress, report_near).find()));
+  internal::Unwatched_progress progress;
+  BOOST_CHECK(!(internal::Close_pair_search<CGAL::Sequential_tag, Counted_points<Point>,
+                                            internal::Unwatched_progress>(counted, zero, scene,
+                                                                          progress).find()));
   BOOST_CHECK_LE(looks, 3 * points.size());
 }
 

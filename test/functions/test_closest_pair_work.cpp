@@ -33,9 +33,7 @@ double looks_per_point(const Points& scene)
   const Counted counted = {points, looks};
   const internal::Scene scene_of_points = scene_of(Elements_of<Point>(points));
   internal::Unwatched_progress progress;
-  internal::Closest_pair_search<CGAL::Sequential_tag, Counted, internal::Unwatched_progress,
-                                Report_near_points>(counted, scene_of_points, 1, progress,
-                                                 Report_near_points{scene_of_points}).find();
+  closest_of_many(counted, scene_of_points, progress);
   return static_cast<double>(looks) / static_cast<double>(points.size());
 }
 

@@ -34,18 +34,41 @@ internal::Scene scene_of(const Elements& elements)
   return internal::scan_points(elements, "point");
 }
 
-// What the searches report near pairs by.
-struct Report_near_points
+// Counts how many searches for near pairs the search for the closest pair needs. These are the
+// parts of the search behind the join. A part is one search, or two that have all points each.
+class Counting_progress
 {
-  const internal::Scene& scene; // of the points
+public:
+  explicit Counting_progress(std::size_t size) : size_(size) {}
 
-  template <class Elements, class Bound, class Callback, class Progress>
-  void operator()(const Elements& points, const Bound& bound, const Callback& callback,
-                  Progress& progress) const
+  void restart(std::size_t) { finished_.push_back(0); }
+  bool advance(std::size_t finished)
   {
-    internal::report_near_points<CGAL::Sequential_tag>(points, scene, bound, callback, progress);
+    finished_.back() += finished;
+    return true;
   }
+  bool is_cancelled() const { return false; }
+
+  std::size_t near_searches() const
+  {
+    std::size_t count = 0;
+    for(std::size_t part = 1; part < finished_.size(); ++part)
+      count += finished_[part] > size_ ? 2 : 1;
+    return count;
+  }
+
+private:
+  std::size_t size_;
+  std::vector<std::size_t> finished_; // points, in each part
 };
+
+// The closest pair as the search for many points finds it.
+template <class Elements, class Progress>
+Pair closest_of_many(const Elements& elements, const internal::Scene& scene, Progress& progress)
+{
+  return internal::Closest_pair_search<CGAL::Sequential_tag, Elements, Progress>(elements, scene, 1,
+                                                                                 progress).find();
+}
 
 template <class ConcurrencyTag = CGAL::Sequential_tag, class Point>
 Pair closest_by_division(const std::vector<Point>& points)

@@ -47,19 +47,29 @@ public:
     return l.chunks.size() * chunk_size - static_cast<std::size_t>(l.end - l.next);
   }
 
+  // Calls task(item, end) for the chunks of a list in order, until the task returns false. Returns
+  // whether the task never returned false.
+  template <class Task>
+  bool for_each_chunk(std::size_t list, const Task& task) const
+  {
+    const List& l = lists_[list];
+    for(const Item* item : l.chunks)
+      if(!task(item, item + chunk_size == l.end ? l.next : item + chunk_size))
+        return false;
+    return true;
+  }
+
   // Calls task(item) for the items of a list in order, until the task returns false. Returns
   // whether the task never returned false.
   template <class Task>
   bool for_each(std::size_t list, const Task& task) const
   {
-    const List& l = lists_[list];
-    for(const Item* item : l.chunks) {
-      const Item* const end = item + chunk_size == l.end ? l.next : item + chunk_size;
+    return for_each_chunk(list, [&](const Item* item, const Item* end) {
       for(; item != end; ++item)
         if(!task(*item))
           return false;
-    }
-    return true;
+      return true;
+    });
   }
 
   // Frees the memory of all lists, after which there is none.

@@ -17,27 +17,26 @@
 //
 // The upper bits of the hash of the cell distribute the entries over lists, as in radix sort. A
 // list fits in the cache, and a hash table finds the cells in it. The join moves no coordinate, and
-// looks again only at points in a common cell.
+// the taker looks again only at points in a common cell.
 //
 // In fixed dimension a point enters O(1) cells (Hashed_cells.h). An entry is compared with those in
 // the same place of the hash table. Of these, expected O(1) are of other cells, for any points and
 // a random seed. The comparisons are counted, so a join takes O(n) time, to the end or not.
 
-#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
-#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Cell_lists.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Hashed_cells.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/Join_task.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Some_positions.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Step_budget.h>
-#include <CGAL/Thick_intersection_d/internal/closest_pair/tuning.h>
-#include <CGAL/Thick_intersection_d/internal/input/Scene.h>
-#include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
-#include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
-#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
+#include <CGAL/Thick_intersection_d/internal/lanes/Found_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Near_task.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Point_reader.h>
+
+#include <boost/config.hpp> // BOOST_NOINLINE
 
 #include <algorithm>
 #include <array>
@@ -46,186 +45,187 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Whether joins take all points of a type that differ: those whose coordinates are doubles, in the
-// plane or in space.
-template <class Point>
-inline constexpr bool are_joined_v
-  = is_held_by_double_v<Coordinate_t<Point>>
-    && (dimension_or<Point>(0) == 2 || dimension_or<Point>(0) == 3);
-
-// Returns the length of the cells of a join, for `size` points of the scene. If the points are
-// uniform, few pairs are in a common cell. Cells are long enough for points to enter few of them.
-// They are not so long that one cell would hold a cluster, or many pairs of a cluster of all
-// points.
-CGAL_THICK_INTERSECTION_D_RARELY_CALLED
-inline double join_cell_side(const Scene& scene, std::size_t size, double distance)
-{
-  const double dimension = scene.dimension();
-  double volume = 1 / (cells_per_point * static_cast<double>(size)); // in cubes of the distance
-  for(const Interval& interval : scene.box)
-    volume *= (std::max)(interval.high / distance - interval.low / distance, max_cell_side);
-  const double longest = std::pow(static_cast<double>(size) / points_of_long_cells, 1 / dimension);
-  const double side = (std::min)(std::pow(volume, 1 / dimension), longest);
-  return distance * (std::min)((std::max)(side, min_cell_side), max_cell_side);
-}
-
-// Returns after how many steps to give up a join of so many points.
-inline std::size_t max_join_steps(std::size_t size)
-{
-  return (std::max)(max_steps_per_point * size, max_steps_of_few_points);
-}
-
-// Returns how many lists the entries of `size` points are distributed over: a power of two.
-template <class ConcurrencyTag>
-std::size_t cell_list_count(std::size_t size)
-{
-  std::size_t count = 1;
-  while(size / count > entries_per_list && count < max_list_count)
-    count *= 2;
-  if constexpr(is_parallel_v<ConcurrencyTag>) // enough for all threads
-    while(size / count > min_entries_per_list && count < block_count<ConcurrencyTag>())
-      count *= 2;
-  return count;
-}
-
-template <class ConcurrencyTag, int Dimension, class Elements>
-class Cell_join
+// Hands on the pairs of points in a common cell.
+class Cell_pairs
 {
 public:
-  // Joins pairs within `distance`, for which Hashed_cells::fits() must hold. The order of visits
-  // depends on the seed.
-  Cell_join(const Elements& points, double distance, double cell_side, std::uint64_t seed)
-    : points_(points),
-      cells_(std::nextafter(distance / 2, std::numeric_limits<double>::infinity()),
-             cell_side, seed)
-  {}
+  Cell_pairs(Step_budget& budget, Pair_taker& taker) : counter_(budget), taker_(taker) {}
 
-  // Enters the points of a sample, and visits pairs of these points. Each task makes a visitor of
-  // its own by make_visitor(). visitor(i, j) returns whether to go on. Each point is two steps of
-  // progress: to enter it, and to visit its pairs. Returns false if the join was given up after
-  // `max_steps` comparisons of entries.
-  template <class Make_visitor, class Progress>
-  bool operator()(const Some_positions& sample, std::size_t max_steps,
-                  const Make_visitor& make_visitor, Progress& progress) const
+  // Gives the pairs of a list to the taker. Returns false iff it stops, or no steps are left.
+  BOOST_NOINLINE bool give(const Cell_lists& lists, std::size_t list)
   {
-    const std::size_t list_count = cell_list_count<ConcurrencyTag>(sample.size());
-    const Lists lists(sample.size(), list_count,
-                      [&](std::size_t first, std::size_t last, const auto& append) {
-                        enter(sample, first, last, list_count, append, progress);
-                      });
-
-    Step_budget budget(max_steps);
-    std::atomic<bool> go_on = !progress.is_cancelled();
-    for_each_block<ConcurrencyTag>(list_count, [&](std::size_t first, std::size_t last) {
-      auto visitor = make_visitor();
-      Bucket_table table;
-      Step_counter counter(budget);
-      for(std::size_t list = first; list != last && go_on.load(std::memory_order_relaxed); ++list)
-        if(!join(lists, list, table, counter, visitor)
-           || !progress.advance(sample.size() * (list + 1) / list_count
-                                - sample.size() * list / list_count))
-          go_on.store(false, std::memory_order_relaxed);
-    });
-    return !budget.is_exceeded();
+    const auto none = static_cast<std::uint32_t>(lists.size(list)); // the index of no link
+    const std::uint64_t slot_count = std::uint64_t(1) << hash_table_bits(none);
+    heads_.assign(slot_count, none);
+    std::uint32_t* const heads = heads_.data();
+    Link* const links = links_.require(none);
+    std::uint32_t count = 0;
+    const bool is_complete
+      = lists.for_each_run(list, [&](const Cell_entry* entry, const Cell_entry* end) {
+          for(; entry != end; ++entry, ++count) {
+            std::uint32_t& head = heads[entry->cell * slot_count >> 32];
+            if(head != none && !give_cell(*entry, links, head, none))
+              return false;
+            links[count] = {*entry, head};
+            head = count;
+          }
+          return true;
+        });
+    return flush() && is_complete;
   }
 
 private:
-  static constexpr std::size_t batch_size = 512;
-
-  using Lists = Cell_lists<std::conditional_t<is_parallel_v<ConcurrencyTag>, Parallel_tag,
-                                              Sequential_tag>>;
-
-  // Appends the entries of the points [first, last) of the sample. Most of them have one cell. So
-  // the first cells of a batch of points come first, without branches, and then the other cells.
-  template <class Append_to_list, class Progress>
-  void enter(const Some_positions& sample, std::size_t first, std::size_t last,
-             std::size_t list_count, const Append_to_list& append_to_list,
-             Progress& progress) const
+  // The entries in a slot of a hash table are linked.
+  struct Link
   {
-    const auto append = [&](std::uint64_t hash, Place position) {
-      const std::uint64_t bits = (hash >> 32) * list_count; // the list, and 32 bits below it
-      append_to_list(bits >> 32, {static_cast<std::uint32_t>(bits), position});
-    };
-    std::array<Place, batch_size> positions;
-    std::array<std::uint64_t, batch_size> hashes;
-    std::array<std::uint32_t, batch_size> several; // points that are in several cells
-    for(; first < last; first += batch_size) {
-      const std::size_t size = (std::min)(batch_size, last - first);
-      sample.copy(first, first + size, positions.data());
-      std::size_t several_count = 0;
-      for(std::size_t i = 0; i < size; ++i) {
-        const auto [hash, is_in_several] = cells_.first_cell_around(points_[positions[i]]);
-        hashes[i] = hash;
-        several[several_count] = static_cast<std::uint32_t>(i);
-        several_count += is_in_several;
+    Cell_entry entry;
+    std::uint32_t next;
+  };
+
+  // Gives the pairs of an entry and the entries of its cell that are linked from `other` on.
+  BOOST_NOINLINE
+  bool give_cell(Cell_entry entry, const Link* links, std::uint32_t other, std::uint32_t none)
+  {
+    std::size_t steps = 0;
+    for(; other != none; other = links[other].next, ++steps)
+      if(links[other].entry.cell == entry.cell) {
+        *next_++ = {links[other].entry.position, entry.position};
+        if(next_ == pairs_.data() + pairs_.size() && !flush())
+          return false;
       }
-      for(std::size_t i = 0; i < size; ++i)
-        append(hashes[i], positions[i]);
-      for(std::size_t k = 0; k < several_count; ++k)
-        append_other_cells(positions[several[k]], append);
-      if(!progress.advance(size))
+    return counter_.step(steps);
+  }
+
+  BOOST_NOINLINE bool flush()
+  {
+    Found_pair* const end = std::exchange(next_, pairs_.data());
+    return end == next_ || taker_.take(next_, static_cast<std::size_t>(end - next_));
+  }
+
+  Step_counter counter_;
+  Pair_taker& taker_;
+  std::vector<std::uint32_t> heads_; // by slot: the index of a link
+  Buffer<Link> links_;
+  std::array<Found_pair, 256> pairs_;
+  Found_pair* next_ = pairs_.data(); // where the next pair goes
+};
+
+template <int Dimension>
+class Cell_join
+{
+public:
+  // Joins pairs within `distance`, for which do_cells_fit() must hold. The order of visits depends
+  // on the seed.
+  Cell_join(Near_points<Dimension>& points, const Join_task<Dimension>& task, double distance,
+            double cell_side, std::uint64_t seed)
+    : points_(points), threads_(task.threads),
+      cells_(task.box, task.error,
+             std::nextafter(distance / 2, std::numeric_limits<double>::infinity()), cell_side,
+             seed)
+  {}
+
+  // Enters the points of a sample, and gives pairs of these points to the taker. Each point is two
+  // steps of progress: to enter it, and to visit its pairs. The join is given up after `max_steps`
+  // comparisons of entries.
+  Joined operator()(const Some_positions& sample, std::size_t max_steps, Pair_taker& taker)
+  {
+    const Cell_lists lists(
+      sample.size(), threads_,
+      [&](std::size_t first, std::size_t last, Cell_lists::Writer& writer) {
+        enter(sample, first, last, writer);
+      });
+    Step_budget budget(max_steps);
+    threads_.run_blocks(lists.count(), [&](std::size_t first, std::size_t last) {
+      Cell_pairs pairs(budget, taker);
+      for(std::size_t list = first; list != last && goes_on_.load(std::memory_order_relaxed);
+          ++list)
+        if(!pairs.give(lists, list)
+           || !points_.advance(sample.size() * (list + 1) / lists.count()
+                               - sample.size() * list / lists.count()))
+          goes_on_.store(false, std::memory_order_relaxed);
+    });
+    if(budget.is_exceeded())
+      return Joined::GIVEN_UP;
+    return goes_on_.load(std::memory_order_relaxed) ? Joined::ALL : Joined::STOPPED;
+  }
+
+private:
+  static constexpr std::size_t block_size = Point_block::max_size;
+  static constexpr int all_axes = Near_points<Dimension>::all_axes;
+
+  // Appends the entries of the points [first, last) of the sample.
+  void enter(const Some_positions& sample, std::size_t first, std::size_t last,
+             Cell_lists::Writer& writer)
+  {
+    const Block_reader<Dimension> reader(points_);
+    for(; first < last; first += block_size) {
+      const std::size_t end = (std::min)(first + block_size, last);
+      if(sample.are_first())
+        reader.read_blocks(first, end, all_axes, [&](const Point_block& block) {
+          enter(block, writer);
+        });
+      else
+        enter_drawn(sample.data() + first, end - first, writer);
+      if(!points_.advance(end - first)) {
+        goes_on_.store(false, std::memory_order_relaxed);
         return;
+      }
     }
   }
 
-  template <class Append>
-  void append_other_cells(Place position, const Append& append) const
+  BOOST_NOINLINE
+  void enter_drawn(const Place* positions, std::size_t size, Cell_lists::Writer& writer) const
   {
-    bool is_first = true;
-    cells_.for_each_cell_around(points_[position], [&](std::uint64_t hash) {
-      if(!is_first)
-        append(hash, position);
-      is_first = false;
-    });
+    std::array<std::array<double, Dimension>, block_size> x;
+    if(points_.are_viewed)
+      for(std::size_t i = 0; i < size; ++i)
+        x[i] = doubles_of(points_, positions[i]);
+    else
+      points_.read_at(positions, size, x[0].data());
+    enter({0, size, reinterpret_cast<const char*>(x.data()), sizeof(x[0]), positions}, writer);
   }
 
-  // A hash table of the entries of a list, by their cells.
-  struct Bucket_table
+  // Most points have one cell. So the first cells of all points come first, without branches, and
+  // then the other cells.
+  BOOST_NOINLINE void enter(const Point_block& block, Cell_lists::Writer& writer) const
   {
-    struct Link
-    {
-      Cell_entry entry;
-      std::uint32_t next;
+    std::array<std::uint64_t, block_size> hashes;
+    std::array<std::uint32_t, block_size> several; // points that are in several cells
+    std::size_t several_count = 0;
+    const auto add = [&](std::size_t i, const First_cell& cell) {
+      hashes[i] = cell.hash;
+      several[several_count] = static_cast<std::uint32_t>(i);
+      several_count += cell.has_others;
     };
-    std::vector<std::uint32_t> heads; // 1 + the index of a link, or 0
-    Buffer<Link> links;
-  };
-
-  // Visits the pairs of a list that are in a common cell. Returns false iff the visitor stops, or
-  // no steps are left.
-  template <class Visitor>
-  static bool join(const Lists& lists, std::size_t list, Bucket_table& table,
-                   Step_counter& counter, Visitor& visitor)
-  {
-    const std::size_t size = lists.size(list);
-    const std::uint64_t slot_count = std::uint64_t(1) << hash_table_bits(size);
-    table.heads.assign(slot_count, 0);
-    std::uint32_t* const heads = table.heads.data();
-    typename Bucket_table::Link* const links = table.links.require(size);
-    std::uint32_t count = 0;
-
-    return lists.for_each(list, [&](const Cell_entry& entry) {
-      std::uint32_t& head = heads[entry.cell * slot_count >> 32];
-      for(std::uint32_t other = head; other != 0; other = links[other - 1].next)
-        if(!counter.step()
-           || (links[other - 1].entry.cell == entry.cell
-               && !visitor(links[other - 1].entry.position, entry.position)))
-          return false;
-      links[count] = {entry, head};
-      head = ++count;
-      return true;
-    });
+    if(cells_.are_near())
+      for(std::size_t i = 0; i < block.size; ++i)
+        add(i, cells_.first_near_cell_around(block.point(i)));
+    else
+      for(std::size_t i = 0; i < block.size; ++i)
+        add(i, cells_.first_cell_around(block.point(i)));
+    writer.append(hashes.data(), block.numbers, block.size);
+    for(std::size_t k = 0; k < several_count; ++k) {
+      const Place position = block.numbers[several[k]];
+      bool is_first = true;
+      cells_.for_each_cell_around(block.point(several[k]), [&](std::uint64_t hash) {
+        if(!is_first)
+          writer.append(hash, position);
+        is_first = false;
+      });
+    }
   }
 
-  const Elements& points_;
+  Near_points<Dimension>& points_;
+  const Threads threads_;
   const Hashed_cells<Dimension> cells_;
+  std::atomic<bool> goes_on_ = true;
 };
 
 } // namespace internal

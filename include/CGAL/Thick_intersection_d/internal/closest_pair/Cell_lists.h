@@ -5,10 +5,10 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CELL_LISTS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CELL_LISTS_H
 
-// The entries of a join of cells, distributed over lists. In sequence, the lists grow as the
-// entries come. In parallel, blocks of points write down and count their entries at the same time,
-// and then move them to the lists: lists of each thread would take a chunk of memory for each list
-// and thread, and all threads would wait until it is freed.
+// The entries of a join of cells, distributed over lists by their hashes. In sequence, the lists
+// grow as the entries come. In parallel, blocks of points write down and count their entries at the
+// same time, and then move them to the lists: lists of each thread would take a chunk of memory for
+// each list and thread, and all threads would wait until it is freed.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/Chunked_lists.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
@@ -16,7 +16,6 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/tuning.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -35,94 +34,145 @@ struct Cell_entry
   Place position;
 };
 
-template <class ConcurrencyTag>
 class Cell_lists
 {
-public:
-  // Makes lists for the entries of `size` points. enter(first, last, append) calls append(list,
-  // entry) for the entries of the points [first, last).
-  template <class Enter>
-  Cell_lists(std::size_t size, std::size_t list_count, const Enter& enter) : lists_(list_count)
-  {
-    enter(std::size_t(0), size, [&](std::size_t list, const Cell_entry& entry) {
-      lists_.append(list, entry);
-    });
-  }
-
-  // The number of entries in a list.
-  std::size_t size(std::size_t list) const { return lists_.size(list); }
-
-  // Calls task(entry) for the entries of a list, until the task returns false. Returns whether the
-  // task never returned false.
-  template <class Task>
-  bool for_each(std::size_t list, const Task& task) const
-  {
-    return lists_.for_each(list, task);
-  }
-
-private:
-  Chunked_lists<Cell_entry, 4096 / sizeof(Cell_entry)> lists_; // in chunks of a page
-};
-
-template <>
-class Cell_lists<Parallel_tag>
-{
-public:
-  template <class Enter>
-  Cell_lists(std::size_t size, std::size_t list_count, const Enter& enter)
-    : begins_(list_count + 1, 0)
-  {
-    const std::size_t block_count
-      = (std::min)(internal::block_count<Parallel_tag>(), size / min_entry_block_size + 1);
-    std::vector<std::vector<Entry_of_list>> blocks(block_count);
-    const auto next = make_uninitialized<std::size_t>(block_count * list_count);
-    for_each_numbered_block<Parallel_tag>(
-      block_count, size, [&](std::size_t block, std::size_t first, std::size_t last) {
-        std::size_t* const counts = next.get() + block * list_count;
-        std::fill_n(counts, list_count, std::size_t(0));
-        std::vector<Entry_of_list>& entries = blocks[block];
-        entries.reserve((last - first) + (last - first) / 4); // some are in several cells
-        enter(first, last, [&](std::size_t list, const Cell_entry& entry) {
-          entries.push_back({entry, static_cast<std::uint32_t>(list)});
-          ++counts[list];
-        });
-      });
-    replace_by_sums_over_blocks(Threads(Parallel_tag()), next.get(), block_count, list_count,
-                                begins_.data());
-    replace_by_prefix_sums(begins_.data(), begins_.data() + begins_.size());
-    entries_ = make_uninitialized<Cell_entry>(begins_.back());
-    for_each_block<Parallel_tag>(block_count, [&](std::size_t block, std::size_t end) {
-      for(; block != end; ++block) {
-        std::size_t* const places = next.get() + block * list_count;
-        add_begins(places, begins_.data(), list_count);
-        for(const Entry_of_list& e : blocks[block])
-          entries_[places[e.list]++] = e.entry;
-        blocks[block] = {}; // frees its memory
-      }
-    });
-  }
-
-  std::size_t size(std::size_t list) const { return begins_[list + 1] - begins_[list]; }
-
-  template <class Task>
-  bool for_each(std::size_t list, const Task& task) const
-  {
-    const Cell_entry* const end = entries_.get() + begins_[list + 1];
-    for(const Cell_entry* entry = entries_.get() + begins_[list]; entry != end; ++entry)
-      if(!task(*entry))
-        return false;
-    return true;
-  }
-
-private:
   struct Entry_of_list
   {
     Cell_entry entry;
     std::uint32_t list;
   };
+  using Growing_lists = Chunked_lists<Cell_entry, 4096 / sizeof(Cell_entry)>; // chunks of a page
 
-  std::vector<std::size_t> begins_; // of the lists
-  std::unique_ptr<Cell_entry[]> entries_;
+public:
+  // Takes the entries of a block of points.
+  class Writer
+  {
+  public:
+    void append(std::uint64_t hash, Place position)
+    {
+      if(lists_ != nullptr)
+        append_to_list(hash, position);
+      else
+        append_and_count(hash, position);
+    }
+
+    // Appends an entry for each hash and the position with it.
+    void append(const std::uint64_t* hashes, const Place* positions, std::size_t count)
+    {
+      if(lists_ != nullptr)
+        for(std::size_t i = 0; i < count; ++i)
+          append_to_list(hashes[i], positions[i]);
+      else
+        for(std::size_t i = 0; i < count; ++i)
+          append_and_count(hashes[i], positions[i]);
+    }
+
+  private:
+    friend class Cell_lists;
+
+    // Returns the list of a hash, and below it 32 bits that identify the cell.
+    std::uint64_t list_and_cell(std::uint64_t hash) const { return (hash >> 32) * list_count_; }
+
+    void append_to_list(std::uint64_t hash, Place position)
+    {
+      const std::uint64_t bits = list_and_cell(hash);
+      lists_->append(bits >> 32, {static_cast<std::uint32_t>(bits), position});
+    }
+
+    void append_and_count(std::uint64_t hash, Place position)
+    {
+      const std::uint64_t bits = list_and_cell(hash);
+      const auto list = static_cast<std::uint32_t>(bits >> 32);
+      entries_.push_back({{static_cast<std::uint32_t>(bits), position}, list});
+      ++counts_[list];
+    }
+
+    std::size_t list_count_ = 0;
+    Growing_lists* lists_ = nullptr;
+    std::vector<Entry_of_list> entries_; // in parallel
+    std::size_t* counts_ = nullptr;      // of these, by list
+  };
+
+  // Makes lists for the entries of `size` points. enter(first, last, writer) appends the entries of
+  // the points [first, last).
+  template <class Enter>
+  Cell_lists(std::size_t size, const Threads& threads, const Enter& enter)
+    : begins_(list_count(size, threads) + 1, 0), lists_(threads.are_many() ? 0 : count())
+  {
+    if(threads.are_many())
+      enter_in_blocks(size, threads, enter);
+    else {
+      Writer writer;
+      writer.list_count_ = count();
+      writer.lists_ = &lists_;
+      enter(std::size_t(0), size, writer);
+    }
+  }
+
+  // The number of lists.
+  std::size_t count() const { return begins_.size() - 1; }
+
+  // The number of entries in a list.
+  std::size_t size(std::size_t list) const
+  {
+    return entries_ ? begins_[list + 1] - begins_[list] : lists_.size(list);
+  }
+
+  // Calls task(first, last) for the entries of a list, in runs that lie in order, until the task
+  // returns false. Returns whether the task never returned false.
+  template <class Task>
+  bool for_each_run(std::size_t list, const Task& task) const
+  {
+    if(entries_)
+      return task(entries_.get() + begins_[list], entries_.get() + begins_[list + 1]);
+    return lists_.for_each_chunk(list, task);
+  }
+
+private:
+  // Returns how many lists the entries of `size` points are distributed over: a power of two.
+  static std::size_t list_count(std::size_t size, const Threads& threads)
+  {
+    std::size_t count = 1;
+    while(size / count > entries_per_list && count < max_list_count)
+      count *= 2;
+    if(threads.are_many()) // enough for all threads
+      while(size / count > min_entries_per_list && count < threads.block_count())
+        count *= 2;
+    return count;
+  }
+
+  template <class Enter>
+  void enter_in_blocks(std::size_t size, const Threads& threads, const Enter& enter)
+  {
+    std::vector<Writer> blocks(
+      (std::min)(threads.block_count(), size / min_entry_block_size + 1));
+    const auto next = make_uninitialized<std::size_t>(blocks.size() * count());
+    threads.run_numbered_blocks(
+      blocks.size(), size, [&](std::size_t block, std::size_t first, std::size_t last) {
+        Writer& writer = blocks[block];
+        writer.list_count_ = count();
+        writer.counts_ = next.get() + block * count();
+        std::fill_n(writer.counts_, count(), std::size_t(0));
+        writer.entries_.reserve((last - first) + (last - first) / 4); // some are in several cells
+        enter(first, last, writer);
+      });
+    replace_by_sums_over_blocks(threads, next.get(), blocks.size(), count(), begins_.data());
+    replace_by_prefix_sums(begins_.data(), begins_.data() + begins_.size());
+    entries_ = make_uninitialized<Cell_entry>(begins_.back());
+    threads.run_blocks(blocks.size(), [&](std::size_t block, std::size_t end) {
+      for(; block != end; ++block) {
+        std::size_t* const places = blocks[block].counts_;
+        add_begins(places, begins_.data(), count());
+        for(const Entry_of_list& e : blocks[block].entries_)
+          entries_[places[e.list]++] = e.entry;
+        blocks[block].entries_ = {}; // frees its memory
+      }
+    });
+  }
+
+  std::vector<std::size_t> begins_; // of the lists, in parallel
+  std::unique_ptr<Cell_entry[]> entries_; // in parallel
+  Growing_lists lists_;                   // in sequence
 };
 
 } // namespace internal

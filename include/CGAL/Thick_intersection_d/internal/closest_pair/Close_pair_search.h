@@ -11,30 +11,30 @@
 // a close pair. The buckets of [L] take points of other dimensions, and points that doubles are too
 // coarse for. A few points are searched first. Closest_pair_search.h says what [L] is.
 
-#include <CGAL/Arithmetic_tier.h>
-
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
-#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_tier.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
-#include <CGAL/Thick_intersection_d/internal/closest_pair/Cell_join.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Close_pair_buckets.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Closest_pair_divide.h>
-#include <CGAL/Thick_intersection_d/internal/closest_pair/Hashed_cells.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/Closest_pair_search.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/Join_task.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Pair_minimum.h>
-#include <CGAL/Thick_intersection_d/internal/closest_pair/Some_positions.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/first_equal_pair.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/join_search.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/near_pairs_of_scene.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/tuning.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
+#include <CGAL/Thick_intersection_d/internal/lanes/Found_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
+#include <CGAL/Thick_intersection_d/internal/near_points/Element_points.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Is_within_distance.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Near_task.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <mutex>
 #include <optional>
 
@@ -42,16 +42,44 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Returns the tier for near ties of the scene. Integers decide those that they can.
-inline Arithmetic_tier near_tie_tier(double reach, const Scene& scene)
+// Takes pairs until one of them is within the distance.
+template <class Elements>
+class Close_pair_taker final : public Result_taker
 {
-  return (std::min)(first_exact_tier(reach, scene.grid_exponent, scene.extended_axis_count()),
-                    Arithmetic_tier::INT128);
-}
+public:
+  Close_pair_taker(const Elements& points,
+                   const Is_within_distance<typename Elements::value_type>& is_within)
+    : points_(points), is_within_(is_within)
+  {}
 
-// `report_near(callback, progress)` calls callback(i, j) for the close pairs, until it returns
-// false.
-template <class ConcurrencyTag, class Elements, class Progress, class Report_near>
+  // The first close pair that was taken.
+  const std::optional<Position_pair>& pair() const { return pair_; }
+
+  bool take(const Found_pair* pairs, std::size_t count) override
+  {
+    for(const Found_pair* const end = pairs + count; pairs != end; ++pairs)
+      if(is_within_(points_[pairs->i], points_[pairs->j])) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        pair_ = Position_pair(std::minmax(pairs->i, pairs->j));
+        return false;
+      }
+    return true;
+  }
+
+  bool take_row(Place i, Place first, Place) override
+  {
+    const Found_pair pair = {i, first};
+    return take(&pair, 1);
+  }
+
+private:
+  const Elements& points_;
+  const Is_within_distance<typename Elements::value_type>& is_within_;
+  std::mutex mutex_;
+  std::optional<Position_pair> pair_;
+};
+
+template <class ConcurrencyTag, class Elements, class Progress>
 class Close_pair_search
 {
   using Point = typename Elements::value_type;
@@ -61,11 +89,10 @@ class Close_pair_search
 public:
   // Takes the points of the scene.
   Close_pair_search(const Elements& points, const Squared_bound<Exact>& bound, const Scene& scene,
-                    Progress& progress, const Report_near& report_near)
+                    Progress& progress)
     : points_(points), scene_(scene),
       is_zero_within_(bound.holds_for(Exact(0))), is_zero_(bound.is_zero()),
-      is_within_(bound, scene, near_tie_tier(bound.reach(), scene)),
-      progress_(progress), report_near_(report_near)
+      is_within_(is_within_of_scene<Point>(bound, scene)), progress_(progress)
   {}
 
   // Returns a close pair, if there is one and if it was found before the search was cancelled.
@@ -85,6 +112,30 @@ public:
   }
 
 private:
+  template <int Dimension>
+  Found find_by_joins() const
+  {
+    if(!do_cells_fit(is_within_.reach(), scene_.error))
+      return find_otherwise();
+    const std::size_t few = points_.size() / first_look_divisor;
+    progress_.restart(2 * (few + points_.size()));
+    Element_points<Dimension, Elements, Progress> points(points_, progress_);
+    Join_task<Dimension> task; // in sequence, the pair depends on the input alone: the seed is 0
+    std::copy_n(scene_.box.begin(), Dimension, task.box.begin());
+    task.error = scene_.error;
+    task.threads = Threads(ConcurrencyTag());
+    Close_pair_taker<Elements> taker(points_, is_within_);
+    Joined joined = Joined::ALL;
+    for(const std::size_t size : {few, points_.size()})
+      if(!taker.pair())
+        joined = join_first_points<Dimension>(points, task, size, is_within_.reach(), taker);
+    if(!taker.pair() && joined == Joined::GIVEN_UP) {
+      progress_.restart(points_.size());
+      search_near_pairs_of_scene<ConcurrencyTag>(points_, scene_, is_within_, taker, progress_);
+    }
+    return taker.pair();
+  }
+
   // Finds a close pair by what takes any number type and any dimension.
   Found find_otherwise() const
   {
@@ -117,66 +168,12 @@ private:
     return is_within_(points_[pair.first], points_[pair.second]) ? Found(pair) : std::nullopt;
   }
 
-  template <int Dimension>
-  Found find_by_joins() const
-  {
-    if(!Hashed_cells<Dimension>::fits(is_within_.reach(), scene_.error))
-      return find_otherwise();
-    const std::size_t few = points_.size() / first_look_divisor;
-    progress_.restart(2 * (few + points_.size()));
-    bool is_complete = false;
-    for(const std::size_t size : {few, points_.size()}) {
-      Found result;
-      is_complete = join<Dimension>(size, result);
-      if(result)
-        return result;
-    }
-    return is_complete ? std::nullopt : find_reported();
-  }
-
-  // Joins the first `size` points until a close pair is found. Returns false if the join was given
-  // up.
-  template <int Dimension>
-  bool join(std::size_t size, Found& result) const
-  {
-    const double reach = (std::min)(is_within_.reach(), (std::numeric_limits<double>::max)());
-    const Cell_join<ConcurrencyTag, Dimension, Elements> join_cells(
-      points_, reach, join_cell_side(scene_, size, reach), join_seed);
-    std::mutex mutex;
-    const auto test = [&](std::size_t i, std::size_t j) {
-      if(!is_within_(points_[i], points_[j]))
-        return true;
-      const std::lock_guard<std::mutex> lock(mutex);
-      result = Position_pair(std::minmax(i, j));
-      return false;
-    };
-    return join_cells(Some_positions(size), max_join_steps(size), [&] { return test; }, progress_);
-  }
-
-  Found find_reported() const
-  {
-    Found result;
-    std::mutex mutex;
-    const auto take = [&](std::size_t i, std::size_t j) {
-      const std::lock_guard<std::mutex> lock(mutex);
-      result = Position_pair(std::minmax(i, j));
-      return false;
-    };
-    progress_.restart(points_.size());
-    report_near_(take, progress_);
-    return result;
-  }
-
-  // In sequence, the pair depends on the input alone. So the seed is fixed.
-  static constexpr std::uint64_t join_seed = 0;
-
   const Elements& points_;
   const Scene& scene_;
   const bool is_zero_within_;
   const bool is_zero_; // whether only equal points are close
   const Is_within_distance<Point> is_within_;
   Progress& progress_;
-  const Report_near& report_near_;
 };
 
 } // namespace internal

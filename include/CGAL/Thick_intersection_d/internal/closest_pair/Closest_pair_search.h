@@ -6,8 +6,8 @@
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CLOSEST_PAIR_SEARCH_H
 
 // Chooses the method for the closest pair. In the plane and in space it is a join of points in
-// common cells. If these are crowded, the search of near pairs reports those that are as near as
-// the closest pair of a sample. Hashing finds equal points if doubles hold their coordinates. The
+// common cells. If these are crowded, the search of near pairs finds those that are as near as the
+// closest pair of a sample. Hashing finds equal points if doubles hold their coordinates. The
 // divide and conquer of [L] takes points of other dimensions, and points that doubles are too
 // coarse for.
 //
@@ -16,27 +16,31 @@
 
 #include <CGAL/Distance_bound.h>
 
+#include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
-#include <CGAL/Thick_intersection_d/internal/closest_pair/Cell_join.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Closest_pair_divide.h>
-#include <CGAL/Thick_intersection_d/internal/closest_pair/Hashed_cells.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/Join_task.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Pair_minimum.h>
-#include <CGAL/Thick_intersection_d/internal/closest_pair/Some_positions.h>
-#include <CGAL/Thick_intersection_d/internal/closest_pair/Step_budget.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/first_equal_pair.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/join_search.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/near_pairs_of_scene.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/tuning.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
+#include <CGAL/Thick_intersection_d/internal/lanes/Found_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
+#include <CGAL/Thick_intersection_d/internal/near_points/Element_points.h>
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -46,21 +50,88 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// `report_near(points, bound, callback, progress)` calls callback(i, j) for the pairs of points
-// within the bound, from any thread, until it returns false.
-template <class ConcurrencyTag, class Elements, class Progress, class Report_near>
+// Whether joins take all points of a type that differ: those whose coordinates are doubles, in the
+// plane or in space.
+template <class Point>
+inline constexpr bool are_joined_v
+  = is_held_by_double_v<Coordinate_t<Point>>
+    && (dimension_or<Point>(0) == 2 || dimension_or<Point>(0) == 3);
+
+// Offers pairs that are found to a minimum. Each thread has a minimum of its own.
+template <class ConcurrencyTag, class Minimum>
+class Pair_offers final : public Closest_taker
+{
+public:
+  // Takes pairs until there are more than `max_count`. They are as close as the minimum if
+  // `are_ties`.
+  Pair_offers(Minimum& minimum, std::size_t max_count, bool are_ties = false)
+    : minimum_(minimum), minima_(minimum), max_count_(max_count), are_ties_(are_ties)
+  {}
+
+  bool take(const Found_pair* pairs, std::size_t count) override
+  {
+    Minimum& own = minima_.local();
+    if(are_ties_)
+      for(std::size_t k = 0; k < count; ++k)
+        own.offer_tie(pairs[k].i, pairs[k].j);
+    else
+      for(std::size_t k = 0; k < count; ++k)
+        own.offer(pairs[k].i, pairs[k].j);
+    return add(count);
+  }
+
+  bool take_row(Place i, Place first, Place last) override
+  {
+    Minimum& own = minima_.local();
+    for(Place j = first; j < last; ++j)
+      if(are_ties_)
+        own.offer_tie(i, j);
+      else
+        own.offer(i, j);
+    return add(last - first);
+  }
+
+  double reach() override
+  {
+    collect();
+    return minimum_.has_tight_reach() ? minimum_.reach() : 0;
+  }
+
+  // Offers the pairs of all threads to the minimum, and the closest of them to all threads.
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED void collect()
+  {
+    minima_.for_each([&](const Minimum& own) { minimum_.offer_pair_of(own); });
+    minima_.for_each([&](Minimum& own) { own.offer_pair_of(minimum_); });
+  }
+
+  std::size_t count() const { return count_.load(std::memory_order_relaxed); }
+
+private:
+  bool add(std::size_t count)
+  {
+    return count_.fetch_add(count, std::memory_order_relaxed) + count <= max_count_;
+  }
+
+  Minimum& minimum_;
+  Per_thread<ConcurrencyTag, Minimum> minima_;
+  std::size_t max_count_;
+  bool are_ties_;
+  std::atomic<std::size_t> count_ = 0;
+};
+
+template <class ConcurrencyTag, class Elements, class Progress>
 class Closest_pair_search
 {
   using Point = typename Elements::value_type;
   using Exact = Exact_number_t<Coordinate_t<Point>>;
   using Minimum = Pair_minimum<Elements>;
+  using Offers = Pair_offers<ConcurrencyTag, Minimum>;
 
 public:
   // Takes the points of the scene, at least two.
   Closest_pair_search(const Elements& points, const Scene& scene, std::uint64_t seed,
-                      Progress& progress, const Report_near& report_near)
-    : points_(points), scene_(scene), seed_(seed), progress_(progress),
-      report_near_(report_near), minimum_(points, scene)
+                      Progress& progress)
+    : points_(points), scene_(scene), seed_(seed), progress_(progress), minimum_(points, scene)
   {}
 
   // Returns the closest pair. If the search is cancelled, returns the closest of the pairs that it
@@ -70,7 +141,7 @@ public:
     minimum_.offer(0, 1);
     const bool is_found
       = for_plane_and_space<Point>(scene_.dimension(), [&](auto dimension) {
-          return search_all<decltype(dimension)::value>();
+          return search_in_plane_or_space<decltype(dimension)::value>();
         }, [] { return false; });
     if(!is_found && !progress_.is_cancelled())
       search_by_coordinates();
@@ -80,76 +151,26 @@ public:
 private:
   // Offers the closest pairs. Returns false if points are equal or doubles are too coarse.
   template <int Dimension>
-  bool search_all()
+  bool search_in_plane_or_space()
+  {
+    if(join_in_cells<Dimension>() != Joined::GIVEN_UP)
+      return true;
+    return !progress_.is_cancelled() && minimum_.has_tight_reach()
+           && do_cells_fit(minimum_.reach(), scene_.error) && (report_as_near() || report_nearer());
+  }
+
+  template <int Dimension>
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED Joined join_in_cells()
   {
     progress_.restart(2 * points_.size() + 2 * points_.size() / 7); // a 7th are in all samples
-    return search<Dimension>(Some_positions(points_.size()))
-           || (!progress_.is_cancelled() && can_join<Dimension>() && report_all());
+    Element_points<Dimension, Elements, Progress> points(points_, progress_);
+    Join_task<Dimension> task = {{}, scene_.error, seed_, Threads(ConcurrencyTag())};
+    std::copy_n(scene_.box.begin(), Dimension, task.box.begin());
+    Offers offers(minimum_, unlimited);
+    const Joined joined = join_samples<Dimension>(points, task, offers);
+    offers.collect();
+    return joined;
   }
-
-  // Offers the closest pairs of a sample, in expected linear time. Returns false as search_all()
-  // does, or if the points are crowded.
-  //
-  // The same method finds the closest pair of an eighth of the points. Few pairs of all points are
-  // within the distance of this pair: 8^2 pairs, if pairs were independent. If by chance there are
-  // too many, another eighth of the sample is drawn, because the pair is too far apart to have all
-  // nearer pairs of the scene reported.
-  template <int Dimension>
-  CGAL_THICK_INTERSECTION_D_RARELY_CALLED bool search(const Some_positions& sample)
-  {
-    if(sample.size() <= small_size) {
-      offer_all(sample);
-      return true;
-    }
-    const int draw_count = sample.size() == points_.size() ? 1 : 2;
-    for(int draw = 0; draw < draw_count && !progress_.is_cancelled(); ++draw) {
-      if(!search<Dimension>(Some_positions(ConcurrencyTag(), sample, seed_))
-         || !can_join<Dimension>())
-        return false;
-      if(join<Dimension>(sample))
-        return true;
-    }
-    return false;
-  }
-
-  // Whether cells can be about as large as the distance of the closest pair so far.
-  template <int Dimension>
-  bool can_join() const
-  {
-    return minimum_.has_tight_reach()
-           && Hashed_cells<Dimension>::fits(minimum_.reach(), scene_.error);
-  }
-
-  CGAL_THICK_INTERSECTION_D_RARELY_CALLED void offer_all(const Some_positions& sample)
-  {
-    for(std::size_t i = 0; i < sample.size() && progress_.advance(1); ++i)
-      for(std::size_t j = i + 1; j < sample.size(); ++j)
-        minimum_.offer(sample[i], sample[j]);
-  }
-
-  // Joins the points of a sample in cells. Returns false if the cells are crowded.
-  template <int Dimension>
-  CGAL_THICK_INTERSECTION_D_RARELY_CALLED bool join(const Some_positions& sample)
-  {
-    const double distance = (std::min)(minimum_.reach(), (std::numeric_limits<double>::max)());
-    const Cell_join<ConcurrencyTag, Dimension, Elements> join_cells(
-      points_, distance, join_cell_side(scene_, sample.size(), distance), random_word(seed_));
-    Per_thread<ConcurrencyTag, Minimum> minima(minimum_);
-    const bool is_complete = join_cells(sample, max_join_steps(sample.size()), [&] {
-      return [&own = minima.local()](std::size_t i, std::size_t j) {
-        own.offer(i, j);
-        return true;
-      };
-    }, progress_);
-    minima.for_each([&](const Minimum& own) { minimum_.offer_pair_of(own); });
-    return is_complete;
-  }
-
-  // Has pairs of crowded points reported, and offers them. Returns false as search_all() does.
-  bool report_all() { return report_as_near() || report_nearer(); }
-
-  // How many pairs were reported.
-  enum class Reported { NONE, FEW, TOO_MANY };
 
   // Offers the pairs that are as near as the closest pair so far. Returns false if there are too
   // many of them.
@@ -202,35 +223,33 @@ private:
     if(minimum_.is_zero())
       return false;
     CGAL_assertion(low == max_exponent);
-    offer_all(Some_positions(points_.size())); // a few points, all of them that far apart
+    offer_all(); // a few points, all of them that far apart
     return true;
   }
 
-  // What a thread offers its pairs to, and counts them by.
-  struct Offers
+  void offer_all()
   {
-    Minimum minimum;
-    Step_counter counter;
-  };
+    for(std::size_t i = 0; i < points_.size() && progress_.advance(1); ++i)
+      for(std::size_t j = i + 1; j < points_.size(); ++j)
+        minimum_.offer(i, j);
+  }
+
+  // How many pairs were reported.
+  enum class Reported { NONE, FEW, TOO_MANY };
 
   // Offers the pairs within the bound, up to a number of pairs.
   CGAL_THICK_INTERSECTION_D_RARELY_CALLED
   Reported offer_reported(const Distance_bound<Exact>& bound, bool are_ties)
   {
-    Step_budget budget(max_near_pairs_per_point * points_.size());
-    Per_thread<ConcurrencyTag, Offers> offers(Offers{minimum_, Step_counter(budget)});
-    report_near_(points_, bound, [&](std::size_t i, std::size_t j) {
-      Offers& own = offers.local();
-      if(are_ties)
-        own.minimum.offer_tie(i, j);
-      else
-        own.minimum.offer(i, j);
-      return own.counter.step();
-    }, progress_);
-    offers.for_each([&](const Offers& own) { minimum_.offer_pair_of(own.minimum); });
-    if(budget.is_exceeded())
+    const std::size_t most = max_near_pairs_per_point * points_.size();
+    Offers offers(minimum_, most, are_ties);
+    search_near_pairs_of_scene<ConcurrencyTag>(
+      points_, scene_, is_within_of_scene<Point>(Squared_bound<Exact>(bound), scene_), offers,
+      progress_);
+    offers.collect();
+    if(offers.count() > most)
       return Reported::TOO_MANY;
-    return budget.is_used() ? Reported::FEW : Reported::NONE;
+    return offers.count() != 0 ? Reported::FEW : Reported::NONE;
   }
 
   // Offers the closest pairs by what needs no distance beforehand.
@@ -248,6 +267,7 @@ private:
       divide_and_conquer<ConcurrencyTag>(points_.size(), scene_.dimension(), minimum_, progress_);
   }
 
+  static constexpr std::size_t unlimited = (std::numeric_limits<std::size_t>::max)();
   static constexpr int max_exponent = std::numeric_limits<double>::max_exponent - 1;
   static constexpr double max_reach = 0x1p1023; // beyond it, longer bounds may overflow
 
@@ -255,7 +275,6 @@ private:
   const Scene& scene_;
   std::uint64_t seed_; // of what is drawn next
   Progress& progress_;
-  const Report_near& report_near_;
   Minimum minimum_;
 };
 

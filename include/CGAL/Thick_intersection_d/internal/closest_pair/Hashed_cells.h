@@ -5,8 +5,8 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_HASHED_CELLS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_HASHED_CELLS_H
 
-// Cells for points whose coordinates are doubles, or are enclosed by doubles. The points may be at
-// any distance from the origin. A hash identifies a cell.
+// Cells for points whose coordinates are doubles, or are up to an error above doubles. The points
+// may be at any distance from the origin. A hash identifies a cell.
 //
 // The index of a coordinate x is f(x) = x / side, cut to an integer. It is rounded, so cells far
 // from the origin are larger than others. The search needs only that f is monotone, as rounding is:
@@ -19,9 +19,9 @@
 // points that are a side or more apart. A coordinate is within w of O(1) cells, for w of at most a
 // side.
 
+#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/radix_sort.h>
-#include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 
 #include <boost/config.hpp>
@@ -31,26 +31,29 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <utility>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
+// The first cell of a point, and whether the point is in other cells as well.
+struct First_cell
+{
+  std::uint64_t hash;
+  bool has_others;
+};
+
 template <int Dimension>
 class Hashed_cells
 {
 public:
-  // Whether cells of the size of `reach` or more are useful, with half of `reach` or more as their
-  // width. Then the bounds of a coordinate, up to `error` apart, are in few cells.
-  static bool fits(double reach, double error)
-  {
-    return reach > 0 && error <= reach / 2;
-  }
-
+  // Cells for points in a box. Coordinates are up to `error` above the doubles of points, and the
+  // error is at most the width.
   CGAL_THICK_INTERSECTION_D_RARELY_CALLED
-  Hashed_cells(double width, double side, std::uint64_t seed)
-    : width_(width), hash_(Dimension, seed)
+  Hashed_cells(const std::array<Interval, Dimension>& box, double error, double width, double side,
+               std::uint64_t seed)
+    : width_(width), width_above_(error == 0 ? width : next_above(width + error)),
+      hash_(Dimension, seed)
   {
     constexpr double max_double = (std::numeric_limits<double>::max)();
     if(side < 0x1p-1000) // its inverse may be no double
@@ -58,31 +61,28 @@ public:
     scale_ = side <= max_double ? 1 / (side * prescale_) : 0; // longer sides make one cell
     far_ = (std::min)(side * 0x1p53, max_double);
     near_ = prescale_ == 1 ? far_ - 4 * width : 0;
+    for(const Interval& interval : box)
+      are_near_ = are_near_ && -near_ < interval.low && interval.high < near_;
   }
 
-  // Calls f(hash) for each cell that may hold points within the width of p along each axis.
-  template <class Point, class Function>
-  void for_each_cell_around(const Point& p, const Function& f) const
+  // Calls f(hash) for each cell that may hold points within the width of a point along each axis.
+  // The doubles of the point are x[i].
+  template <class Function>
+  void for_each_cell_around(const double* x, const Function& f) const
   {
-    visit<0>(ranges_around(p), 0, f);
+    visit<0>(are_near_ ? near_ranges_around(x) : ranges_around(x), 0, f);
   }
 
-  // Returns the hash of the first of these cells, and whether there are more.
-  template <class Point>
-  std::pair<std::uint64_t, bool> first_cell_around(const Point& p) const
+  // Returns the first of these cells.
+  First_cell first_cell_around(const double* x) const { return first_of(ranges_around(x)); }
+
+  // Whether all points are near to the origin, where cells have one size.
+  bool are_near() const { return are_near_; }
+
+  // As first_cell_around(), if all points are near.
+  First_cell first_near_cell_around(const double* x) const
   {
-    std::array<std::pair<double, double>, Dimension> x;
-    for(int axis = 0; axis < Dimension; ++axis)
-      x[axis] = coordinate_bounds(p, axis);
-    double size = std::fabs(x[0].first);
-    for(int axis = 1; axis < Dimension; ++axis)
-      size = (std::max)(size, std::fabs(x[axis].first));
-    if(!(size < near_))
-      return first_cell_far_out(p);
-    std::array<Index_range, Dimension> ranges;
-    for(int axis = 0; axis < Dimension; ++axis)
-      ranges[axis] = {near_index(x[axis].first - width_), near_index(x[axis].second + width_)};
-    return first_of(ranges);
+    return first_of(near_ranges_around(x));
   }
 
 private:
@@ -92,7 +92,7 @@ private:
     std::int64_t last;
   };
 
-  std::pair<std::uint64_t, bool> first_of(const std::array<Index_range, Dimension>& ranges) const
+  First_cell first_of(const std::array<Index_range, Dimension>& ranges) const
   {
     std::uint64_t hash = 0;
     std::int64_t difference = 0;
@@ -101,13 +101,6 @@ private:
       difference |= ranges[axis].first ^ ranges[axis].last;
     }
     return {hash_.finish(hash), difference != 0};
-  }
-
-  // Not inline, so that loops stay short.
-  template <class Point>
-  BOOST_NOINLINE std::pair<std::uint64_t, bool> first_cell_far_out(const Point& p) const
-  {
-    return first_of(ranges_around(p));
   }
 
   std::int64_t near_index(double x) const { return static_cast<std::int64_t>(x * scale_); }
@@ -130,14 +123,20 @@ private:
     return x < 0 ? -i : i;
   }
 
-  template <class Point>
-  std::array<Index_range, Dimension> ranges_around(const Point& p) const
+  std::array<Index_range, Dimension> near_ranges_around(const double* x) const
   {
     std::array<Index_range, Dimension> ranges;
-    for(int axis = 0; axis < Dimension; ++axis) {
-      const std::pair<double, double> x = coordinate_bounds(p, axis);
-      ranges[axis] = {index(x.first - width_), index(x.second + width_)};
-    }
+    for(int axis = 0; axis < Dimension; ++axis)
+      ranges[axis] = {near_index(x[axis] - width_), near_index(x[axis] + width_above_)};
+    return ranges;
+  }
+
+  // Not inline, so that loops stay short.
+  BOOST_NOINLINE std::array<Index_range, Dimension> ranges_around(const double* x) const
+  {
+    std::array<Index_range, Dimension> ranges;
+    for(int axis = 0; axis < Dimension; ++axis)
+      ranges[axis] = {index(x[axis] - width_), index(x[axis] + width_above_)};
     return ranges;
   }
 
@@ -152,11 +151,18 @@ private:
         visit<Axis + 1>(ranges, hash_.add(hash, Axis, i), f);
   }
 
+  static double next_above(double x)
+  {
+    return std::nextafter(x, std::numeric_limits<double>::infinity());
+  }
+
   double width_;
+  double width_above_;
   double prescale_ = 1; // a power of two: prescale_ * scale_ is 1 / side
   double scale_ = 0;
-  double near_ = 0; // up to three widths beyond it, near_index() is the index
-  double far_ = 0;  // beyond it, each double has an index of its own
+  double near_ = 0;      // up to three widths beyond it, near_index() is the index
+  double far_ = 0;       // beyond it, each double has an index of its own
+  bool are_near_ = true; // the points
   Sequence_hash<Dimension> hash_;
 };
 

@@ -21,6 +21,7 @@
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Twofold_distance.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
 
@@ -62,8 +63,10 @@ public:
   {
     if(scale_exponent_ != 0)
       offer_at_scale(i, j);
-    else
-      offer_between(i, j, squared_distance_bounds(points_[i], points_[j], dimension_));
+    else if(const Gap square = squared_distance_bounds(points_[i], points_[j],
+                                                       dimension_or<Point>(dimension_));
+            !(square.inf > filter_.outside))
+      offer_between(i, j, square);
   }
 
   // As offer(), of a pair that is as close.
@@ -129,8 +132,9 @@ private:
     return std::nextafter(std::sqrt(max_square_), std::numeric_limits<double>::infinity());
   }
 
-  // Offers a pair whose computed squared distance is between the doubles of `square`.
-  void offer_between(std::size_t i, std::size_t j, const Gap& square)
+  // Offers a pair whose computed squared distance is between the doubles of `square`. Not inline,
+  // so that loops that offer pairs stay short.
+  BOOST_NOINLINE void offer_between(std::size_t i, std::size_t j, Gap square)
   {
     if(square.inf > filter_.outside)
       return;

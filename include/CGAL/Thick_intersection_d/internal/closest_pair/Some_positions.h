@@ -11,14 +11,12 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/prefix_sums.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/tuning.h>
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 
 #include <boost/config.hpp> // BOOST_NOINLINE
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -32,12 +30,11 @@ public:
   explicit Some_positions(std::size_t size) : size_(size) {}
 
   // Draws each point of another sample with a probability of 1/8.
-  template <class ConcurrencyTag>
   BOOST_NOINLINE
-  Some_positions(ConcurrencyTag, const Some_positions& sample, std::uint64_t& seed)
+  Some_positions(const Threads& threads, const Some_positions& sample, std::uint64_t& seed)
   {
-    if constexpr(is_parallel_v<ConcurrencyTag>)
-      draw_in_strata<ConcurrencyTag>(sample, seed);
+    if(threads.are_many())
+      draw_in_strata(threads, sample, seed);
     else
       draw(sample, 0, sample.size(), seed, [&](Place p) { positions_.push_back(p); });
     size_ = positions_.size();
@@ -45,18 +42,15 @@ public:
 
   std::size_t size() const { return size_; }
 
+  // Whether the first points are taken.
+  bool are_first() const { return positions_.empty(); }
+
+  // Returns the positions of a sample.
+  const Place* data() const { return positions_.data(); }
+
   Place operator[](std::size_t i) const
   {
     return positions_.empty() ? static_cast<Place>(i) : positions_[i];
-  }
-
-  // Copies the positions [first, last) of the sample.
-  void copy(std::size_t first, std::size_t last, Place* positions) const
-  {
-    if(positions_.empty())
-      std::iota(positions, positions + (last - first), static_cast<Place>(first));
-    else
-      std::copy(positions_.data() + first, positions_.data() + last, positions);
   }
 
 private:
@@ -72,14 +66,13 @@ private:
 
   // Draws from each stratum twice, by a seed of its own: first to count the points, and then to
   // write them down.
-  template <class ConcurrencyTag>
-  void draw_in_strata(const Some_positions& sample, std::uint64_t& seed)
+  void draw_in_strata(const Threads& threads, const Some_positions& sample, std::uint64_t& seed)
   {
     std::vector<std::uint64_t> seeds(sample.size() / sample_stratum_size + 1);
     for(std::uint64_t& seed_of_stratum : seeds)
       seed_of_stratum = random_word(seed);
     const auto draw_each = [&](const auto& task) {
-      for_each_numbered_block<ConcurrencyTag>(
+      threads.run_numbered_blocks(
         seeds.size(), sample.size(), [&](std::size_t s, std::size_t first, std::size_t last) {
           std::uint64_t own_seed = seeds[s];
           draw(sample, first, last, own_seed, [&](Place position) { task(s, position); });

@@ -57,21 +57,22 @@ class Step_counter
 public:
   explicit Step_counter(Step_budget& budget) : budget_(budget) {}
 
-  // Returns whether there was a step left.
-  bool step()
+  // Takes some steps. Returns whether they were left.
+  bool step(std::size_t count = 1)
   {
-    if(left_ == 0 && !take())
+    if(left_ < count && !take(count))
       return false;
-    --left_;
+    left_ -= count;
     return true;
   }
 
 private:
   // Not inline, so that loops that count steps stay short.
-  BOOST_NOINLINE bool take()
+  BOOST_NOINLINE bool take(std::size_t count)
   {
-    left_ = budget_.take();
-    return left_ != 0;
+    for(std::size_t taken = 1; left_ < count && taken != 0; left_ += taken)
+      taken = budget_.take();
+    return left_ >= count;
   }
 
   Step_budget& budget_;

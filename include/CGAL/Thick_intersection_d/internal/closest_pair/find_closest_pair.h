@@ -17,29 +17,16 @@
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Close_pair_search.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Closest_pair_search.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/few_closest_pair.h>
-#include <CGAL/Thick_intersection_d/internal/input/Point_doubles.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene_sample.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
-#include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/input/few_coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
-#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
-#include <CGAL/Thick_intersection_d/internal/near_points/Callback_taker.h>
-#include <CGAL/Thick_intersection_d/internal/near_points/Element_points.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Is_within_distance.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Plain_is_within.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
-#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Near_task.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/near_search.h>
 
-#include <algorithm>
-#include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <stdexcept>
 
@@ -64,38 +51,6 @@ Scene scan_checked_points(const Elements& points)
                      Threads(ConcurrencyTag()));
 }
 
-// Reports the pairs of points of a scene in the plane or in space within a bound. There may be as
-// many near ties as pairs, so coordinates are not rounded to 32 bits. The type of the callback is
-// the same for all searches, because the slab route takes long to compile.
-template <class ConcurrencyTag, class Elements, class NT, class Progress>
-CGAL_THICK_INTERSECTION_D_RARELY_CALLED
-void report_near_points(const Elements& points, const Scene& scene,
-                        const Distance_bound<NT>& bound,
-                        const std::function<bool(std::size_t, std::size_t)>& callback,
-                        Progress& progress)
-{
-  using Point = typename Elements::value_type;
-  const Squared_bound<Exact_number_t<Coordinate_t<Point>>> squared_bound(bound);
-  const Is_within_distance<Point> is_within(
-    squared_bound, scene, near_tie_tier(squared_bound.reach(), scene));
-  Doubles<Elements> doubles(points);
-  if constexpr(!is_held_by_double_v<Coordinate_t<Point>>)
-    for_each_block<ConcurrencyTag>(points.size(), [&](std::size_t i, std::size_t last) {
-      for(; i != last; ++i)
-        for(int axis = 0; axis < scene.dimension(); ++axis)
-          doubles.set(i, axis, coordinate_bounds(points[i], axis).first);
-    });
-  for_plane_and_space<Point>(scene.dimension(), [&](auto dimension) {
-    Element_points<dimension, Elements, Progress> near(points, doubles, is_within, progress);
-    Near_task<dimension> task;
-    std::copy_n(scene.box.begin(), int(dimension), task.box.begin());
-    task.near = is_within.filter_of_doubles();
-    task.threads = Threads(ConcurrencyTag());
-    auto&& taker = taker_of(One_set(), callback);
-    return search_near<dimension, double, may_share_slabs>(near, task, taker);
-  }, [] { return false; });
-}
-
 template <class ConcurrencyTag, class Elements, class NamedParameters>
 CGAL_THICK_INTERSECTION_D_RARELY_CALLED
 Position_pair find_closest_pair_of_many(const Elements& points, const NamedParameters& np)
@@ -106,12 +61,8 @@ Position_pair find_closest_pair_of_many(const Elements& points, const NamedParam
   const std::uint64_t seed = parameters::choose_parameter(
     parameters::get_parameter(np, internal_np::random_seed), seed_of_process());
   auto progress = make_progress(np, points.size());
-  const auto report_near = [&](const auto&, const auto& bound, const auto& callback,
-                               auto& progress_of_search) {
-    report_near_points<ConcurrencyTag>(points, scene, bound, callback, progress_of_search);
-  };
-  Closest_pair_search<ConcurrencyTag, Elements, decltype(progress), decltype(report_near)> search(
-    points, scene, seed, progress, report_near);
+  Closest_pair_search<ConcurrencyTag, Elements, decltype(progress)> search(points, scene, seed,
+                                                                           progress);
   const Position_pair pair = search.find();
   progress.finish();
   return pair;
@@ -140,11 +91,8 @@ std::optional<Position_pair> find_pair_of_many_within(const Elements& points,
   const Squared_bound<Exact_number_t<Number>> squared_bound(bound);
   const Scene scene = scan_checked_points<ConcurrencyTag>(points);
   auto progress = make_progress(np, points.size());
-  const auto report_near = [&](const auto& callback, auto& progress_of_search) {
-    report_near_points<ConcurrencyTag>(points, scene, bound, callback, progress_of_search);
-  };
-  const Close_pair_search<ConcurrencyTag, Elements, decltype(progress), decltype(report_near)>
-    search(points, squared_bound, scene, progress, report_near);
+  const Close_pair_search<ConcurrencyTag, Elements, decltype(progress)> search(
+    points, squared_bound, scene, progress);
   const std::optional<Position_pair> pair = search.find();
   progress.finish();
   return pair;

@@ -104,19 +104,26 @@ class Element_points final : public Near_points<Dimension>
   static constexpr bool are_held = is_held_by_double_v<Coordinate_t<Point>>;
 
 public:
-  Element_points(const Elements& points, const Doubles<Elements>& doubles,
-                 const Is_within_distance<Point>& is_within, Progress& progress)
-    : points_(points), is_within_(is_within), progress_(progress)
+  // For a search that decides no near tie, and reads each point a few times.
+  Element_points(const Elements& points, Progress& progress) : points_(points), progress_(progress)
   {
     this->size = points.size();
     this->are_numbered = internal::have_numbers<Elements>;
-    this->are_viewed = !are_held || are_array_of_doubles<Elements>;
     if constexpr(are_array_of_doubles<Elements>) {
+      this->are_viewed = true;
       this->first_size = points.first().size();
       this->views[0] = view_of<Dimension>(points.first());
       this->views[1] = view_of<Dimension>(points.second());
     }
-    else if constexpr(!are_held) {
+  }
+
+  Element_points(const Elements& points, const Doubles<Elements>& doubles,
+                 const Is_within_distance<Point>& is_within, Progress& progress)
+    : Element_points(points, progress)
+  {
+    is_within_ = &is_within;
+    if constexpr(!are_held) {
+      this->are_viewed = true;
       this->first_size = points.size();
       this->views[0] = view_of_columns<Dimension>(doubles);
     }
@@ -125,7 +132,7 @@ public:
   void read([[maybe_unused]] std::size_t first, [[maybe_unused]] std::size_t count,
             [[maybe_unused]] int axis, [[maybe_unused]] double* x) const override
   {
-    if constexpr(are_held && !are_array_of_doubles<Elements>) {
+    if constexpr(!are_array_of_doubles<Elements>) {
       if(axis == Near_points<Dimension>::all_axes)
         for_each_below(count, [&](std::size_t i) {
           read_point(points_[first + i], x + i * Dimension);
@@ -133,9 +140,17 @@ public:
       else
         for_each_below(count, [&](std::size_t i) {
           x[i * Dimension + static_cast<std::size_t>(axis)]
-            = static_cast<double>(coordinate(points_[first + i], axis));
+            = coordinate_bounds(points_[first + i], axis).first;
         });
     }
+  }
+
+  void read_at([[maybe_unused]] const Place* positions, [[maybe_unused]] std::size_t count,
+               [[maybe_unused]] double* x) const override
+  {
+    if constexpr(!are_array_of_doubles<Elements>)
+      for(std::size_t i = 0; i < count; ++i)
+        read_point(points_[positions[i]], x + i * Dimension);
   }
 
   void prefetch(std::size_t position) const override { prefetch_point(points_, position); }
@@ -156,11 +171,11 @@ public:
       return number;
   }
 
-  const Integer_distance* integers() const override { return is_within_.integers(); }
+  const Integer_distance* integers() const override { return is_within_->integers(); }
 
   bool is_pair(std::size_t i, std::size_t j, Decision_counts& counts) const override
   {
-    return is_within_.decide_undecided(points_[i], points_[j], counts);
+    return is_within_->decide_undecided(points_[i], points_[j], counts);
   }
 
   bool advance(std::size_t finished) override { return progress_.advance(finished); }
@@ -184,11 +199,11 @@ private:
   static void read_point(const Point& point, double* x)
   {
     for(int axis = 0; axis < Dimension; ++axis)
-      x[axis] = static_cast<double>(coordinate(point, axis));
+      x[axis] = coordinate_bounds(point, axis).first;
   }
 
   const Elements& points_;
-  const Is_within_distance<Point>& is_within_;
+  const Is_within_distance<Point>* is_within_ = nullptr; // what decides near ties
   Progress& progress_;
 };
 

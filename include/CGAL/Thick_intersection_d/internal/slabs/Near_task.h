@@ -68,6 +68,9 @@ public:
   // one axis or all of them.
   virtual void read(std::size_t first, std::size_t count, int axis, double* x) const = 0;
 
+  // Sets x[i * Dimension + axis] to a double of the point at positions[i], for `count` points.
+  virtual void read_at(const Place* positions, std::size_t count, double* x) const = 0;
+
   // May prefetch the point at a position.
   virtual void prefetch(std::size_t position) const = 0;
 
