@@ -40,7 +40,7 @@ public:
   {
     Minimum minimum(elements_, scene_);
     internal::Unwatched_progress progress;
-    internal::divide_and_conquer<CGAL::Sequential_tag>(n_, Dimension, minimum, progress);
+    internal::divide_and_conquer(n_, Dimension, internal::Threads(), minimum, progress);
     return minimum.pair();
   }
 
@@ -69,7 +69,7 @@ private:
   bool has_pair_found_by(const internal::Is_within_distance<Point>& is_within) const
   {
     internal::Unwatched_progress progress;
-    return internal::Close_pair_buckets<CGAL::Sequential_tag, Elements, Finder>(
+    return internal::Close_pair_buckets<Elements, Finder>(
              elements_, n_, scene_, is_within)
       .find(progress).has_value();
   }

@@ -65,11 +65,27 @@ BOOST_AUTO_TEST_CASE(heavy_cell_ends_the_search)
   const internal::Scene scene = scene_of(Elements_of<Point>(points));
   const internal::Is_within_distance<Point> is_within(
     internal::Squared_bound<Exact_of<Point>>(CGAL::within_distance(1).open()), 2);
-  const internal::Close_pair_buckets<CGAL::Sequential_tag, Counted_points<Point>> buckets(
+  const internal::Close_pair_buckets<Counted_points<Point>> buckets(
     counted, points.size(), scene, is_within);
   internal::Unwatched_progress progress;
   BOOST_CHECK(buckets.find(progress));
   BOOST_CHECK_LE(looks, 2 * points.size() + 20);
+}
+
+// The corners of a cube with edges as long as the bound, and its centre: 2^d points that are not
+// closer, and in dimension 4 one more. All of them are in one cell, as its side is a little longer.
+BOOST_AUTO_TEST_CASE(as_many_points_as_a_cell_holds)
+{
+  const auto corners = make_points<Maker<2>>(lattice_points(2, 2, 3, 1));
+  BOOST_CHECK(CGAL::has_close_pair(corners, CGAL::within_distance(3)));
+  BOOST_CHECK(!CGAL::has_close_pair(corners, CGAL::within_distance(3).open()));
+  const auto corners_3 = make_points<Maker<3>>(lattice_points(3, 2, 3, 1));
+  BOOST_CHECK(CGAL::has_close_pair(corners_3, CGAL::within_distance(3)));
+  BOOST_CHECK(!CGAL::has_close_pair(corners_3, CGAL::within_distance(3).open()));
+  BOOST_CHECK_EQUAL(internal::max_points_per_cell(1), 2u);
+  BOOST_CHECK_EQUAL(internal::max_points_per_cell(2), 4u);
+  BOOST_CHECK_EQUAL(internal::max_points_per_cell(3), 8u);
+  BOOST_CHECK_EQUAL(internal::max_points_per_cell(4), 81u); // 17 are possible
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -25,7 +25,7 @@ void check_work(const std::string& name, const Points& scene, double max_compari
   Work_of_division work;
   Counting_minimum<std::decay_t<decltype(elements)>> minimum(elements, scene_of(elements), work);
   internal::Unwatched_progress progress;
-  internal::divide_and_conquer<CGAL::Sequential_tag>(points.size(), Dimension, minimum, progress);
+  internal::divide_and_conquer(points.size(), Dimension, internal::Threads(), minimum, progress);
   const double n = static_cast<double>(points.size());
   const double comparisons = static_cast<double>(work.comparisons) / (n * std::log2(n));
   BOOST_TEST_MESSAGE(name << ' ' << Dimension << "D: " << comparisons
@@ -82,7 +82,7 @@ double comparisons_in_dimension_5(const Points& scene)
   Work_of_division work;
   Counting_minimum<Plain_points<double>> minimum(elements, scene_of(elements), work);
   internal::Unwatched_progress progress;
-  internal::divide_and_conquer<CGAL::Sequential_tag>(elements.size(), 5, minimum, progress);
+  internal::divide_and_conquer(elements.size(), 5, internal::Threads(), minimum, progress);
   return static_cast<double>(work.comparisons);
 }
 

@@ -77,7 +77,8 @@ Pair closest_by_division(const std::vector<Point>& points)
   const internal::Scene scene = scene_of(elements);
   internal::Pair_minimum<Elements_of<Point>> minimum(elements, scene);
   internal::Unwatched_progress progress;
-  internal::divide_and_conquer<ConcurrencyTag>(points.size(), scene.dimension(), minimum, progress);
+  internal::divide_and_conquer(points.size(), scene.dimension(),
+                               internal::Threads(ConcurrencyTag()), minimum, progress);
   return minimum.pair();
 }
 
@@ -90,7 +91,7 @@ std::optional<Pair> close_by_buckets(const std::vector<Point>& points,
   const internal::Is_within_distance<Point> is_within(
     internal::Squared_bound<Exact_of<Point>>(bound), scene.dimension());
   internal::Unwatched_progress progress;
-  return internal::Close_pair_buckets<CGAL::Sequential_tag, Elements_of<Point>>(
+  return internal::Close_pair_buckets<Elements_of<Point>>(
     elements, points.size(), scene, is_within)
     .find(progress);
 }

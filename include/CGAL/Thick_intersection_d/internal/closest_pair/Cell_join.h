@@ -30,7 +30,6 @@
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Hashed_cells.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Join_task.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Some_positions.h>
-#include <CGAL/Thick_intersection_d/internal/closest_pair/Step_budget.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Found_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_task.h>
@@ -52,11 +51,20 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
+// The comparisons of entries that all threads have made, and may make.
+struct Join_steps
+{
+  const std::size_t most;
+  std::atomic<std::size_t> made = 0;
+
+  bool are_left() const { return made.load(std::memory_order_relaxed) <= most; }
+};
+
 // Hands on the pairs of points in a common cell.
 class Cell_pairs
 {
 public:
-  Cell_pairs(Step_budget& budget, Pair_taker& taker) : counter_(budget), taker_(taker) {}
+  Cell_pairs(Join_steps& steps, Pair_taker& taker) : all_steps_(steps), taker_(taker) {}
 
   // Gives the pairs of a list to the taker. Returns false iff it stops, or no steps are left.
   BOOST_NOINLINE bool give(const Cell_lists& lists, std::size_t list)
@@ -82,6 +90,9 @@ public:
   }
 
 private:
+  // So few that it matters little what threads do not tell.
+  static constexpr std::size_t step_batch_size = 256;
+
   // The entries in a slot of a hash table are linked.
   struct Link
   {
@@ -93,14 +104,19 @@ private:
   BOOST_NOINLINE
   bool give_cell(Cell_entry entry, const Link* links, std::uint32_t other, std::uint32_t none)
   {
-    std::size_t steps = 0;
-    for(; other != none; other = links[other].next, ++steps)
+    for(; other != none; other = links[other].next, ++steps_)
       if(links[other].entry.cell == entry.cell) {
         *next_++ = {links[other].entry.position, entry.position};
         if(next_ == pairs_.data() + pairs_.size() && !flush())
           return false;
       }
-    return counter_.step(steps);
+    return steps_ < step_batch_size || are_steps_left();
+  }
+
+  BOOST_NOINLINE bool are_steps_left()
+  {
+    all_steps_.made.fetch_add(std::exchange(steps_, 0), std::memory_order_relaxed);
+    return all_steps_.are_left();
   }
 
   BOOST_NOINLINE bool flush()
@@ -109,7 +125,8 @@ private:
     return end == next_ || taker_.take(next_, static_cast<std::size_t>(end - next_));
   }
 
-  Step_counter counter_;
+  Join_steps& all_steps_;
+  std::size_t steps_ = 0; // of this thread, since it told them to the others
   Pair_taker& taker_;
   std::vector<std::uint32_t> heads_; // by slot: the index of a link
   Buffer<Link> links_;
@@ -141,9 +158,9 @@ public:
       [&](std::size_t first, std::size_t last, Cell_lists::Writer& writer) {
         enter(sample, first, last, writer);
       });
-    Step_budget budget(max_steps);
+    Join_steps steps = {max_steps};
     threads_.run_blocks(lists.count(), [&](std::size_t first, std::size_t last) {
-      Cell_pairs pairs(budget, taker);
+      Cell_pairs pairs(steps, taker);
       for(std::size_t list = first; list != last && goes_on_.load(std::memory_order_relaxed);
           ++list)
         if(!pairs.give(lists, list)
@@ -151,7 +168,7 @@ public:
                                - sample.size() * list / lists.count()))
           goes_on_.store(false, std::memory_order_relaxed);
     });
-    if(budget.is_exceeded())
+    if(!steps.are_left())
       return Joined::GIVEN_UP;
     return goes_on_.load(std::memory_order_relaxed) ? Joined::ALL : Joined::STOPPED;
   }
@@ -184,11 +201,7 @@ private:
   void enter_drawn(const Place* positions, std::size_t size, Cell_lists::Writer& writer) const
   {
     std::array<std::array<double, Dimension>, block_size> x;
-    if(points_.are_viewed)
-      for(std::size_t i = 0; i < size; ++i)
-        x[i] = doubles_of(points_, positions[i]);
-    else
-      points_.read_at(positions, size, x[0].data());
+    points_.read_at(positions, size, x[0].data());
     enter({0, size, reinterpret_cast<const char*>(x.data()), sizeof(x[0]), positions}, writer);
   }
 
@@ -210,7 +223,8 @@ private:
     else
       for(std::size_t i = 0; i < block.size; ++i)
         add(i, cells_.first_cell_around(block.point(i)));
-    writer.append(hashes.data(), block.numbers, block.size);
+    for(std::size_t i = 0; i < block.size; ++i)
+      writer.append(hashes[i], block.numbers[i]);
     for(std::size_t k = 0; k < several_count; ++k) {
       const Place position = block.numbers[several[k]];
       bool is_first = true;

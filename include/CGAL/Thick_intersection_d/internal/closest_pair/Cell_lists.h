@@ -45,52 +45,24 @@ class Cell_lists
 
 public:
   // Takes the entries of a block of points.
-  class Writer
+  struct Writer
   {
-  public:
+    std::size_t list_count;
+    Growing_lists* lists;               // in sequence
+    std::vector<Entry_of_list> entries; // in parallel
+    std::size_t* counts;                // of these, by list
+
     void append(std::uint64_t hash, Place position)
     {
-      if(lists_ != nullptr)
-        append_to_list(hash, position);
-      else
-        append_and_count(hash, position);
+      const std::uint64_t bits = (hash >> 32) * list_count; // the list, and 32 bits below it
+      const Cell_entry entry = {static_cast<std::uint32_t>(bits), position};
+      if(lists != nullptr)
+        lists->append(bits >> 32, entry);
+      else {
+        entries.push_back({entry, static_cast<std::uint32_t>(bits >> 32)});
+        ++counts[bits >> 32];
+      }
     }
-
-    // Appends an entry for each hash and the position with it.
-    void append(const std::uint64_t* hashes, const Place* positions, std::size_t count)
-    {
-      if(lists_ != nullptr)
-        for(std::size_t i = 0; i < count; ++i)
-          append_to_list(hashes[i], positions[i]);
-      else
-        for(std::size_t i = 0; i < count; ++i)
-          append_and_count(hashes[i], positions[i]);
-    }
-
-  private:
-    friend class Cell_lists;
-
-    // Returns the list of a hash, and below it 32 bits that identify the cell.
-    std::uint64_t list_and_cell(std::uint64_t hash) const { return (hash >> 32) * list_count_; }
-
-    void append_to_list(std::uint64_t hash, Place position)
-    {
-      const std::uint64_t bits = list_and_cell(hash);
-      lists_->append(bits >> 32, {static_cast<std::uint32_t>(bits), position});
-    }
-
-    void append_and_count(std::uint64_t hash, Place position)
-    {
-      const std::uint64_t bits = list_and_cell(hash);
-      const auto list = static_cast<std::uint32_t>(bits >> 32);
-      entries_.push_back({{static_cast<std::uint32_t>(bits), position}, list});
-      ++counts_[list];
-    }
-
-    std::size_t list_count_ = 0;
-    Growing_lists* lists_ = nullptr;
-    std::vector<Entry_of_list> entries_; // in parallel
-    std::size_t* counts_ = nullptr;      // of these, by list
   };
 
   // Makes lists for the entries of `size` points. enter(first, last, writer) appends the entries of
@@ -102,9 +74,7 @@ public:
     if(threads.are_many())
       enter_in_blocks(size, threads, enter);
     else {
-      Writer writer;
-      writer.list_count_ = count();
-      writer.lists_ = &lists_;
+      Writer writer = {count(), &lists_, {}, nullptr};
       enter(std::size_t(0), size, writer);
     }
   }
@@ -149,11 +119,9 @@ private:
     const auto next = make_uninitialized<std::size_t>(blocks.size() * count());
     threads.run_numbered_blocks(
       blocks.size(), size, [&](std::size_t block, std::size_t first, std::size_t last) {
-        Writer& writer = blocks[block];
-        writer.list_count_ = count();
-        writer.counts_ = next.get() + block * count();
-        std::fill_n(writer.counts_, count(), std::size_t(0));
-        writer.entries_.reserve((last - first) + (last - first) / 4); // some are in several cells
+        Writer& writer = blocks[block] = {count(), nullptr, {}, next.get() + block * count()};
+        std::fill_n(writer.counts, count(), std::size_t(0));
+        writer.entries.reserve((last - first) + (last - first) / 4); // some are in several cells
         enter(first, last, writer);
       });
     replace_by_sums_over_blocks(threads, next.get(), blocks.size(), count(), begins_.data());
@@ -161,11 +129,11 @@ private:
     entries_ = make_uninitialized<Cell_entry>(begins_.back());
     threads.run_blocks(blocks.size(), [&](std::size_t block, std::size_t end) {
       for(; block != end; ++block) {
-        std::size_t* const places = blocks[block].counts_;
+        std::size_t* const places = blocks[block].counts;
         add_begins(places, begins_.data(), count());
-        for(const Entry_of_list& e : blocks[block].entries_)
+        for(const Entry_of_list& e : blocks[block].entries)
           entries_[places[e.list]++] = e.entry;
-        blocks[block].entries_ = {}; // frees its memory
+        blocks[block].entries = {}; // frees its memory
       }
     });
   }

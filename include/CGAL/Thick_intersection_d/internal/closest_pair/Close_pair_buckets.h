@@ -6,7 +6,7 @@
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CLOSE_PAIR_BUCKETS_H
 
 // The buckets of [L] (Closest_pair_search.h) find a pair within distance r. Put the points into
-// cells of side r, and sort the cells by radix. If a cell holds more points than packing.h allows,
+// cells of side r, and sort the cells by radix. If a cell holds more points than fit in it,
 // two of its points are close. Otherwise compare each bucket with itself and with the buckets of
 // adjacent cells. This takes linear time.
 //
@@ -30,10 +30,9 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/radix_sort.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Cell_table.h>
-#include <CGAL/Thick_intersection_d/internal/closest_pair/packing.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Is_within_distance.h>
 
 #include <algorithm>
@@ -51,7 +50,7 @@ namespace internal {
 
 // `Finder` finds adjacent buckets. It is made of the table, the offsets and the first bucket of a
 // block, and is called with increasing buckets.
-template <class ConcurrencyTag, class Elements, class Finder = Sorted_bucket_finder>
+template <class Elements, class Finder = Sorted_bucket_finder>
 class Close_pair_buckets
 {
   using Point = typename Elements::value_type;
@@ -61,8 +60,8 @@ class Close_pair_buckets
 public:
   // Takes the first `size` points of the scene.
   Close_pair_buckets(const Elements& points, std::size_t size, const Scene& scene,
-                     const Is_within_distance<Point>& is_within)
-    : points_(points), size_(size), scene_(scene), is_within_(is_within)
+                     const Is_within_distance<Point>& is_within, const Threads& threads = Threads())
+    : points_(points), size_(size), scene_(scene), is_within_(is_within), threads_(threads)
   {}
 
   // Returns a pair within the bound, if there is one. In sequence, the same points give the same
@@ -148,8 +147,8 @@ private:
   {
     const std::size_t most = max_points_per_cell(dimension());
     for(std::size_t bucket = 0; bucket < table.bucket_count(); ++bucket)
-      if(table.end(bucket) - table.begin(bucket) > most)
-        return find_within(table, table.begin(bucket), table.begin(bucket) + most + 1);
+      if(const std::size_t begin = table.begin(bucket); table.end(bucket) - begin > most)
+        return find_pair(table, begin, begin + most + 1, begin, begin + most + 1);
     return std::nullopt;
   }
 
@@ -166,13 +165,14 @@ private:
       Found pair;
       for(std::size_t bucket = first;
           bucket != last && go_on.load(std::memory_order_relaxed); ++bucket) {
-        pair = find_within(table, table.begin(bucket), table.end(bucket));
+        const std::size_t begin = table.begin(bucket), end = table.end(bucket);
+        pair = find_pair(table, begin, end, begin, end);
         for(std::size_t i = 0; !pair && i < offsets.size(); ++i) {
           const std::size_t other = find(bucket, i);
           if(other != table.bucket_count())
-            pair = find_between(table, bucket, other);
+            pair = find_pair(table, begin, end, table.begin(other), table.end(other));
         }
-        if(pair || !progress.advance(table.end(bucket) - table.begin(bucket)))
+        if(pair || !progress.advance(end - begin))
           go_on.store(false, std::memory_order_relaxed);
       }
       if(pair) {
@@ -180,25 +180,17 @@ private:
         result = pair;
       }
     };
-    for_each_numbered_block<ConcurrencyTag>(block_count<ConcurrencyTag>(), table.bucket_count(),
-                                            search);
+    threads_.run_numbered_blocks(threads_.block_count(), table.bucket_count(), search);
     return result;
   }
 
-  Found find_within(const Cell_table& table, std::size_t begin, std::size_t end) const
+  // Finds a pair of a member at the places [a, a_end) and one behind it at [b, b_end).
+  Found find_pair(const Cell_table& table, std::size_t a, std::size_t a_end, std::size_t b,
+                  std::size_t b_end) const
   {
-    for(std::size_t a = begin; a < end; ++a)
-      for(std::size_t b = a + 1; b < end; ++b)
-        if(const Found pair = test(table.member(a), table.member(b)))
-          return pair;
-    return std::nullopt;
-  }
-
-  Found find_between(const Cell_table& table, std::size_t bucket, std::size_t other) const
-  {
-    for(std::size_t a = table.begin(bucket); a != table.end(bucket); ++a)
-      for(std::size_t b = table.begin(other); b != table.end(other); ++b)
-        if(const Found pair = test(table.member(a), table.member(b)))
+    for(; a < a_end; ++a)
+      for(std::size_t other = (std::max)(a + 1, b); other < b_end; ++other)
+        if(const Found pair = test(table.member(a), table.member(other)))
           return pair;
     return std::nullopt;
   }
@@ -214,6 +206,7 @@ private:
   std::size_t size_;
   const Scene& scene_;
   const Is_within_distance<Point>& is_within_;
+  const Threads threads_;
 };
 
 } // namespace internal

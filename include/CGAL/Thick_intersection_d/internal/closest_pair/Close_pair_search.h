@@ -22,7 +22,7 @@
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Pair_minimum.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/first_equal_pair.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/join_search.h>
-#include <CGAL/Thick_intersection_d/internal/closest_pair/near_pairs_of_scene.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/searches_of_scene.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/tuning.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
@@ -35,6 +35,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <mutex>
 #include <optional>
 
@@ -64,12 +65,6 @@ public:
         return false;
       }
     return true;
-  }
-
-  bool take_row(Place i, Place first, Place) override
-  {
-    const Found_pair pair = {i, first};
-    return take(&pair, 1);
   }
 
 private:
@@ -120,10 +115,7 @@ private:
     const std::size_t few = points_.size() / first_look_divisor;
     progress_.restart(2 * (few + points_.size()));
     Element_points<Dimension, Elements, Progress> points(points_, progress_);
-    Join_task<Dimension> task; // in sequence, the pair depends on the input alone: the seed is 0
-    std::copy_n(scene_.box.begin(), Dimension, task.box.begin());
-    task.error = scene_.error;
-    task.threads = Threads(ConcurrencyTag());
+    const auto task = join_task_of_scene<Dimension>(scene_, join_seed, Threads(ConcurrencyTag()));
     Close_pair_taker<Elements> taker(points_, is_within_);
     Joined joined = Joined::ALL;
     for(const std::size_t size : {few, points_.size()})
@@ -153,8 +145,8 @@ private:
 
   Found find_in_buckets(std::size_t size) const
   {
-    return Close_pair_buckets<ConcurrencyTag, Elements>(points_, size, scene_, is_within_)
-      .find(progress_);
+    return Close_pair_buckets<Elements>(points_, size, scene_, is_within_,
+                                        Threads(ConcurrencyTag())).find(progress_);
   }
 
   Found test_closest_pair() const
@@ -163,10 +155,14 @@ private:
       return std::nullopt;
     Pair_minimum<Elements> minimum(points_, scene_);
     minimum.offer(0, 1);
-    divide_and_conquer<ConcurrencyTag>(points_.size(), scene_.dimension(), minimum, progress_);
+    divide_and_conquer(points_.size(), scene_.dimension(), Threads(ConcurrencyTag()), minimum,
+                       progress_);
     const Position_pair& pair = minimum.pair();
     return is_within_(points_[pair.first], points_[pair.second]) ? Found(pair) : std::nullopt;
   }
+
+  // In sequence, the pair depends on the input alone. So the seed is fixed.
+  static constexpr std::uint64_t join_seed = 0;
 
   const Elements& points_;
   const Scene& scene_;

@@ -17,7 +17,7 @@
 // distance of the closest pair so far.
 //
 // In dimension D, a closed cube of side d holds at most N points with distances of d or more
-// (packing.h).
+// (Cell_table.h).
 //
 // Theorem. In the plane, a point of the strip is compared with at most 2 N - 1 = 7 points behind it
 // [L]. They lie, with the point itself, in two squares of side d, left and right of the line. The
@@ -36,9 +36,8 @@
 
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Axis_orders.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Cell_table.h>
-#include <CGAL/Thick_intersection_d/internal/closest_pair/packing.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/tuning.h>
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -52,13 +51,13 @@ namespace internal {
 
 // `Minimum` can be copied, and has the functions less(), is_beyond(), offer(), offer_pair_of() and
 // has_pair() of Pair_minimum.
-template <class ConcurrencyTag, class Minimum>
+template <class Minimum>
 class Closest_pair_divide
 {
 public:
   // Takes the points at `positions`.
-  Closest_pair_divide(std::vector<std::size_t> positions, int dimension)
-    : positions_(std::move(positions)), dimension_(dimension)
+  Closest_pair_divide(std::vector<std::size_t> positions, int dimension, const Threads& threads)
+    : positions_(std::move(positions)), dimension_(dimension), threads_(threads)
   {}
 
   // Offers pairs to `minimum`, among them the lexicographically smallest closest pair.
@@ -155,11 +154,15 @@ private:
   template <class Progress>
   void conquer(Rank first, Rank middle, Rank last, Minimum& minimum, Progress& progress)
   {
-    if(is_parallel_v<ConcurrencyTag> && last - first > min_task_size) {
+    if(threads_.are_many() && last - first > min_task_size) {
       Minimum other(minimum);
-      invoke_all<ConcurrencyTag>([&] { divide(first, middle, minimum, progress); return true; },
-                                 [&] { divide(middle, last, other, progress); return true; },
-                                 [] { return true; });
+      threads_.run_blocks(2, [&](std::size_t half, std::size_t end) {
+        for(; half != end; ++half)
+          if(half == 0)
+            divide(first, middle, minimum, progress);
+          else
+            divide(middle, last, other, progress);
+      });
       minimum.offer_pair_of(other);
     }
     else {
@@ -273,17 +276,19 @@ private:
 
   std::vector<std::size_t> positions_; // by rank
   int dimension_;
+  const Threads threads_;
   Axis_orders orders_;
   Ranks strip_; // each thread uses the places of its ranks
 };
 
 // Offers the closest pairs of the first `size` points to `minimum`.
-template <class ConcurrencyTag, class Minimum, class Progress>
-void divide_and_conquer(std::size_t size, int dimension, Minimum& minimum, Progress& progress)
+template <class Minimum, class Progress>
+void divide_and_conquer(std::size_t size, int dimension, const Threads& threads, Minimum& minimum,
+                        Progress& progress)
 {
   std::vector<std::size_t> positions(size);
   std::iota(positions.begin(), positions.end(), 0);
-  Closest_pair_divide<ConcurrencyTag, Minimum>(std::move(positions), dimension)
+  Closest_pair_divide<Minimum>(std::move(positions), dimension, threads)
     .search(minimum, progress);
 }
 

@@ -26,7 +26,7 @@
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Pair_minimum.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/first_equal_pair.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/join_search.h>
-#include <CGAL/Thick_intersection_d/internal/closest_pair/near_pairs_of_scene.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/searches_of_scene.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/tuning.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
@@ -77,18 +77,7 @@ public:
     else
       for(std::size_t k = 0; k < count; ++k)
         own.offer(pairs[k].i, pairs[k].j);
-    return add(count);
-  }
-
-  bool take_row(Place i, Place first, Place last) override
-  {
-    Minimum& own = minima_.local();
-    for(Place j = first; j < last; ++j)
-      if(are_ties_)
-        own.offer_tie(i, j);
-      else
-        own.offer(i, j);
-    return add(last - first);
+    return count_.fetch_add(count, std::memory_order_relaxed) + count <= max_count_;
   }
 
   double reach() override
@@ -101,17 +90,13 @@ public:
   CGAL_THICK_INTERSECTION_D_RARELY_CALLED void collect()
   {
     minima_.for_each([&](const Minimum& own) { minimum_.offer_pair_of(own); });
-    minima_.for_each([&](Minimum& own) { own.offer_pair_of(minimum_); });
+    if constexpr(is_parallel_v<ConcurrencyTag>)
+      minima_.for_each([&](Minimum& own) { own.offer_pair_of(minimum_); });
   }
 
   std::size_t count() const { return count_.load(std::memory_order_relaxed); }
 
 private:
-  bool add(std::size_t count)
-  {
-    return count_.fetch_add(count, std::memory_order_relaxed) + count <= max_count_;
-  }
-
   Minimum& minimum_;
   Per_thread<ConcurrencyTag, Minimum> minima_;
   std::size_t max_count_;
@@ -164,8 +149,8 @@ private:
   {
     progress_.restart(2 * points_.size() + 2 * points_.size() / 7); // a 7th are in all samples
     Element_points<Dimension, Elements, Progress> points(points_, progress_);
-    Join_task<Dimension> task = {{}, scene_.error, seed_, Threads(ConcurrencyTag())};
-    std::copy_n(scene_.box.begin(), Dimension, task.box.begin());
+    const auto task
+      = join_task_of_scene<Dimension>(scene_, seed_, Threads(ConcurrencyTag()));
     Offers offers(minimum_, unlimited);
     const Joined joined = join_samples<Dimension>(points, task, offers);
     offers.collect();
@@ -264,7 +249,8 @@ private:
         return;
       }
     if constexpr(!are_joined_v<Point>)
-      divide_and_conquer<ConcurrencyTag>(points_.size(), scene_.dimension(), minimum_, progress_);
+      divide_and_conquer(points_.size(), scene_.dimension(), Threads(ConcurrencyTag()), minimum_,
+                         progress_);
   }
 
   static constexpr std::size_t unlimited = (std::numeric_limits<std::size_t>::max)();

@@ -145,12 +145,10 @@ public:
     }
   }
 
-  void read_at([[maybe_unused]] const Place* positions, [[maybe_unused]] std::size_t count,
-               [[maybe_unused]] double* x) const override
+  void read_at(const Place* positions, std::size_t count, double* x) const override
   {
-    if constexpr(!are_array_of_doubles<Elements>)
-      for(std::size_t i = 0; i < count; ++i)
-        read_point(points_[positions[i]], x + i * Dimension);
+    for(std::size_t i = 0; i < count; ++i)
+      read_point(points_[positions[i]], x + i * Dimension);
   }
 
   void prefetch(std::size_t position) const override { prefetch_point(points_, position); }

@@ -109,7 +109,13 @@ class Result_taker : public Pair_taker
 public:
   // Takes the pairs of the position i and each of the positions [first, last), which are behind i.
   // Returns false to stop.
-  virtual bool take_row(Place i, Place first, Place last) = 0;
+  virtual bool take_row(Place i, Place first, Place last)
+  {
+    for(Found_pair pair = {i, first}; pair.j < last; ++pair.j)
+      if(!take(&pair, 1))
+        return false;
+    return true;
+  }
 
 protected:
   ~Result_taker() = default;

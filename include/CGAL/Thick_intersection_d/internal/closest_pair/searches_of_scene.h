@@ -2,16 +2,18 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_NEAR_PAIRS_OF_SCENE_H
-#define CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_NEAR_PAIRS_OF_SCENE_H
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_SEARCHES_OF_SCENE_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_SEARCHES_OF_SCENE_H
 
-// The search of near points, as the searches for the closest pair and for a close one call it.
+// What the searches for the closest pair and for a close one ask of joins and of the search of near
+// points.
 
 #include <CGAL/Arithmetic_tier.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_tier.h>
+#include <CGAL/Thick_intersection_d/internal/closest_pair/Join_task.h>
 #include <CGAL/Thick_intersection_d/internal/input/Point_doubles.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
@@ -26,6 +28,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -39,6 +42,15 @@ Is_within_distance<Point> is_within_of_scene(const Squared_bound<Exact>& bound, 
   const Arithmetic_tier tier
     = first_exact_tier(bound.reach(), scene.grid_exponent, scene.extended_axis_count());
   return {bound, scene, (std::min)(tier, Arithmetic_tier::INT128)};
+}
+
+template <int Dimension>
+Join_task<Dimension> join_task_of_scene(const Scene& scene, std::uint64_t seed,
+                                        const Threads& threads)
+{
+  Join_task<Dimension> task = {{}, scene.error, seed, threads};
+  std::copy_n(scene.box.begin(), Dimension, task.box.begin());
+  return task;
 }
 
 // Gives the pairs of points of a scene in the plane or in space that are within a distance to the
@@ -71,4 +83,4 @@ void search_near_pairs_of_scene(const Elements& points, const Scene& scene,
 } // namespace Thick_intersection_d
 } // namespace CGAL
 
-#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_NEAR_PAIRS_OF_SCENE_H
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_SEARCHES_OF_SCENE_H
