@@ -12,6 +12,7 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/radix_sort.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/tuning.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 
 #include <boost/config.hpp> // BOOST_NOINLINE
@@ -31,6 +32,9 @@ namespace internal {
 template <class Elements>
 class First_equal_pair
 {
+  // Of the points, or 0 if their type does not tell it.
+  static constexpr int type_dimension = dimension_or<typename Elements::value_type>(0);
+
 public:
   First_equal_pair(const Elements& points, int dimension, std::uint64_t seed)
     : points_(points), dimension_(dimension), hash_(dimension, seed),
@@ -81,24 +85,26 @@ private:
   CGAL_THICK_INTERSECTION_D_RARELY_CALLED void hash_again(std::size_t i)
   {
     std::uint64_t seed = seed_of_process() + ++hash_count_;
-    hash_ = Sequence_hash<>(dimension_, random_word(seed));
+    hash_ = Sequence_hash<type_dimension>(dimension(), random_word(seed));
     heads_.assign(heads_.size(), 0);
     step_count_ = 0;
     for(std::size_t j = 0; j < i; ++j)
       find_or_insert(j);
   }
 
+  int dimension() const { return type_dimension != 0 ? type_dimension : dimension_; }
+
   std::size_t slot(std::size_t i) const
   {
     std::uint64_t sum = 0;
-    for(int axis = 0; axis < dimension_; ++axis)
+    for(int axis = 0; axis < dimension(); ++axis)
       sum = hash_.add(sum, axis, key(i, axis));
     return hash_.finish(sum) >> (64 - slot_bits_);
   }
 
   bool are_equal(std::size_t i, std::size_t j) const
   {
-    for(int axis = 0; axis < dimension_; ++axis)
+    for(int axis = 0; axis < dimension(); ++axis)
       if(key(i, axis) != key(j, axis))
         return false;
     return true;
@@ -111,7 +117,7 @@ private:
 
   const Elements& points_;
   int dimension_;
-  Sequence_hash<> hash_;
+  Sequence_hash<type_dimension> hash_;
   std::uint64_t hash_count_ = 0; // of other hashes
   int slot_bits_;
   std::vector<Place> heads_; // by slot: 1 + the last point in the slot, or 0
