@@ -54,6 +54,11 @@ public:
     for(std::size_t i = 0; i < count; ++i, x += Dimension)
       std::copy_n(boxes_[first + i].low.begin(), Dimension, x);
   }
+  void read_at(const internal::Place* positions, std::size_t count, double* x) const override
+  {
+    for(std::size_t i = 0; i < count; ++i, x += Dimension)
+      std::copy_n(boxes_[positions[i]].low.begin(), Dimension, x);
+  }
   void prefetch(std::size_t) const override {}
   void read_numbers(std::size_t, std::size_t, internal::Place*) const override {}
   std::size_t position(internal::Place number) const override { return number; }

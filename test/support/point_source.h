@@ -46,6 +46,11 @@ public:
         if(axis == a || axis == internal::Near_points<Dimension>::all_axes)
           x[a] = points_[first + i][static_cast<std::size_t>(a)];
   }
+  void read_at(const internal::Place* positions, std::size_t count, double* x) const override
+  {
+    for(std::size_t i = 0; i < count; ++i)
+      read(positions[i], 1, internal::Near_points<Dimension>::all_axes, x + i * Dimension);
+  }
   void prefetch(std::size_t) const override {}
   void read_numbers(std::size_t, std::size_t, internal::Place*) const override {}
   std::size_t position(internal::Place number) const override { return number; }
