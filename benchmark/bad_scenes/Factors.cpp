@@ -5,91 +5,64 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace thick_benchmark {
 namespace {
 
-// Longer searches are measured once.
-const double long_seconds = 0.1;
-
-Work least_of(const Subject_search& search, const Made_scene& scene, int rounds)
+Subject_search search_of(const Recipe& recipe)
 {
-  Work work = search.run(scene);
-  for(int round = 1; round < rounds && work.seconds < long_seconds; ++round) {
-    if(!std::isfinite(work.pairs))
-      break;
-    work.seconds = (std::min)(work.seconds, search.run(scene).seconds);
-  }
-  return work;
+  for(const auto& some : {near_searches(), box_searches(), closest_searches()})
+    for(const Subject_search& search : some)
+      if(search.name == recipe.search)
+        return search;
+  throw std::invalid_argument("There is no search " + recipe.search);
 }
 
-bool is_measurable(const Made_scene& scene)
+// Longer searches are measured once.
+Work least_of(const Subject_search& search, const Made_scene& scene, int rounds)
 {
-  const auto is_good = [](double x) { return std::fabs(x) <= 1e300; };
-  for(const Made_box& box : scene.boxes)
-    if(!std::all_of(box.low.begin(), box.low.end(), is_good)
-       || !std::all_of(box.extent.begin(), box.extent.end(), is_good))
-      return false;
-  return scene.reach >= 0 && is_good(scene.reach) && scene.first_size <= scene.boxes.size();
+  const double long_seconds = 0.1;
+  Work work = search.run(scene);
+  for(int round = 1; round < rounds && work.seconds < long_seconds; ++round)
+    work.seconds = (std::min)(work.seconds, search.run(scene).seconds);
+  return work;
 }
 
 } // namespace
 
-const std::vector<Subject_search>& all_searches()
+std::optional<Factor> Factors::of(const Recipe& recipe)
 {
-  static const std::vector<Subject_search> searches = [] {
-    std::vector<Subject_search> all;
-    for(const auto& some : {near_searches(), box_searches(), closest_searches()})
-      all.insert(all.end(), some.begin(), some.end());
-    return all;
-  }();
-  return searches;
-}
-
-const Subject_search& search_of(const Recipe& recipe)
-{
-  for(const Subject_search& search : all_searches())
-    if(search.name == recipe.search)
-      return search;
-  throw std::invalid_argument("There is no search " + recipe.search);
-}
-
-Factor Factors::of(const Recipe& recipe, int rounds)
-{
-  const Subject_search& search = search_of(recipe);
-  const Made_scene scene = make_scene(recipe, search.dimension);
-  if(!is_measurable(scene))
-    return {};
-  const Work work = least_of(search, scene, rounds);
+  const Subject_search search = search_of(recipe);
+  const Work work = least_of(search, make_scene(recipe, search.dimension), 5);
   if(!std::isfinite(work.pairs))
-    return {};
+    return std::nullopt;
   const double n = static_cast<double>(recipe.n);
   const Work usual = uniform(recipe, work.pairs / n);
   const double share = (n + usual.pairs) / (n + work.pairs);
-  return {work.pairs / n, work.counted / usual.counted * share,
-          work.seconds / usual.seconds * share};
+  return Factor{work.pairs / n, work.counted / usual.counted * share,
+                work.seconds / usual.seconds * share};
 }
 
 // Pairs per element are rounded to a power of two, and to 2^-4 if they are fewer.
 Work Factors::uniform(const Recipe& recipe, double pairs_per_element)
 {
-  const Subject_search& search = search_of(recipe);
+  const Subject_search search = search_of(recipe);
   const double n = static_cast<double>(recipe.n);
   const double rounded
     = std::exp2(std::round(std::log2((std::max)(pairs_per_element, 1. / 16))));
-  Recipe usual;
-  usual.search = recipe.search;
-  usual.n = recipe.n;
-  usual.reach.factor
-    = search.reach_of_pairs == 0
-        ? 0.01 * std::pow(n, -2. / search.dimension)
-        : std::pow(2 * rounded / n / search.reach_of_pairs, 1. / search.dimension);
-  const std::string line = to_text(usual);
-  const auto known = uniform_.find(line);
-  if(known != uniform_.end())
-    return known->second;
-  const Made_scene scene = make_scene(usual, search.dimension);
-  return uniform_[line] = least_of(search, scene, 9);
+  const auto [known, is_new] = uniform_.insert({{recipe.search, recipe.n, rounded}, {}});
+  if(is_new) {
+    Recipe usual;
+    usual.search = recipe.search;
+    usual.n = recipe.n;
+    usual.reach.factor
+      = search.reach_of_pairs == 0
+          ? 0.01 * std::pow(n, -2. / search.dimension)
+          : std::pow(2 * rounded / n / search.reach_of_pairs, 1. / search.dimension);
+    known->second = least_of(search, make_scene(usual, search.dimension), 9);
+  }
+  return known->second;
 }
 
 } // namespace thick_benchmark

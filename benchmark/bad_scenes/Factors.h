@@ -7,37 +7,32 @@
 #ifndef THICK_INTERSECTION_BENCHMARK_BAD_SCENES_FACTORS_H
 #define THICK_INTERSECTION_BENCHMARK_BAD_SCENES_FACTORS_H
 
-#include "bad_scenes/Recipe.h"
 #include "bad_scenes/Work.h"
 
 #include <map>
+#include <optional>
 #include <string>
+#include <tuple>
 
 namespace thick_benchmark {
 
 struct Factor
 {
-  double pairs = 0; // per element
-  double counted = 0;
-  double time = 0;
-
-  double larger() const { return counted > time ? counted : time; }
+  double pairs; // per element
+  double counted;
+  double time;
 };
-
-const std::vector<Subject_search>& all_searches();
-const Subject_search& search_of(const Recipe& recipe);
 
 class Factors
 {
 public:
-  // Returns zeros if the scene cannot be measured: coordinates overflow, or there are too many
-  // pairs. Times are the least of some rounds.
-  Factor of(const Recipe& recipe, int rounds);
+  // Times are the least of some rounds. Returns nothing if there are too many pairs to be counted.
+  std::optional<Factor> of(const Recipe& recipe);
 
 private:
   Work uniform(const Recipe& recipe, double pairs_per_element);
 
-  std::map<std::string, Work> uniform_; // by the line of its recipe
+  std::map<std::tuple<std::string, std::size_t, double>, Work> uniform_; // by search, n, and pairs
 };
 
 } // namespace thick_benchmark

@@ -33,10 +33,6 @@ struct Made_scene
 // Makes the scene of a recipe, in some dimension.
 Made_scene make_scene(const Recipe& recipe, int dimension);
 
-// The kinds of changes, and where they apply, by name.
-const std::vector<std::string>& kinds_of_changes();
-const std::vector<std::string>& places_of_changes();
-
 } // namespace thick_benchmark
 
 #endif // THICK_INTERSECTION_BENCHMARK_BAD_SCENES_MADE_SCENE_H

@@ -3,16 +3,12 @@
 
 #include "bad_scenes/Recipe.h"
 
+#include <cstdlib>
+#include <sstream>
+#include <stdexcept>
+
 namespace thick_benchmark {
 namespace {
-
-std::string to_text(const Change& change)
-{
-  std::ostringstream text;
-  text << change.kind << ':' << change.axis << ':' << to_text(change.a) << ':'
-       << to_text(change.b) << '@' << change.where << ':' << change.share;
-  return text.str();
-}
 
 std::vector<std::string> split(std::string text, const std::string& separators)
 {
@@ -23,6 +19,22 @@ std::vector<std::string> split(std::string text, const std::string& separators)
     else
       words.back() += c;
   return words;
+}
+
+Amount read_amount(const std::string& text)
+{
+  Amount amount;
+  char* rest = nullptr;
+  amount.factor = std::strtod(text.c_str(), &rest);
+  std::string unit = rest;
+  amount.is_in_reaches = unit.rfind("r", 0) == 0;
+  if(amount.is_in_reaches)
+    unit.erase(0, 1);
+  if(unit.rfind("/n", 0) == 0)
+    amount.exponent = unit == "/n" ? 1 : std::stod(unit.substr(3));
+  else if(rest == text.c_str() || !unit.empty())
+    throw std::invalid_argument("This is no number of a recipe: " + text);
+  return amount;
 }
 
 Change read_change(const std::string& text)
@@ -36,16 +48,6 @@ Change read_change(const std::string& text)
 
 } // namespace
 
-std::string to_text(const Recipe& recipe)
-{
-  std::ostringstream text;
-  text << recipe.search << " n=" << recipe.n << " seed=" << recipe.seed
-       << " r=" << to_text(recipe.reach) << " first=" << recipe.first_share;
-  for(const Change& change : recipe.changes)
-    text << ' ' << to_text(change);
-  return text.str();
-}
-
 Recipe read_recipe(const std::string& line)
 {
   Recipe recipe;
@@ -55,9 +57,7 @@ Recipe read_recipe(const std::string& line)
     const std::size_t equals = word.find('=');
     const std::string name = word.substr(0, equals == std::string::npos ? 0 : equals);
     const std::string value = name.empty() ? word : word.substr(equals + 1);
-    if(name == "n")
-      recipe.n = std::stoul(value);
-    else if(name == "seed")
+    if(name == "seed")
       recipe.seed = static_cast<unsigned int>(std::stoul(value));
     else if(name == "r")
       recipe.reach = read_amount(value);

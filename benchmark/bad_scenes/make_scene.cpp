@@ -4,7 +4,9 @@
 #include "bad_scenes/Made_scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <random>
+#include <stdexcept>
 #include <utility>
 
 namespace thick_benchmark {
@@ -68,12 +70,6 @@ void sort_boxes(const Task& t)
     t.boxes[t.positions[i]] = sorted[i];
 }
 
-void shuffle_boxes(const Task& t)
-{
-  for(std::size_t i = 1; i < t.positions.size(); ++i)
-    std::swap(t.boxes[t.positions[i]], t.boxes[t.positions[t.random.below(i + 1)]]);
-}
-
 void set_spans(const Task& t)
 {
   for(std::size_t i = 0; i < t.positions.size(); ++i) {
@@ -118,10 +114,6 @@ std::vector<Kind> moving_kinds()
   return {
     // from [0, 1] to [a, a + b]
     {"squeeze", [](const Task& t) { t.set([&](double x, std::size_t) { return t.a + t.b * x; }); }},
-    // denser towards 0
-    {"power", [](const Task& t) {
-       t.set([&](double x, std::size_t) { return std::pow(std::fabs(x), t.a); });
-     }},
     // multiples of 1/a, and a share b of what is lost
     {"bands", [](const Task& t) {
        t.set([&](double x, std::size_t) {
@@ -170,7 +162,7 @@ std::vector<Kind> extent_kinds()
 const std::vector<Kind>& kinds()
 {
   static const std::vector<Kind> kinds = [] {
-    std::vector<Kind> all = {{"sort", sort_boxes}, {"shuffle", shuffle_boxes}};
+    std::vector<Kind> all = {{"sort", sort_boxes}};
     for(const auto& some : {placing_kinds(), moving_kinds(), extent_kinds()})
       all.insert(all.end(), some.begin(), some.end());
     return all;
@@ -226,15 +218,6 @@ const Named& find(const std::vector<Named>& all, const std::string& name)
   throw std::invalid_argument("No change has the name or place " + name);
 }
 
-template <class Named>
-std::vector<std::string> names(const std::vector<Named>& all)
-{
-  std::vector<std::string> result;
-  for(const Named& one : all)
-    result.push_back(one.name);
-  return result;
-}
-
 void apply(const Change& change, Made_scene& scene, Random& random)
 {
   const std::size_t n = scene.boxes.size();
@@ -267,18 +250,6 @@ Made_scene make_scene(const Recipe& recipe, int dimension)
   for(const Change& change : recipe.changes)
     apply(change, scene, random);
   return scene;
-}
-
-const std::vector<std::string>& kinds_of_changes()
-{
-  static const std::vector<std::string> result = names(kinds());
-  return result;
-}
-
-const std::vector<std::string>& places_of_changes()
-{
-  static const std::vector<std::string> result = names(places());
-  return result;
 }
 
 } // namespace thick_benchmark

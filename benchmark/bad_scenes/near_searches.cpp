@@ -56,6 +56,7 @@ public:
   }
   void read_at(const internal::Place* positions, std::size_t count, double* x) const override
   {
+    counted += count;
     for(std::size_t i = 0; i < count; ++i, x += Dimension)
       std::copy_n(boxes_[positions[i]].low.begin(), Dimension, x);
   }
