@@ -18,15 +18,9 @@ namespace thick_benchmark {
 
 using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-enum class Precision {
-  EXACT,   // must find our pairs
-  ROUNDED, // may differ from ours, and tells by how much
-  NONE     // is no search
-};
-
 struct Contestant : Method<Tally>
 {
-  Precision precision;
+  bool is_exact;     // must find our pairs
   std::size_t max_n; // more points would take minutes
   bool is_variant = false; // measured on the scenes of time against n only
 };

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#include "Contestant.h"
+#include "compare/Contestant.h"
 
 #include "methods/box_intersection.h"
 
@@ -15,7 +15,7 @@ void add_boxes(Contestants& all)
       box_intersection<CGAL::Sequential_tag>(boxes_around(points, r, outwards),
                                              is_near_exactly(points, r), tally, cutoff);
     });
-    all.push_back({{name, sequential}, Precision::EXACT, cutoff == 300 ? 10000000u : 1000000u});
+    all.push_back({{name, sequential}, true, cutoff == 300 ? 10000000u : 1000000u});
 #ifdef CGAL_LINKED_WITH_TBB
     const auto parallel = on_epick([=](const auto& points, double r, Tally& tally) {
       const Parallel_tally sum;
@@ -23,7 +23,7 @@ void add_boxes(Contestants& all)
                                            is_near_exactly(points, r), sum, cutoff);
       tally = sum.sum();
     });
-    all.push_back({{name + ", 2 threads", parallel}, Precision::EXACT, 1000000, true});
+    all.push_back({{name + ", 2 threads", parallel}, true, 1000000, true});
 #endif
   }
 }

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#include "Contestant.h"
+#include "compare/Contestant.h"
 
 #include "methods/delaunay.h"
 
@@ -15,7 +15,7 @@ void add_delaunay_epeck(Contestants& all)
   const auto delaunay = on_points<Tally, Epeck>([](const auto& points, double r, Tally& tally) {
     delaunay_search<Epeck>(points, is_near_exactly(points, r), tally);
   });
-  all.push_back({{"Delaunay EPECK + search", delaunay}, Precision::EXACT, 100000, true});
+  all.push_back({{"Delaunay EPECK + search", delaunay}, true, 100000, true});
 }
 
 } // namespace thick_benchmark

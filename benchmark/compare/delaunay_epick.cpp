@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#include "Contestant.h"
+#include "compare/Contestant.h"
 
 #include "methods/delaunay.h"
 
@@ -12,7 +12,7 @@ void add_delaunay_epick(Contestants& all)
   const auto delaunay = on_epick([](const auto& points, double r, Tally& tally) {
     delaunay_search<Epick>(points, is_near_exactly(points, r), tally);
   });
-  all.push_back({{"Delaunay EPICK + search", delaunay}, Precision::EXACT, 10000000});
+  all.push_back({{"Delaunay EPICK + search", delaunay}, true, 10000000});
 }
 
 } // namespace thick_benchmark

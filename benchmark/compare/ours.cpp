@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#include "Contestant.h"
+#include "compare/Contestant.h"
 
 #include "methods/all_pairs.h"
 #include "methods/ours.h"
@@ -14,17 +14,17 @@ void add_ours(Contestants& all)
   const std::size_t any = 100000000;
   const auto epick = [](const Scene& scene) { return search_epick(scene).sequential; };
   const auto epeck = [](const Scene& scene) { return search_epeck(scene).sequential; };
-  all.push_back({{"Thick_intersection_d", epick}, Precision::EXACT, any});
+  all.push_back({{"Thick_intersection_d", epick}, true, any});
 #ifdef CGAL_LINKED_WITH_TBB
   const auto parallel = [](const Scene& scene) { return search_epick(scene).parallel; };
-  all.push_back({{"Thick_intersection_d, 2 threads", parallel}, Precision::EXACT, any});
+  all.push_back({{"Thick_intersection_d, 2 threads", parallel}, true, any});
 #endif
-  all.push_back({{"Thick_intersection_d, EPECK", epeck}, Precision::EXACT, 1000000, true});
-  all.push_back({{"std::sort of x", sort_of_x<Tally>}, Precision::NONE, any});
+  all.push_back({{"Thick_intersection_d, EPECK", epeck}, true, 1000000, true});
+  all.push_back({{"std::sort of x", sort_of_x<Tally>}, false, any});
   const auto by_all_pairs = on_epick([](const auto& points, double r, Tally& tally) {
     all_pairs(points.size(), is_near_exactly(points, r), tally);
   });
-  all.push_back({{"all pairs", by_all_pairs}, Precision::EXACT, 10000});
+  all.push_back({{"all pairs", by_all_pairs}, true, 10000});
 }
 
 } // namespace thick_benchmark

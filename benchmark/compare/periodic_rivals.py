@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Sets searches of Python's libraries beside ours: points in boxes that repeat.
 
-    periodic_table --write <folder>        # or periodic_pairs of the laboratory
+    periodic_table --scenes=<folder>       # or periodic_pairs of the laboratory
     periodic_rivals.py <folder>            # prints times as rows in Markdown, and wrong pairs
     periodic_rivals.py <folder> <csv>      # appends rows to the table of the laboratory
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#include "Contestant.h"
+#include "compare/Contestant.h"
 
 #include "methods/recursive_route.h"
 
@@ -25,9 +25,9 @@ auto by_recursive_route(Pivot pivot, Base_case base_case)
 void add_recursive_routes(Contestants& all)
 {
   const auto add_variant = [&](const std::string& name, const auto& prepare) {
-    all.push_back({{"[V03], " + name, prepare}, Precision::EXACT, 1000000, true});
+    all.push_back({{"[V03], " + name, prepare}, true, 1000000, true});
   };
-  all.push_back({{"[V03]", by_recursive_route(Pivot::MEDIAN, Base_case::SWEEP)}, Precision::EXACT,
+  all.push_back({{"[V03]", by_recursive_route(Pivot::MEDIAN, Base_case::SWEEP)}, true,
                  10000000});
   add_variant("walk", by_recursive_route(Pivot::MEDIAN, Base_case::WALK));
   add_variant("dimension 0", by_recursive_route(Pivot::MEDIAN, Base_case::DIMENSION_ZERO));

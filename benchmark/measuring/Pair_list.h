@@ -22,15 +22,15 @@ struct Pair_list
   void operator()(std::size_t i, std::size_t j) { pairs.emplace_back(i, j); }
 };
 
-// The number of pairs that are in one list alone.
-inline std::size_t count_differences(Pair_list a, Pair_list b)
+// How many pairs of `a` are not in `b`.
+inline std::size_t count_missing(Pair_list a, Pair_list b)
 {
   std::sort(a.pairs.begin(), a.pairs.end());
   std::sort(b.pairs.begin(), b.pairs.end());
-  Pair_list differences;
-  std::set_symmetric_difference(a.pairs.begin(), a.pairs.end(), b.pairs.begin(), b.pairs.end(),
-                                std::back_inserter(differences.pairs));
-  return differences.pairs.size();
+  Pair_list missing;
+  std::set_difference(a.pairs.begin(), a.pairs.end(), b.pairs.begin(), b.pairs.end(),
+                      std::back_inserter(missing.pairs));
+  return missing.pairs.size();
 }
 
 } // namespace thick_benchmark

@@ -6,16 +6,14 @@
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/AABB_triangle_primitive.h>
-#include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/intersection.h>
 #include <CGAL/Rigid_triangle_mesh_collision_detection.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/box_intersection_d.h>
-#include <CGAL/intersections.h>
 #include <CGAL/thick_intersection_d.h>
 
 #include <memory>
+#include <random>
 #include <vector>
 
 namespace thick_benchmark {
@@ -60,40 +58,60 @@ Triangles triangles_of(const Mesh& mesh)
   return triangles;
 }
 
-std::size_t count_by_tree(const Triangles& a, const Triangles& b)
+// All pairs of triangles and of objects that are asked for.
+template <class Object>
+std::size_t count_by_tree(const Triangles& triangles, const std::vector<Object>& objects)
 {
   using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
-  const CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> tree(a.begin(), a.end());
+  const CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> tree(triangles.begin(),
+                                                                   triangles.end());
   std::size_t count = 0;
-  for(const Kernel::Triangle_3& triangle : b)
-    count += tree.number_of_intersected_primitives(triangle);
+  for(const Object& object : objects)
+    count += tree.number_of_intersected_primitives(object);
   return count;
 }
 
-std::size_t count_by_boxes(const Triangles& a, const Triangles& b)
+template <class Object>
+std::size_t count_by_ours(const Triangles& triangles, const std::vector<Object>& objects)
 {
-  using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, const Kernel::Triangle_3*>;
-  const auto boxes_of = [](const Triangles& triangles) {
-    std::vector<Box> boxes;
-    for(const Kernel::Triangle_3& triangle : triangles)
-      boxes.emplace_back(triangle.bbox(), &triangle);
-    return boxes;
-  };
-  std::vector<Box> boxes_a = boxes_of(a), boxes_b = boxes_of(b);
   std::size_t count = 0;
-  const auto report = [&](const Box& s, const Box& t) {
-    count += CGAL::do_intersect(*s.info(), *t.info());
-  };
-  CGAL::box_intersection_d(boxes_a.begin(), boxes_a.end(), boxes_b.begin(), boxes_b.end(), report,
-                           std::ptrdiff_t(1000));
+  CGAL::thick_intersection_d(objects, triangles, [&](std::size_t, std::size_t) { ++count; });
   return count;
 }
 
 std::size_t count_by_rigid(Rigid& meshes) { return meshes.get_all_intersections(0).size(); }
 
+// Segments between random points of the unit cube, and triangles at random places in it.
+struct Rays
+{
+  std::vector<Kernel::Segment_3> rays;
+  Triangles triangles;
+};
+
+Rays random_rays(std::size_t ray_count, std::size_t triangle_count)
+{
+  constexpr double size = 0.003;
+  std::mt19937_64 engine(1);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const auto point = [&](const Kernel::Point_3& from, double side) {
+    const double x = uniform(engine), y = uniform(engine);
+    return from + side * Kernel::Vector_3(x, y, uniform(engine));
+  };
+  Rays scene;
+  for(std::size_t i = 0; i < ray_count; ++i) {
+    const Kernel::Point_3 source = point(CGAL::ORIGIN, 1);
+    scene.rays.emplace_back(source, point(CGAL::ORIGIN, 1));
+  }
+  for(std::size_t i = 0; i < triangle_count; ++i) {
+    const Kernel::Point_3 corner = point(CGAL::ORIGIN, 1), second = point(corner, size);
+    scene.triangles.emplace_back(corner, second, point(corner, size));
+  }
+  return scene;
+}
+
 } // namespace
 
-std::vector<Contact_method> ways_to_any_contact(const Two_meshes& scene)
+std::vector<Counted> ways_to_any_contact(const Two_meshes& scene)
 {
   const auto meshes = meshes_of(scene);
   const auto built = std::make_shared<Rigid>();
@@ -124,19 +142,21 @@ std::vector<Contact_method> ways_to_any_contact(const Two_meshes& scene)
           {"Rigid_..., asked", [=] { return count_by_rigid(*built); }}};
 }
 
-std::vector<Contact_method> ways_to_all_contacts(const Two_meshes& scene)
+std::vector<Counted> ways_to_all_contacts(const Two_meshes& scene)
 {
   const auto meshes = meshes_of(scene);
   const auto on_triangles = [=](const auto& count) {
     return [=] { return count(triangles_of(meshes->a), triangles_of(meshes->b)); };
   };
-  return {{"thick_intersection_d", on_triangles([](const Triangles& a, const Triangles& b) {
-             std::size_t count = 0;
-             CGAL::thick_intersection_d(a, b, [&](std::size_t, std::size_t) { ++count; });
-             return count;
-           })},
-          {"AABB_tree", on_triangles(count_by_tree)},
-          {"box_intersection_d, cutoff 1000", on_triangles(count_by_boxes)}};
+  return {{"thick_intersection_d", on_triangles(count_by_ours<Kernel::Triangle_3>)},
+          {"AABB_tree", on_triangles(count_by_tree<Kernel::Triangle_3>)}};
+}
+
+std::vector<Counted> ways_of_rays(std::size_t ray_count, std::size_t triangle_count)
+{
+  const auto scene = std::make_shared<const Rays>(random_rays(ray_count, triangle_count));
+  return {{"thick_intersection_d", [=] { return count_by_ours(scene->triangles, scene->rays); }},
+          {"AABB_tree", [=] { return count_by_tree(scene->triangles, scene->rays); }}};
 }
 
 } // namespace thick_benchmark

@@ -21,19 +21,11 @@ Near_method near_objects(); // fixed_radius_near_neighbors
 // The pairs of boxes that meet, each grown by half of the distance: thick_self_intersection_d.
 Near_method grown_boxes();
 
-// CGAL, with squared_distance(): box_self_intersection_d of grown boxes, and an AABB_tree that is
-// asked for the objects in the grown box of each, in space.
+// CGAL: box_self_intersection_d of grown boxes, and squared_distance().
 Near_method near_by_boxes(std::ptrdiff_t cutoff);
-Near_method near_by_aabb_tree();
-
-// GEOS, in the plane: an STRtree, and the predicate "distance within".
-Near_method near_by_geos();
 
 // Embree, in space: the collisions of grown boxes of floats, and squared_distance() of CGAL.
 Near_method near_by_embree();
-
-// FCL, triangles in space: its tree of boxes, and its distance of two triangles.
-Near_method near_by_fcl();
 
 // Slowly, in rational numbers, by the oracle of the tests.
 Pair_list near_pairs_by_oracle(const Near_scene& scene);

@@ -44,7 +44,6 @@ Method<Tally> boxes_of_points_d(std::ptrdiff_t cutoff, Dimension_kind kind);
 Object_method boxes_by_address();
 
 // For scenes of boxes in one set, which must outlive the runs.
-Object_method rtree_of_boxes();
 Object_method bvh_of_boxes();
 
 } // namespace thick_benchmark

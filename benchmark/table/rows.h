@@ -1,10 +1,16 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The rows of a table: what is measured, and what it ought to be.
+// The rows of a table of promises: what is measured, and what it ought to be; and the subjects that
+// rows are made of, searches whose pairs have been checked.
 
 #ifndef THICK_INTERSECTION_BENCHMARK_TABLE_ROWS_H
 #define THICK_INTERSECTION_BENCHMARK_TABLE_ROWS_H
+
+#include "table.h"
+
+#include "measuring/timing.h"
+#include "methods/ours.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -40,13 +46,6 @@ struct Row
 
 using Rows = std::vector<Row>;
 
-struct Settings
-{
-  bool is_quick = false;  // few points or objects
-  bool huge = false;      // larger scenes as well
-  std::string extra_data; // a folder, or empty
-};
-
 // An experiment gives a row or several. It throws if two methods disagree about the pairs.
 struct Experiment
 {
@@ -54,7 +53,37 @@ struct Experiment
   std::function<Rows()> run;
 };
 
-std::vector<Experiment> experiments(const Settings& settings);
+using Experiments = std::vector<Experiment>;
+
+// Runs those that the settings want, and prints their rows.
+void print_rows(const Experiments& experiments, const Settings& settings);
+
+// ---- subjects -----------------------------------------------------------------------------------
+
+inline Goal at_most(double target) { return {Goal::AT_MOST, target, std::nullopt}; }
+inline Goal at_most(double target, double good) { return {Goal::AT_MOST, target, good}; }
+
+inline double milliseconds_of_first(const Seconds& s) { return 1000 * s[0]; }
+
+// Throws unless they are equal.
+void check_equal(const std::string& name, const Tally& expected, const Tally& found);
+
+struct Subject
+{
+  std::string name;
+  std::size_t n;
+  std::uint64_t k;
+  Search search;
+};
+
+// After all ways of the search have found the same pairs.
+Subject make_subject(const std::string& name, std::size_t n, const Search& search,
+                     const Tally& expected);
+
+#ifdef CGAL_LINKED_WITH_TBB
+// With the same callback on both sides.
+Row measure_two_threads(const Subject& subject);
+#endif
 
 } // namespace thick_benchmark
 

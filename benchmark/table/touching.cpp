@@ -3,8 +3,6 @@
 
 #include "rows.h"
 
-#include "Subject.h"
-
 #include "methods/mesh_methods.h"
 #include "methods/object_methods.h"
 #include "scenes/object_generators.h"
@@ -31,8 +29,8 @@ Rows measure_objects(const std::string& name, const Goal& goal, const Make_objec
   const Run<Tally>& exact = subject.search.sequential;
   const std::vector<Seconds> times
     = time_in_turns({timed(exact), timed(search_in_doubles(scene))}, rounds_for(exact));
-  const std::size_t wrong_pairs
-    = count_differences(list_pairs(scene)(), list_pairs_in_doubles(scene)());
+  const Pair_list right = list_pairs(scene)(), found = list_pairs_in_doubles(scene)();
+  const std::size_t wrong_pairs = count_missing(right, found) + count_missing(found, right);
   return {{name, "time / doubles", goal,
            median(times, [](const Seconds& s) { return s[0] / s[1]; }), subject.n, subject.k,
            median(times, milliseconds_of_first)},
@@ -124,7 +122,7 @@ public:
     add_mesh("mesh of a floor", at_most(0.2), floor_mesh);
   }
 
-  std::vector<Experiment> all() const { return all_; }
+  const Experiments& all() const { return all_; }
 
 private:
   void add(const std::string& name, const Goal& goal, const Make_objects& make)
@@ -149,12 +147,12 @@ private:
   }
 
   const Settings settings_;
-  std::vector<Experiment> all_;
+  Experiments all_;
 };
 
 } // namespace
 
-std::vector<Experiment> experiments(const Settings& settings)
+void print_table(const Settings& settings)
 {
   Touching_experiments all(settings);
   all.add_general();
@@ -162,7 +160,7 @@ std::vector<Experiment> experiments(const Settings& settings)
   all.add_flat();
   all.add_tetrahedra();
   all.add_meshes();
-  return all.all();
+  print_rows(all.all(), settings);
 }
 
 } // namespace thick_benchmark

@@ -3,8 +3,6 @@
 
 #include "rows.h"
 
-#include "Subject.h"
-
 #include "methods/object_methods.h"
 #include "scenes/generators.h"
 #include "scenes/object_generators.h"
@@ -80,15 +78,13 @@ Rows measure_against(const Subject& subject, const Goal& goal,
 // What else is measured: nothing, the speed-up by two threads, and the other methods besides.
 enum class Extras { NONE, THREADS, RIVALS };
 
-std::vector<Object_method> rivals(const Object_scene& scene)
+std::vector<Object_method> rivals([[maybe_unused]] const Object_scene& scene)
 {
   std::vector<Object_method> methods = {boxes_of_objects(10), boxes_by_address()};
-  if(scene.shape == Shape::BOX) {
-    methods.push_back(rtree_of_boxes());
 #ifdef THICK_BENCHMARK_HAS_ARBORX
+  if(scene.shape == Shape::BOX)
     methods.push_back(bvh_of_boxes());
 #endif
-  }
   return methods;
 }
 
@@ -241,13 +237,13 @@ public:
     add_boxes(6, in_six_dimensions, Dimension_kind::DYNAMIC);
   }
 
-  std::vector<Experiment> all() const { return all_; }
+  const Experiments& all() const { return all_; }
 
 private:
   void add(const std::string& name, const Goal& goal, const Make_objects& make)
   {
     add_objects(name, goal, make, 300000, Extras::NONE);
-    if(settings_.huge)
+    if(settings_.is_large)
       add_objects(name + ", 10^6", goal, make, 1000000, Extras::NONE);
   }
   void add_main(const std::string& name, const Goal& goal, const Make_objects& make)
@@ -288,12 +284,12 @@ private:
   std::size_t fitted(std::size_t n) const { return settings_.is_quick ? n / 30 : n; }
 
   const Settings settings_;
-  std::vector<Experiment> all_;
+  Experiments all_;
 };
 
 } // namespace
 
-std::vector<Experiment> experiments(const Settings& settings)
+void print_table(const Settings& settings)
 {
   Object_experiments all(settings);
   all.add_boxes_of_the_plane();
@@ -304,7 +300,7 @@ std::vector<Experiment> experiments(const Settings& settings)
   all.add_points();
   all.add_boxes_of_more_dimensions();
   all.add_dynamic_dimension();
-  return all.all();
+  print_rows(all.all(), settings);
 }
 
 } // namespace thick_benchmark

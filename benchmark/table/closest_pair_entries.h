@@ -3,8 +3,8 @@
 
 // The ways to the closest pair of a scene and to a close one, ready to be run.
 
-#ifndef THICK_INTERSECTION_BENCHMARK_CLOSEST_PAIR_ENTRIES_H
-#define THICK_INTERSECTION_BENCHMARK_CLOSEST_PAIR_ENTRIES_H
+#ifndef THICK_INTERSECTION_BENCHMARK_TABLE_CLOSEST_PAIR_ENTRIES_H
+#define THICK_INTERSECTION_BENCHMARK_TABLE_CLOSEST_PAIR_ENTRIES_H
 
 #include "measuring/timing.h"
 #include "methods/closest_pair_algorithms.h"
@@ -112,4 +112,4 @@ private:
 
 } // namespace thick_benchmark
 
-#endif // THICK_INTERSECTION_BENCHMARK_CLOSEST_PAIR_ENTRIES_H
+#endif // THICK_INTERSECTION_BENCHMARK_TABLE_CLOSEST_PAIR_ENTRIES_H

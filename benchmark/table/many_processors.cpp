@@ -2,28 +2,19 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 // How many times as fast as in sequence the searches are with 16, 64 and 256 processors: the time
-// in sequence over work / P + span, of tasks that run in turn (Task_record.h). A table in Markdown.
-//
-//   many_processors [--quick] [--large] [<word>]
-//
-//   --quick    10^4 elements only: does it work?
-//   --large    10^7 elements as well
-//   <word>     only the searches with this in their name
-//
-// It ends with status 1 if the parallel search has found other pairs than the one in sequence.
+// in sequence over work / P + span, of tasks that run in turn (Task_record.h).
 
-#include "Task_record.h"
-#include "searches.h"
+#include "many_processors/Task_record.h"
+#include "many_processors/searches.h"
 
-#include "measuring/run_facts.h"
+#include "table/print.h"
+#include "table/table.h"
 #include "support/counting_allocator.h"
 
 #include <malloc.h>
 
 #include <chrono>
 #include <cstdint>
-#include <iomanip>
-#include <iostream>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -31,13 +22,6 @@
 
 namespace thick_benchmark {
 namespace {
-
-struct Settings
-{
-  bool is_quick = false;
-  bool is_large = false;
-  std::string word;
-};
 
 Reading read()
 {
@@ -119,22 +103,21 @@ void print_row(const Many_row& row, std::size_t n)
   const double speed_ups[] = {of_16.speed_up(16), of_64.speed_up(64), of_256.speed_up(256)};
   const double target = n >= 1000000 ? row.target : 12;
   const bool is_met = speed_ups[1] >= target && speed_ups[2] >= speed_ups[1];
-  std::cout << std::fixed << std::setprecision(1) << "| " << row.name << " | " << n << " | "
-            << expected.pairs << " | " << 1e-6 * of_64.sequential.work << std::setprecision(2)
-            << " | " << of_64.parallel.work / of_64.sequential.work << " | "
-            << 1e-6 * of_64.parallel.span << std::setprecision(1) << " | " << speed_ups[0] << " | "
-            << speed_ups[1] << " | " << speed_ups[2] << " | >= " << std::setprecision(0) << target
-            << (is_met ? " | met | " : " | missed | ") << std::setprecision(1)
-            << touching.speed_up(64) << " | " << std::setprecision(0) << bytes_more(of_64) << " | "
-            << bytes_more(of_256) << " |" << std::endl;
+  print_line(row.name, n, expected.pairs, fixed(1e-6 * of_64.sequential.work, 1),
+             fixed(of_64.parallel.work / of_64.sequential.work, 2),
+             fixed(1e-6 * of_64.parallel.span, 2), fixed(speed_ups[0], 1), fixed(speed_ups[1], 1),
+             fixed(speed_ups[2], 1), ">= " + fixed(target, 0), is_met ? "met" : "missed",
+             fixed(touching.speed_up(64), 1), fixed(bytes_more(of_64), 0),
+             fixed(bytes_more(of_256), 0));
 }
+
+} // namespace
 
 void print_table(const Settings& settings)
 {
-  print_run_facts(std::cout);
-  std::cout << "\n| search | n | pairs | ms in sequence | work | span, ms | P = 16 | P = 64 "
-               "| P = 256 | target | verdict | pages touched first | bytes more | with P = 256 |\n"
-               "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|---|--:|--:|--:|\n";
+  print_head({"search", ">n", ">pairs", ">ms in sequence", ">work", ">span, ms", ">P = 16",
+              ">P = 64", ">P = 256", ">target", "verdict", ">pages touched first", ">bytes more",
+              ">with P = 256"});
   std::vector<std::size_t> sizes = {100000, 1000000};
   if(settings.is_quick)
     sizes = {10000};
@@ -142,34 +125,8 @@ void print_table(const Settings& settings)
     sizes.push_back(10000000);
   for(const std::size_t n : sizes)
     for(const Many_row& row : many_rows())
-      if(row.name.find(settings.word) != std::string::npos)
+      if(row.name.find(settings.only) != std::string::npos)
         print_row(row, n);
 }
 
-} // namespace
 } // namespace thick_benchmark
-
-int main(int argc, char** argv)
-{
-  thick_benchmark::Settings settings;
-  for(int i = 1; i < argc; ++i) {
-    const std::string argument = argv[i];
-    if(argument == "--quick")
-      settings.is_quick = true;
-    else if(argument == "--large")
-      settings.is_large = true;
-    else if(argument[0] != '-')
-      settings.word = argument;
-    else {
-      std::cerr << "usage: " << argv[0] << " [--quick] [--large] [<word>]\n";
-      return 2;
-    }
-  }
-  try {
-    thick_benchmark::print_table(settings);
-  }
-  catch(const std::runtime_error& error) { // pairs differ
-    std::cerr << error.what() << '\n';
-    return 1;
-  }
-}

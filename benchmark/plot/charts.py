@@ -1,25 +1,129 @@
 #!/usr/bin/env python3
-# Draws the figures of the manual page "Speed and accuracy" from the CSV files of the laboratory.
-#
-#   laboratory.py <folder of the CSV files> <folder for the figures>
-#
-# Nothing is computed here but shares, quotients, their means, and the Pareto fronts.
-#
-# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Draws the charts of the manual and of benchmark/results.md.
 
+    charts.py <source> <folder for the charts>
+
+The source is a folder of the laboratory's tables, or one file: methods.csv, closest_pair.csv or
+near.md of scripts/benchmark, or scaling.json. The last one is a list of what near_pairs_mpi prints
+for uniform points in space with about 4 n pairs: n points on one process, and 2 n points on two.
+
+Nothing is computed here but shares, quotients, their means and medians, the Pareto fronts, and the
+model of the search on many processes. Needs matplotlib 3.6. Colours are those of Okabe and Ito,
+which the colour-blind can tell apart.
+
+SPDX-License-Identifier: LGPL-3.0-or-later
+"""
+
+import collections
+import csv
+import json
 import math
-import os
+import pathlib
 import re
+import statistics
 import sys
 import textwrap
-from collections import defaultdict
 
+import matplotlib
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
 from matplotlib.colors import ListedColormap, LogNorm
-from matplotlib.ticker import NullLocator
+from matplotlib.ticker import FuncFormatter, NullFormatter, NullLocator
+from PIL import Image
 
-from style import (BLACK, BLUE, GREEN, GREY, ORANGE, PINK, RED, SKY, YELLOW, draw_line, hide_sides,
-                   in_order, legend_below, marker_for_legend, panels, plt, prepare, read_csv, save,
-                   where)
+BLACK, ORANGE, SKY, GREEN = "#000000", "#E69F00", "#56B4E9", "#009E73"
+YELLOW, BLUE, RED, PINK, GREY = "#B8AC00", "#0072B2", "#D55E00", "#CC79A7", "#777777"
+
+# Files that differ in nothing but what is drawn: no random names, and letters without outlines.
+matplotlib.rcParams.update({"svg.hashsalt": "Thick_intersection_d", "svg.fonttype": "none",
+                            "font.size": 10, "grid.color": "#DDDDDD", "grid.linewidth": 0.6})
+
+
+def read_tables(path):
+    """The tables of a file, as rows by the names of columns: those of Markdown, or one of CSV without
+    its lines of comments. Files that are not there have an empty one."""
+    if not path.exists():
+        return [[]]
+    lines = path.read_text(encoding="utf-8").splitlines()
+    if path.suffix == ".json":
+        return [json.loads("\n".join(lines))]
+    if path.suffix == ".csv":
+        return [list(csv.DictReader(line for line in lines if not line.startswith("#")))]
+    tables, head = [], None
+    for line in lines:
+        cells = [cell.strip() for cell in line.strip().strip("|").split("|")]
+        if not line.startswith("|"):
+            head = None
+        elif head is None:
+            head = cells
+            tables.append([])
+        elif not line.startswith("|---"):
+            tables[-1].append(dict(zip(head, cells)))
+    return tables
+
+
+def save(figure, folder, name):
+    """As SVG without a date, or as PNG of few colours."""
+    path = folder / name
+    if path.suffix == ".svg":
+        figure.savefig(path, metadata={"Date": None})
+    else:
+        figure.savefig(path, dpi=125)
+        with Image.open(path) as image:
+            small = image.convert("RGB").quantize(128, dither=Image.Dither.NONE)
+        small.save(path, optimize=True)
+    plt.close(figure)
+    print(f"{path}: {path.stat().st_size // 1000} kB")
+
+
+def panels(rows, columns, size, **options):
+    """A figure and the grid of its axes, always with rows and columns."""
+    return plt.subplots(rows, columns, figsize=size, layout="constrained", squeeze=False, **options)
+
+
+def prepare(axes, title="", x="", y="", scales=("linear", "linear")):
+    axes.set_xscale(scales[0])
+    axes.set_yscale(scales[1])
+    axes.set_title(title, fontsize=10)
+    axes.set_xlabel(x)
+    axes.set_ylabel(y)
+    axes.grid(True, which="major")
+
+
+def draw_line(axes, points, style, label, **options):
+    """Draws the points (x, y) in a style (colour, marker) or (colour, marker, line)."""
+    colour, marker, line = (*style, "-")[:3]
+    axes.plot(*zip(*points), color=colour, marker=marker, linestyle=line, label=label,
+              **{"linewidth": 1.3, "markersize": 5, "markeredgecolor": BLACK,
+                 "markeredgewidth": 0.3, **options})
+
+
+def marker_for_legend(colour, marker, **options):
+    return plt.Line2D([], [], linestyle="none", color=colour, marker=marker, **options)
+
+
+def legend_below(figure, columns, handles=None, labels=None):
+    """A legend of the first axes below all of them, in room that is taken from them."""
+    if handles is None:
+        handles, labels = figure.axes[0].get_legend_handles_labels()
+    height = (0.2 * -(-len(labels) // columns) + 0.15) / figure.get_figheight()
+    figure.get_layout_engine().set(rect=(0, height, 1, 1 - height))
+    figure.legend(handles, labels, loc="lower center", ncols=columns, fontsize=8, frameon=False)
+
+
+def hide_sides(axes, *sides):
+    for side in sides:
+        axes.spines[side].set_visible(False)
+
+
+def in_order(rows, name):
+    """The values in a column, each once."""
+    return list(dict.fromkeys(row[name] for row in rows))
+
+
+def where(rows, **values):
+    return [row for row in rows if all(row[name] == value for name, value in values.items())]
+
 
 GROUP_COLOURS = {"ours": GREEN, "form": ORANGE, "library": BLUE, "kernel": BLUE, "grid": PINK,
                  "boxes": PINK}
@@ -175,6 +279,9 @@ def short(number):
     return f"{number}" if number < 10000 else f"{number // 1000}k"
 
 
+NO_DETAILS = {"status": "ok", "asymmetric": "0", "order_dependent": "0"}  # of some tables
+
+
 def cell_of(row):
     """The number that colours a cell, and its text: wrong pairs of 100 true ones."""
     if row["status"] != "ok":
@@ -187,16 +294,41 @@ def cell_of(row):
     return share, text.replace("+", "\n+") if missing and extra else text
 
 
-def label_families(axes, rows, families, methods):
-    groups = {r["method"]: r["group"] for r in rows}
-    axes.set_xticks(range(len(methods)), methods, rotation=60, ha="right", fontsize=8,
+def is_dark(colour):
+    red, green, blue = colour[:3]
+    return 0.3 * red + 0.59 * green + 0.11 * blue < 0.5
+
+
+def draw_cells(axes, places, methods, cells, fontsize=6, **options):
+    """A map of cells (number, text): grey where there is none, black where it has no number."""
+    numbers = [[cells[p, m][0] if (p, m) in cells and cells[p, m][0] is not None
+                else float("nan") for m in methods] for p in places]
+    image = axes.imshow(numbers, aspect="auto", **options)
+    for y, place in enumerate(places):
+        for x, method in enumerate(methods):
+            number, text = cells.get((place, method), (None, ""))
+            if number is None:
+                axes.add_patch(plt.Rectangle((x - 0.5, y - 0.5), 1, 1,
+                                             color=BLACK if text else "#cccccc"))
+            is_light = number is not None and (
+                number <= 0 or not is_dark(image.cmap(image.norm(number))))
+            axes.text(x, y, text, ha="center", va="center", fontsize=fontsize,
+                      color="black" if is_light else "white")
+    return image
+
+
+def label_cells(axes, columns, rows, is_ours, rotation=60):
+    """Names of columns, of which ours are green, and texts of rows, and lines between all cells."""
+    axes.set_xticks(range(len(columns)), columns, rotation=rotation, ha="right", fontsize=8,
                     rotation_mode="anchor")
-    for label, method in zip(axes.get_xticklabels(), methods):
-        label.set_color(GREEN if groups[method] == "ours" else "black")
-    counts = {r["family"]: r["true_pairs"] for r in rows}
-    axes.set_yticks(range(len(families)), [f"{f}   ({counts[f]})" for f in families], fontsize=7.5)
-    axes.set_xticks([x - 0.5 for x in range(1, len(methods))], minor=True)
-    axes.set_yticks([y - 0.5 for y in range(1, len(families))], minor=True)
+    for label, name in zip(axes.get_xticklabels(), columns):
+        label.set_color(GREEN if is_ours(name) else "black")
+    axes.set_yticks(range(len(rows)), rows, fontsize=7.5)
+
+
+def draw_lines_between(axes, columns, rows):
+    axes.set_xticks([x - 0.5 for x in range(1, len(columns))], minor=True)
+    axes.set_yticks([y - 0.5 for y in range(1, len(rows))], minor=True)
     axes.grid(which="minor")
     axes.tick_params(which="minor", length=0)
 
@@ -205,17 +337,14 @@ def draw_families(rows, dimension):
     rows = where(rows, dimension=dimension)
     methods, families = in_order(rows, "method"), in_order(rows, "family")
     cells = {(r["family"], r["method"]): cell_of(r) for r in rows}
+    groups = {r["method"]: r["group"] for r in rows}
+    counts = {r["family"]: r["true_pairs"] for r in rows}
     figure, ((axes,),) = panels(1, 1, (11.5, 8.6))
-    shares = [[cells[f, m][0] or float("nan") for m in methods] for f in families]
-    image = axes.imshow(shares, cmap=viridis_on_white(), norm=LogNorm(0.01, 10000), aspect="auto")
-    for y, family in enumerate(families):
-        for x, method in enumerate(methods):
-            share, text = cells[family, method]
-            if share is None:
-                axes.add_patch(plt.Rectangle((x - 0.5, y - 0.5), 1, 1, color=BLACK))
-            axes.text(x, y, text, ha="center", va="center", fontsize=5,
-                      color="white" if share is None or share > 20 else "black")
-    label_families(axes, rows, families, methods)
+    image = draw_cells(axes, families, methods, cells, 5, cmap=viridis_on_white(),
+                       norm=LogNorm(0.01, 10000))
+    label_cells(axes, methods, [f"{f}   ({counts[f]})" for f in families],
+                lambda method: groups[method] == "ours")
+    draw_lines_between(axes, methods, families)
     axes.set_title(f"Missing (−) and extra (+) pairs in dimension {dimension}. White: none. Black: "
                    "crashed. *: some pairs are found from one of their points only. In brackets: "
                    "true pairs", fontsize=9)
@@ -266,7 +395,7 @@ def draw_methods(axes, points, styles):
 
 def draw_chart(rows, time_of, time_label, name):
     """Time against wrong pairs, a marker per method."""
-    kinds = defaultdict(list)
+    kinds = collections.defaultdict(list)
     for method, group in {r["method"]: r["group"] for r in rows}.items():
         kinds[GROUP_COLOURS[group]].append(method)
     styles = {method: (colour, marker, "none") for colour, methods in kinds.items()
@@ -317,39 +446,12 @@ def times_over_ours(rows):
     return [(r, float(r["seconds"]) / own[place_of(r)]) for r in rows if r["status"] == "ok"]
 
 
-def is_dark(colour):
-    red, green, blue = colour[:3]
-    return 0.3 * red + 0.59 * green + 0.11 * blue < 0.5
-
-
-def draw_cells(axes, places, methods, cells, **options):
-    """A map of cells (number, text): grey where there is none, black where it has no number."""
-    numbers = [[cells[p, m][0] if (p, m) in cells and cells[p, m][0] is not None
-                else float("nan") for m in methods] for p in places]
-    image = axes.imshow(numbers, aspect="auto", **options)
-    for y, place in enumerate(places):
-        for x, method in enumerate(methods):
-            number, text = cells.get((place, method), (None, ""))
-            if number is None:
-                axes.add_patch(plt.Rectangle((x - 0.5, y - 0.5), 1, 1,
-                                             color=BLACK if text else "#cccccc"))
-            elif number > 0 and not is_dark(image.cmap(image.norm(number))):
-                axes.text(x, y, text, ha="center", va="center", fontsize=6)
-                continue
-            axes.text(x, y, text, ha="center", va="center", fontsize=6, color="white")
-    return image
-
-
 def label_places(axes, places, methods, rows):
     counts = {place_of(r): f"{short(int(r['objects']))}, {short(int(r['true_pairs']))}"
               for r in rows}
-    axes.set_yticks(range(len(places)),
-                    [f"{shape}, {family}   ({counts[shape, family]})" for shape, family in places],
-                    fontsize=7.5)
-    axes.set_xticks(range(len(methods)), methods, rotation=60, ha="right", fontsize=8,
-                    rotation_mode="anchor")
-    for label, method in zip(axes.get_xticklabels(), methods):
-        label.set_color(GREEN if method.startswith("ours") else "black")
+    label_cells(axes, methods, [f"{shape}, {family}   ({counts[shape, family]})"
+                                for shape, family in places],
+                lambda method: method.startswith("ours"))
     for y in range(1, len(places)):
         if places[y][0] != places[y - 1][0]:
             axes.axhline(y - 0.5, color=BLACK, linewidth=1)
@@ -381,7 +483,7 @@ def draw_sizes(rows):
         is_ours = row["method"] == "ours"
         text = f"{of_two_digits(nanoseconds_of(row))} ns" if is_ours else of_two_digits(time)
         times[place_of(row), row["method"]] = time, text
-    wrong = {(place_of(r), r["method"]): cell_of({**r, "asymmetric": "0", "order_dependent": "0"})
+    wrong = {(place_of(r), r["method"]): cell_of({**NO_DETAILS, **r})
              for r in rows}
     figure = draw_times_and_wrong(rows, methods, times, wrong, 7.6, (0.5, 100),
                                   ("time over ours; of ours, per object and pair",
@@ -617,17 +719,13 @@ def draw_work(rows):
 def draw_stability(of_one_build, of_two_builds):
     rows = of_one_build + of_two_builds
     methods, changes = in_order(rows, "method"), in_order(rows, "change")
-    share = {(r["method"], r["change"]): 100 * int(r["changed"]) / int(r["questions"])
-             for r in rows}
+    cells = {(m, c): (0, "") for m in methods for c in changes}
+    for row in rows:
+        share = 100 * int(row["changed"]) / int(row["questions"])
+        cells[row["method"], row["change"]] = share, f"{share:.1f}" if share else "0"
     figure, ((axes,),) = panels(1, 1, (8, 3.6))
-    values = [[share.get((m, c), 0) or float("nan") for c in changes] for m in methods]
-    image = axes.imshow(values, cmap=viridis_on_white(), vmin=0, vmax=70, aspect="auto")
-    for y, method in enumerate(methods):
-        for x, change in enumerate(changes):
-            value = share.get((method, change))
-            axes.text(x, y, "" if value is None else "0" if value == 0 else f"{value:.1f}",
-                      ha="center", va="center", fontsize=9,
-                      color="white" if value and value > 35 else "black")
+    cells = {place: (share or float("nan"), text) for place, (share, text) in cells.items()}
+    image = draw_cells(axes, methods, changes, cells, 9, cmap=viridis_on_white(), vmin=0, vmax=70)
     axes.set_xticks(range(len(changes)), [textwrap.fill(c, 14) for c in changes], fontsize=8)
     axes.set_yticks(range(len(methods)), methods, fontsize=9)
     axes.get_yticklabels()[-1].set_color(GREEN)
@@ -674,45 +772,400 @@ def draw_section_3(rows):
 def draw_periodic_pairs(rows):
     methods, scenes = in_order(rows, "method"), in_order(rows, "scene")
     rules = {r["method"]: r["rule"].replace("<=", "≤") for r in rows}
-    cells = {(r["scene"], r["method"]): r for r in rows}
-    figure, ((axes,),) = panels(1, 1, (9, 6.6))
-    shares = [[100 * wrong_pairs(cells[s, m]) / max(int(cells[s, m]["true_pairs"]), 1)
-               if (s, m) in cells else 0 for m in methods] for s in scenes]
-    shares = [[share or float("nan") for share in line] for line in shares]
-    image = axes.imshow(shares, cmap=viridis_on_white(), norm=LogNorm(0.1, 200), aspect="auto")
-    for y, scene in enumerate(scenes):
-        for x, method in enumerate(methods):
-            row = cells.get((scene, method))
-            text = "not taken" if row is None else cell_of({**row, "status": "ok", "asymmetric": 0,
-                                                            "order_dependent": 0})[1]
-            axes.text(x, y, text.replace("\n", " "), ha="center", va="center", fontsize=7,
-                      color="white" if shares[y][x] > 15 else GREY if row is None else "black")
-    axes.set_xticks(range(len(methods)), [f"{m}, {rules[m]}" for m in methods], rotation=30,
-                    ha="right", fontsize=8, rotation_mode="anchor")
-    axes.get_xticklabels()[0].set_color(GREEN)
+    cells = {(r["scene"], r["method"]): cell_of({**r, **NO_DETAILS}) for r in rows}
     counts = {r["scene"]: r["true_pairs"] for r in reversed(rows) if r["rule"] == "<="}
-    axes.set_yticks(range(len(scenes)), [f"{s}   ({counts[s]})" for s in scenes], fontsize=8)
-    axes.set_xticks([x - 0.5 for x in range(1, len(methods))], minor=True)
-    axes.set_yticks([y - 0.5 for y in range(1, len(scenes))], minor=True)
-    axes.grid(which="minor")
-    axes.tick_params(which="minor", length=0)
-    axes.set_title("Missing (−) and extra (+) pairs of images. White: none. In brackets: true pairs "
-                   "at most at the distance", fontsize=9)
+    figure, ((axes,),) = panels(1, 1, (9, 6.6))
+    image = draw_cells(axes, scenes, methods, cells, cmap=viridis_on_white(),
+                       norm=LogNorm(0.1, 200))
+    label_cells(axes, [f"{m}, {rules[m]}" for m in methods],
+                [f"{s}   ({counts[s]})" for s in scenes],
+                lambda method: method.startswith("Thick"), 30)
+    draw_lines_between(axes, methods, scenes)
+    axes.set_title("Missing (−) and extra (+) pairs of images. White: none. Grey: not taken. In brackets: true "
+                   "pairs at most at the distance", fontsize=9)
     bar = figure.colorbar(image, ax=axes, shrink=0.6, pad=0.01)
     bar.set_label("wrong pairs per 100 true pairs")
     return figure, "lab_periodic_pairs.png"
 
+# ---- methods -------------------------------------------------------------------------------------
+
+OURS = "Thick_intersection_d"
+OURS_2 = OURS + ", 2 threads"
+SORT = "std::sort of x"
+BOX_DEFAULT = "box_self_intersection_d, cutoff 10"
+BOX_BEST = "box_self_intersection_d, best cutoff"
+PAPER = "[V03]"
+
+STYLES = {  # colour, marker, line
+    OURS: (RED, "o", "-"),
+    OURS_2: (RED, "o", ":"),
+    SORT: (BLACK, "", "--"),
+    PAPER: (BLUE, "s", "-"),
+    BOX_BEST: (GREEN, "^", "-"),
+    "Delaunay EPICK + search": (PINK, "D", "-"),
+    "Delaunay EPECK + search": (PINK, "D", ":"),
+    "Kd_tree + Fuzzy_sphere": (ORANGE, "v", "-"),
+    "nanoflann": (SKY, "P", "-"),
+    "Boost.Geometry rtree": (YELLOW, "X", "-"),
+    "ANN": (GREY, "*", "-"),
+    "all pairs": (GREY, "", ":"),
+}
+
+CLOSEST_STYLES = {
+    "closest_pair": (RED, "o", "-"),
+    "has_close_pair, no": (BLUE, "s", "-"),
+    "has_close_pair, yes": (GREEN, "^", "-"),
+    SORT: (BLACK, "", "--"),
+    "divide and conquer": (RED, "o", ":"),
+    "incremental grid": (RED, "X", ":"),
+    "grid of cells r, hashing, no": (BLUE, "s", ":"),
+    "grid of cells r, order, no": (BLUE, "P", ":"),
+    "Delaunay": (PINK, "D", "-"),
+    "Kd_tree": (ORANGE, "v", "-"),
+    "nanoflann": (SKY, "P", "-"),
+}
+
+Result = collections.namedtuple("Result", "dimension kind neighbours n method k ms")
+
+
+def results_of(rows):
+    """The results of a table, and as a method of its own the best cutoff for each scene."""
+    results = [Result(r["dimension"], r["kind"], float(r["neighbours"]), int(r["n"]), r["method"],
+                      int(r["k"]), float(r["ms"])) for r in rows]
+    best = {}
+    for result in results:
+        if result.method.startswith("box_self") and not result.method.endswith("threads"):
+            place = result[:4]
+            best[place] = min(best.get(place, result), result, key=lambda r: r.ms)
+    return results + [result._replace(method=BOX_BEST) for result in best.values()]
+
+
+def plain(value, _=None):
+    """0.1, 1, 10, 1000, 10⁵, as text, so that the file needs no outlines of letters."""
+    if value < 1e4:
+        return f"{value:g}"
+    return "10" + str(len(f"{value:.0f}") - 1).translate(str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹"))
+
+
+def show_plainly(axis):
+    axis.set_major_formatter(FuncFormatter(plain))
+    axis.set_minor_formatter(NullFormatter())
+
+
+def prepare_axes(axes, title, x, y=""):
+    prepare(axes, title, x, y, ("log", "log"))
+    show_plainly(axes.xaxis)
+    show_plainly(axes.yaxis)
+
+
+def words(neighbours):
+    return "n/2" if neighbours == 0.5 else f"{neighbours:g} n"
+
+
+def draw_lines(axes, results, chosen, point):
+    """Draws a line per method through point(result) for the results that are chosen."""
+    for method, style in STYLES.items():
+        points = sorted(point(r) for r in results if r.method == method and chosen(r))
+        if points:
+            draw_line(axes, points, style, method, linewidth=2.2 if method == OURS else 1.3,
+                      zorder=3 if method == OURS else 2)
+
+
+@figure_of("methods.csv")
+def draw_time_against_n(rows):
+    results = results_of(rows)
+    figure, grid = panels(2, 2, (8, 8.2), sharex=True, sharey=True)
+    for line, dimension, x in zip(grid, ("2D", "3D"), ("", "points n")):
+        for axes, neighbours, y in zip(line, (0.5, 10.0), ("time per point (ns)", "")):
+            prepare_axes(axes, f"{dimension}, uniform, k ≈ {words(neighbours)}", x, y)
+            draw_lines(axes, results, lambda r: r[:3] == (dimension, "uniform", neighbours),
+                       lambda r: (r.n, 1e6 * r.ms / r.n))
+    legend_below(figure, 3)
+    return figure, "time_against_n.svg"
+
+
+def largest_common_n(results):
+    """The number of points at which k/n was varied."""
+    return max(r.n for r in results if r.neighbours == 100)
+
+
+@figure_of("methods.csv")
+def draw_time_against_k(rows):
+    results = results_of(rows)
+    n = largest_common_n(results)
+    figure, (grid,) = panels(1, 2, (8, 5), sharey=True)
+    for axes, dimension, y in zip(grid, ("2D", "3D"), ("time (ms)", "")):
+        prepare_axes(axes, f"{dimension}, uniform, n = {plain(n)}", "pairs per point k/n", y)
+        draw_lines(axes, results, lambda r: r[:2] == (dimension, "uniform") and r.n == n,
+                   lambda r: (r.k / r.n, r.ms))
+    legend_below(figure, 3)
+    return figure, "time_against_k.svg"
+
+
+def draw_bars(axes, methods, times, unit):
+    """A bar per method, from the time `unit` to its own."""
+    for place, method in enumerate(reversed(methods)):
+        if method in times:
+            ratio = times[method] / unit
+            axes.barh(place, ratio - 1, left=1, height=0.62,
+                      color=RED if method.startswith(OURS) else BLUE)
+            axes.annotate(f"{ratio:.2f}" if ratio < 10 else f"{ratio:.0f}", (ratio, place),
+                          xytext=(4 if ratio >= 1 else -4, 0), textcoords="offset points",
+                          va="center", ha="left" if ratio >= 1 else "right", fontsize=8)
+    axes.axvline(1, color=BLACK, linewidth=1)
+    axes.set_yticks(range(len(methods)), reversed(methods), fontsize=9)
+    axes.tick_params(axis="y", length=0)
+    hide_sides(axes, "top", "right", "left")
+
+
+def draw_scenes(results, name, methods, reference, label, scale):
+    """Bars on the four uniform scenes, the methods in the order of their geometric means."""
+    n = largest_common_n(results)
+    scenes = [(dimension, k) for dimension in ("2D", "3D") for k in (0.5, 10.0)]
+    times = [{r.method: r.ms for r in results
+              if (r.dimension, r.neighbours, r.kind, r.n) == (*scene, "uniform", n)}
+             for scene in scenes]
+    methods = sorted((m for m in methods if m in times[0]),
+                     key=lambda m: statistics.geometric_mean(t[m] for t in times if m in t))
+
+    figure, grid = panels(2, 2, (8.4, 1.5 + 0.44 * len(methods)), sharex=True, sharey=True)
+    for axes, scene, scene_times in zip(grid.flat, scenes, times):
+        unit = scene_times[reference]
+        axes.set_xscale(scale)
+        draw_bars(axes, methods, scene_times, unit)
+        axes.set_title(f"{scene[0]}, k ≈ {words(scene[1])}: 1 is {unit:.0f} ms", fontsize=10,
+                       loc="left")
+        show_plainly(axes.xaxis)
+    low, high = grid[0, 0].get_xlim()
+    grid[0, 0].set_xlim((low / 3, 2 * high) if scale == "log" else (low - 0.2, high + 0.2))
+    figure.supxlabel(label, fontsize=10)
+    figure.suptitle(f"uniform, n = {plain(n)}", fontsize=11)
+    return figure, name
+
+
+@figure_of("methods.csv")
+def draw_rivals(rows):
+    methods = [m for m in STYLES if m not in (SORT, "all pairs")] + [BOX_DEFAULT]
+    return draw_scenes(results_of(rows), "rivals.svg", methods, SORT, "time / time of std::sort",
+                       "log")
+
+
+@figure_of("methods.csv")
+def draw_paper_variants(rows):
+    methods = sorted(m for m in in_order(rows, "method") if m.startswith(PAPER + ","))
+    return draw_scenes(results_of(rows), "book_variants.svg", methods, PAPER,
+                       "time / time of [V03] with median pivot, sweep and reach D", "linear")
+
+
+@figure_of("closest_pair.csv")
+def draw_closest_pair(rows):
+    figure, (grid,) = panels(1, 2, (8, 5.4), sharey=True)
+    for axes, dimension, y in zip(grid, "23", ("time per point (ns)", "")):
+        prepare_axes(axes, f"{dimension}D, uniform, 1 thread", "points n", y)
+        for method, style in CLOSEST_STYLES.items():
+            points = [(int(row["n"]), 1e9 * float(row["seconds"]) / int(row["n"]))
+                      for row in where(rows, dimension=dimension, method=method)]
+            if points:
+                draw_line(axes, points, style, method)
+    legend_below(figure, 3)
+    return figure, "closest_pair_time.svg"
+
+# ---- near objects --------------------------------------------------------------------------------
+
+BOXES = "grown boxes alone"
+SHAPES = ("2D segments", "3D segments", "3D triangles")
+
+
+
+def shape_of(row):
+    return row["scene"].split(",")[0]
+
+
+def wrong_shares(rows, method):
+    """Missing and extra pairs in percent of the pairs there are, or nothing without rows."""
+    chosen = where(rows, method=method)
+    pairs = sum(int(row["pairs"]) for row in chosen)
+    return [100 * sum(int(row[name]) for row in chosen) / pairs
+            for name in ("missing", "extra") if chosen]
+
+
+def annotate(axes, value, place, text):
+    axes.annotate(text, (value, place), xytext=(4, 0), textcoords="offset points", va="center",
+                  fontsize=8)
+
+
+def draw_near_times(axes, rows, methods):
+    for place, method in enumerate(reversed(methods)):
+        milliseconds = float(where(rows, method=method)[0]["ms"])
+        colour = RED if method == OURS else GREY if method == BOXES else BLUE
+        axes.barh(place, milliseconds, height=0.62, color=colour)
+        annotate(axes, milliseconds, place, f"{milliseconds:.0f}")
+    axes.set_xscale("log")
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
+    axes.xaxis.set_minor_formatter(NullFormatter())
+    axes.set_yticks(range(len(methods)), reversed(methods), fontsize=9)
+
+
+def draw_wrong_pairs(axes, rows, methods):
+    for place, method in enumerate(reversed(methods)):
+        if not (shares := wrong_shares(rows, method)):
+            continue
+        axes.barh(place, shares[0], height=0.62, color=ORANGE)
+        axes.barh(place, shares[1], left=shares[0], height=0.62, color=SKY)
+        total = sum(shares)
+        annotate(axes, total, place, "none" if total == 0 else f"{total:.2f} %")
+
+
+@figure_of("near.md")
+def draw_near_objects(times, wrong, *_):
+    """A scene is called <dimension>D <kinds>, <name>. Wrong pairs are counted over all scenes with
+    ties of the dimension and kind."""
+    methods = {shape: [row["method"] for row in times if shape_of(row) == shape]
+               for shape in SHAPES}
+    heights = [len(methods[shape]) for shape in SHAPES]
+    figure, grid = panels(len(SHAPES), 2, (9, 2 + 0.27 * sum(heights)), sharex="col", sharey="row",
+                          gridspec_kw={"height_ratios": heights})
+    for (left, right), shape in zip(grid, SHAPES):
+        draw_near_times(left, [row for row in times if shape_of(row) == shape], methods[shape])
+        draw_wrong_pairs(right, [row for row in wrong if shape_of(row) == shape], methods[shape])
+        left.set_title(f"{shape}, uniform, n = {int(times[0]['n']):,}", fontsize=10, loc="left")
+        right.set_title(f"{shape}, scenes with ties", fontsize=10, loc="left")
+        for axes in (left, right):
+            axes.tick_params(axis="y", length=0)
+            hide_sides(axes, "top", "right")
+    milliseconds = [float(row["ms"]) for row in times]
+    grid[0, 0].set_xlim(min(milliseconds) / 2, 3 * max(milliseconds))
+    grid[0, 1].set_xlim(0, 1.3 * grid[0, 1].get_xlim()[1])
+    grid[-1, 0].set_xlabel("time (ms)")
+    grid[-1, 1].set_xlabel("wrong pairs, in percent of the pairs there are")
+    bars = [grid[0, 1].barh(0, 0, color=colour) for colour in (ORANGE, SKY)]
+    grid[0, 1].legend(bars, ("missing", "extra"), fontsize=8, frameon=False, loc="center right")
+    return figure, "near_objects.svg"
+
+# ---- a model of many processes -------------------------------------------------------------------
+
+# Assumptions about the network, for each process.
+BYTES_PER_SECOND = 1e9
+LATENCY = 2e-6  # seconds for a message, also if it is empty
+
+# Measured by itself: sorting a sample of 524,288 points and cutting it on the way to one of 1024
+# parts takes 92 ms. For 64 parts, 131,072 points take 17 ms.
+SECONDS_PER_CUT = 92e-3 / 524288  # for a point of a sample
+BYTES_PER_CUT = 100
+
+REACH = (8 * 3 / (4 * math.pi)) ** (1 / 3)  # for 8 neighbors, if there is a point per unit cube
+BYTES_PER_POINT = 32
+
+PHASE_STYLES = {  # in the order in which they are drawn
+    "search": (RED, "o"),
+    "check": (GREY, "s"),
+    "migration": (BLUE, "^"),
+    "halo": (GREEN, "v"),
+    "partition": (ORANGE, "D"),
+    "uneven parts": (PINK, "P"),
+    "all": (BLACK, "", "-"),
+}
+
+
+def costs_of(run):
+    """The points of a process, and for each of them the seconds of each phase."""
+    profile = run["profile"]
+    points = sum(rank["points"] for rank in profile) / len(profile)
+    return points, {key[len("seconds_"):]: max(rank[key] for rank in profile) / points
+                    for key in profile[0] if key.startswith("seconds_")}
+
+
+def sample_size(processes):
+    """As sample_size_of_parts() of parts/Point_sample.h."""
+    return 1024 * processes / max(1, math.sqrt(processes / 64))
+
+
+def halo(processes, points):
+    """The points that a process receives: half of those near a cube, at its inner sides."""
+    inner = 1 - processes ** (-1 / 3)
+    return points * ((1 + 2 * REACH / points ** (1 / 3) * inner) ** 3 - 1) / 2
+
+
+def gather(processes, all_bytes):
+    return math.ceil(math.log2(processes)) * LATENCY + all_bytes / BYTES_PER_SECOND
+
+
+class Model:
+    def __init__(self, one, two):
+        (_, self.alone), (self.points_of_two, self.shared) = costs_of(one), costs_of(two)
+
+    def seconds(self, processes, points):
+        """The time of each phase, for so many points on each process."""
+        times = {"check": self.alone["check"] * points, "search": self.alone["search"] * points,
+                 "migration": 0, "halo": 0, "partition": 0, "uneven parts": 0}
+        if processes > 1:
+            times["search"] += self.alone["search"] * halo(processes, points)
+            times["partition"] = self.partition(processes, points)
+            times["migration"] = self.migration(processes, points)
+            times["halo"] = self.halo(processes, points)
+            deviation = math.sqrt(processes / sample_size(processes))  # of the points of a part
+            largest = deviation * math.sqrt(2 * math.log(processes))  # of so many parts
+            times["uneven parts"] = largest * times["search"]
+        times["all"] = sum(times.values())
+        return times
+
+    def partition(self, processes, points):
+        """Two samples and all cuts are gathered on all processes; counts of cells are added up."""
+        size = sample_size(processes)
+        looks = self.shared["partition"] * min(points, self.points_of_two)  # 2^17 points at most
+        slots = 2 ** (math.ceil(math.log2(size)) + 1)
+        return (looks + 2 * size * SECONDS_PER_CUT
+                + 2 * gather(processes, size * BYTES_PER_POINT)
+                + gather(processes, processes * BYTES_PER_CUT)
+                + 2 * gather(processes, slots * 8))
+
+    def migration(self, processes, points):
+        """As if points that stay cost nothing: half of them moved between two processes."""
+        moved = points * (1 - 1 / processes)
+        return (2 * self.shared["migration"] * moved + moved * BYTES_PER_POINT / BYTES_PER_SECOND
+                + 2 * processes * LATENCY)
+
+    def halo(self, processes, points):
+        return (self.shared["halo"] * points
+                + halo(processes, points) * BYTES_PER_POINT / BYTES_PER_SECOND
+                + processes * LATENCY)
+
+
+def draw_scaling_of(axes, model, counts, points_of, title):
+    prepare(axes, title, "processes", "seconds, of the model", ("log", "log"))
+    for phase, style in PHASE_STYLES.items():
+        times = [(p, model.seconds(p, points_of(p))[phase]) for p in counts]
+        draw_line(axes, [point for point in times if point[1] > 0], style, phase)
+
+
+@figure_of("scaling.json")
+def draw_scaling(runs):
+    """Prints the times that it draws. Those for more than two processes are of the model."""
+    model = Model(*runs)
+    figure, ((left, right),) = panels(1, 2, (9, 4.4))
+    counts = [2 ** i for i in range(11)]
+    draw_scaling_of(left, model, counts[4:], lambda p: 1e9 / p, "10⁹ points on all processes")
+    draw_scaling_of(right, model, counts, lambda p: 1e6, "10⁶ points on each process")
+    for p in counts:
+        for points in [1e6] + [1e9 / p] * (p >= 16):
+            print(p, f"{points:.0f} points on each, halo {halo(p, points) / points:.3f}",
+                  *(f"{phase} {s:.3f}" for phase, s in model.seconds(p, points).items()))
+    legend_below(figure, 4)
+    return figure, "distributed_scaling.svg"
+
 
 def main():
     if len(sys.argv) != 3:
-        sys.exit("usage: laboratory.py <folder of the CSV files> <folder for the figures>")
-    source, target = sys.argv[1:]
-    os.makedirs(target, exist_ok=True)
+        sys.exit("usage: charts.py <folder of the laboratory's tables, or a file> <folder>")
+    source, target = map(pathlib.Path, sys.argv[1:])
+    target.mkdir(parents=True, exist_ok=True)
     for tables, draw in FIGURES:
-        rows = [read_csv(os.path.join(source, table)) for table in tables]
-        if rows[0]:
-            figure, name = draw(*rows)
-            save(figure, target, name)
+        if source.is_dir() or source.name == tables[0]:
+            folder = source if source.is_dir() else source.parent
+            rows = [table for name in tables for table in read_tables(folder / name)]
+            if rows[0]:
+                figure, name = draw(*rows)
+                save(figure, target, name)
 
 
 if __name__ == "__main__":

@@ -2,23 +2,19 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 // The closest pair and a close pair, in multiples of std::sort of the x-coordinates in the same
-// process.
-//
-//   closest_pair_table            Markdown: a row per promise, and the other methods
-//   closest_pair_table --chart    CSV of all methods for 10^3 to 10^7 points
-//   --quick                       10^4 points at most: does it work?
+// process: a row per promise, and the other methods. The chart has all methods for 10^3 to 10^7
+// points.
 //
 // Points are uniform in the unit square or cube, or all the same. Methods take turns, and the least
-// time of the processor counts; what takes more than a second is measured once. It ends with status
-// 1 if two methods disagree.
+// time of the processor counts; what takes more than a second is measured once.
 
-#include "entries.h"
+#include "closest_pair_entries.h"
+#include "print.h"
+#include "table.h"
 
-#include "measuring/run_facts.h"
 #include "measuring/speed_up.h"
 #include "scenes/generators.h"
 
-#include <iomanip>
 #include <iostream>
 #include <optional>
 
@@ -60,16 +56,11 @@ double print_rows(const Scene& scene, bool with_others,
 {
   const std::vector<Entry> entries = measured<Dimension>(scene, with_others, 5);
   const double sort = unit.value_or(entries.front().seconds);
-  for(const Entry& entry : entries) {
-    std::cout << "| " << scene.name << " | " << scene.size() << " | " << entry.name
-              << " | " << std::fixed << std::setprecision(1) << 1000 * entry.seconds << " | "
-              << std::setprecision(2) << entry.seconds / sort << " | ";
-    if(entry.target != 0)
-      std::cout << "<= " << entry.target
-                << (entry.seconds <= entry.target * sort ? " | met |\n" : " | missed |\n");
-    else
-      std::cout << "| |\n";
-  }
+  for(const Entry& entry : entries)
+    print_line(scene.name, scene.size(), entry.name, fixed(1000 * entry.seconds, 1),
+               fixed(entry.seconds / sort, 2),
+               entry.target == 0 ? "" : "<= " + fixed(entry.target, 2),
+               entry.target == 0 ? "" : entry.seconds <= entry.target * sort ? "met" : "missed");
   return sort;
 }
 
@@ -82,9 +73,8 @@ void print_speed_up(const std::string& name, const Scene& scene, const Function&
   const auto sequential = [&] { function(CGAL::Sequential_tag()); };
   const auto parallel = [&] { function(CGAL::Parallel_tag()); };
   const Speed_up speed_up = measure_speed_up(sequential, parallel, sequential);
-  std::cout << "| " << scene.name << " | " << scene.size() << " | " << name << " | "
-            << std::setprecision(1) << speed_up.milliseconds << " | " << std::setprecision(2)
-            << speed_up.of_search << " | " << speed_up.of_machine << " |\n";
+  print_line(scene.name, scene.size(), name, fixed(speed_up.milliseconds, 1),
+             fixed(speed_up.of_search, 2), fixed(speed_up.of_machine, 2));
 }
 
 template <int Dimension>
@@ -113,17 +103,15 @@ void print_rows_of_dimension(bool is_quick)
   print_rows<Dimension>(identical(Dimension, 10 * n), false, sort);
 }
 
-void print_tables(bool is_quick)
+void print_both_tables(bool is_quick)
 {
-  print_run_facts(std::cout);
-  std::cout << "\n| scene | n | method | ms | time / std::sort | target | verdict |\n"
-               "|---|--:|---|--:|--:|--:|---|\n";
+  print_head({"scene", ">n", "method", ">ms", ">time / std::sort", ">target", "verdict"});
   print_rows_of_dimension<2>(is_quick);
   print_rows_of_dimension<3>(is_quick);
 #ifdef CGAL_LINKED_WITH_TBB
   const std::size_t n = is_quick ? 10000 : 1000000;
-  std::cout << "\n| scene | n | method | ms of 2 threads | speed-up | machine |\n"
-               "|---|--:|---|--:|--:|--:|\n";
+  std::cout << '\n';
+  print_head({"scene", ">n", "method", ">ms of 2 threads", ">speed-up", ">machine"});
   print_speed_ups<2>(n);
   print_speed_ups<3>(n);
 #endif
@@ -147,25 +135,10 @@ void print_charts(bool is_quick)
 }
 
 } // namespace
-} // namespace thick_benchmark
 
-int main(int argc, char** argv)
+void print_table(const Settings& settings)
 {
-  bool is_chart = false, is_quick = false;
-  for(int i = 1; i < argc; ++i) {
-    const std::string argument = argv[i];
-    is_chart = is_chart || argument == "--chart";
-    is_quick = is_quick || argument == "--quick";
-    if(argument != "--chart" && argument != "--quick") {
-      std::cerr << "usage: " << argv[0] << " [--chart] [--quick]\n";
-      return 2;
-    }
-  }
-  try {
-    is_chart ? thick_benchmark::print_charts(is_quick) : thick_benchmark::print_tables(is_quick);
-  }
-  catch(const std::runtime_error& error) { // methods disagree
-    std::cerr << error.what() << '\n';
-    return 1;
-  }
+  settings.is_chart ? print_charts(settings.is_quick) : print_both_tables(settings.is_quick);
 }
+
+} // namespace thick_benchmark

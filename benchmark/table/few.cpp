@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 // Calls on few elements in the plane: their processor time, and over that of a double loop on plain
-// doubles or of box_self_intersection_d(), as a table in Markdown. Figures are medians of 7 rounds,
-// each over many random scenes.
+// doubles or of box_self_intersection_d(). Figures are medians of 7 rounds, each over many random
+// scenes.
 
-#include "measuring/run_facts.h"
+#include "print.h"
+#include "table.h"
+
 #include "measuring/timing.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -18,12 +20,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <iomanip>
-#include <iostream>
 #include <random>
 #include <string>
 #include <vector>
 
+namespace thick_benchmark {
 namespace {
 
 using Point = CGAL::Epick::Point_2;
@@ -120,18 +121,12 @@ void boxes(Scene& scene)
 double time_of(void (*search)(Scene&), std::vector<Scene>& scenes)
 {
   const std::size_t repetitions = 1 + 2000 / scenes[0].points.size();
-  const double seconds = thick_benchmark::processor_seconds_of([&] {
+  const double seconds = processor_seconds_of([&] {
     for(std::size_t i = 0; i < repetitions; ++i)
       for(Scene& scene : scenes)
         search(scene);
   });
   return 1e9 * seconds / static_cast<double>(repetitions * scenes.size());
-}
-
-double median(std::array<double, 7> values)
-{
-  std::nth_element(values.begin(), values.begin() + 3, values.end());
-  return values[3];
 }
 
 void print_row(std::size_t size)
@@ -140,26 +135,25 @@ void print_row(std::size_t size)
   const std::array<std::array<Search, 2>, 3> searches
     = {{{near, near_by_loop}, {closest, closest_by_loop}, {boxes, boxes_by_cgal}}};
   std::vector<Scene> scenes = scenes_of(size);
-  std::cout << "| " << size << std::fixed;
+  std::vector<std::string> cells;
   for(const auto& [ours, other] : searches) {
-    std::array<double, 7> times, quotients;
-    for(std::size_t round = 0; round < times.size(); ++round) {
-      times[round] = time_of(ours, scenes);
-      quotients[round] = times[round] / time_of(other, scenes);
-    }
-    std::cout << " | " << std::setprecision(0) << median(times) << " | " << std::setprecision(2)
-              << median(quotients);
+    const std::vector<Seconds> times
+      = time_in_turns({[&, search = ours] { return time_of(search, scenes); },
+                       [&, search = other] { return time_of(search, scenes); }}, 7, 0);
+    cells.push_back(fixed(median(times, [](const Seconds& s) { return s[0]; }), 0));
+    cells.push_back(fixed(median(times, [](const Seconds& s) { return s[0] / s[1]; }), 2));
   }
-  std::cout << " |\n";
+  print_line(size, cells[0], cells[1], cells[2], cells[3], cells[4], cells[5]);
 }
 
 } // namespace
 
-int main()
+void print_table(const Settings&)
 {
-  thick_benchmark::print_run_facts(std::cout);
-  std::cout << "\n| n | near pairs, ns | / loop | closest pair, ns | / loop | boxes, ns "
-               "| / CGAL |\n|--:|--:|--:|--:|--:|--:|--:|\n";
+  print_head({">n", ">near pairs, ns", ">/ loop", ">closest pair, ns", ">/ loop", ">boxes, ns",
+              ">/ CGAL"});
   for(const std::size_t size : {2, 3, 4, 6, 8, 12, 16, 32, 64, 100, 128, 200})
     print_row(size);
 }
+
+} // namespace thick_benchmark
