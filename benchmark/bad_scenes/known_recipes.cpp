@@ -24,7 +24,8 @@ std::vector<const char*> known_recipes()
     "near2 r=0.0006/n^0.5 nested:2:0.64/n^0.5:160000/n^-0.5@last:0.9"
     " clusters:1:5.3e-05r:7.4e-07@unseen:0.002 clusters:1:5.3e-05r:2r@unseen:0.002",
     "near2_sets r=220r/n^-0.5 first=0.21 nested:0:2/n^0.5:2@all:0.5"
-    " follow:1:0.0042:1700r@sampled:0.5 place:1:0.49:0.49r@others:0.002 sort:1:0.0002:30r@others:0.01",
+    " follow:1:0.0042:1700r@sampled:0.5 place:1:0.49:0.49r@others:0.002"
+    " sort:1:0.0002:30r@others:0.01",
     // a cross of two wires
     "near3 r=1/n place:1:0.3:1e-9@every:0.5 place:2:0.1:1e-9@every:0.5 place:0:0.3:1e-9@others:0.5"
     " place:2:0.7:1e-9@others:0.5",

@@ -124,8 +124,7 @@ std::size_t size_of_difference(const Image_pairs& pairs, const Image_pairs& othe
 
 std::vector<Periodic_method> methods()
 {
-  std::vector<Periodic_method> methods
-    = {periodic_stored(), minimum_image(), ghosts_by_periods(), ghosts_by_fractions()};
+  std::vector<Periodic_method> methods = {periodic_stored()};
 #ifdef THICK_BENCHMARK_HAS_VESIN
   methods.push_back(vesin_half_list());
 #endif

@@ -10,7 +10,6 @@ set(THICK_INTERSECTION_VESIN "" CACHE PATH
 mark_as_advanced(THICK_INTERSECTION_VESIN)
 
 add_library(thick_benchmark_periodic OBJECT EXCLUDE_FROM_ALL
-  ${CMAKE_CURRENT_LIST_DIR}/periodic_in_doubles.cpp
   ${CMAKE_CURRENT_LIST_DIR}/periodic_ours.cpp)
 target_link_libraries(thick_benchmark_periodic PUBLIC Thick_intersection_d::compiled)
 target_include_directories(thick_benchmark_periodic PRIVATE ${PROJECT_SOURCE_DIR}/benchmark)

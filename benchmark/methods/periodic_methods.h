@@ -66,12 +66,6 @@ Periodic_method points_without_periods(); // ours: the pairs that no offset move
 Periodic_method vesin_half_list();       // of each two neighbors, one is in the list of the other
 Periodic_method vesin_full_list();
 
-// In doubles, without a library. Ghosts are images around the cell; of the two that make a pair,
-// the upper one counts. They are moved by adding periods, or by adding to fractions of periods.
-Periodic_method minimum_image(); // the difference, less the nearest whole numbers of periods
-Periodic_method ghosts_by_periods();
-Periodic_method ghosts_by_fractions();
-
 } // namespace thick_benchmark
 
 #endif // THICK_INTERSECTION_BENCHMARK_METHODS_PERIODIC_METHODS_H

@@ -781,7 +781,7 @@ def draw_periodic_pairs(rows):
                 [f"{s}   ({counts[s]})" for s in scenes],
                 lambda method: method.startswith("Thick"), 30)
     draw_lines_between(axes, methods, scenes)
-    axes.set_title("Missing (−) and extra (+) pairs of images. White: none. Grey: not taken. In brackets: true "
+    axes.set_title("Missing (−) and extra (+) pairs of images. White: none. Gray: not taken. In brackets: true "
                    "pairs at most at the distance", fontsize=9)
     bar = figure.colorbar(image, ax=axes, shrink=0.6, pad=0.01)
     bar.set_label("wrong pairs per 100 true pairs")
