@@ -7,9 +7,9 @@
   --rounds <n>   7 rounds unless said otherwise
   --text         the code instead of the time: what one call adds to that of the kernel. Fails if it
                  is beyond its limit. Sizes repeat exactly, for one compiler
-  <word>         the files with this word in their name; kernel.cpp in any case
+  <word>         the calls with this word in their name in calls.cpp; the kernel in any case
 
-In each round all files are compiled in turn, and each time is divided by that of kernel.cpp in the
+In each round all calls are compiled in turn, and each time is divided by that of the kernel in the
 same round. Times are those of the processor in the compiler. The figures are medians. CXX names the
 compiler, CXXFLAGS more options, such as -I for a CGAL elsewhere.
 
@@ -25,29 +25,31 @@ import subprocess
 import sys
 import tempfile
 
-FOLDER = pathlib.Path(__file__).resolve().parent
-INCLUDE = FOLDER.parent.parent / "include"
-KERNEL = "kernel"
+SOURCE = pathlib.Path(__file__).resolve().with_name("calls.cpp")
+INCLUDE = SOURCE.parent.parent.parent / "include"
+KERNEL = ("KERNEL", False)
 
-FILES = {  # file: the call, target for the time, limit of the text in kB of g++ 12 on x86-64
+# The call in calls.cpp, and whether it is linked: its name, target for the time, limit of the text
+# in kB of g++ 12 on x86-64.
+CALLS = {
     KERNEL: ("the kernel alone", None, None),
-    "near_points": ("`fixed_radius_near_neighbors`, plane", 1.6, None),
-    "near_points_in_space": ("`fixed_radius_near_neighbors`, space", 1.5, 117),
-    "neighbor_lists": ("`fixed_radius_neighbor_lists`, space", 1.6, 145),
-    "linked_near_points": ("`fixed_radius_near_neighbors`, space, linked", 1.5, 28.3),
-    "linked_neighbor_lists": ("`fixed_radius_neighbor_lists`, space, linked", 1.6, 38),
-    "closest_pair": ("`closest_pair`, plane", None, None),
-    "closest_pair_in_space": ("`closest_pair`, space", 1.5, 99.5),
-    "linked_closest_pair": ("`closest_pair`, space, linked", 1.5, None),
-    "thick_objects": ("`thick_self_intersection_d`, segments", None, None),
-    "triangles": ("`thick_self_intersection_d`, triangles in space", 1.4, 80.5),
-    "linked_triangles": ("`thick_self_intersection_d`, triangles in space, linked", 1.6, 7.9),
-    "near_segments": ("`fixed_radius_near_neighbors`, segments in space", None, 106),
-    "boxes": ("`thick_box_self_intersection_d`, boxes in space", 1.5, 67.5),
-    "linked_boxes": ("`thick_box_self_intersection_d`, boxes in space, linked", 1.5, 12.8),
-    "five_calls": ("five calls of five kinds, space", None, None),
-    "linked_five_calls": ("five calls of five kinds, space, linked", 2.4, None),
-    "box_intersection": ("`box_self_intersection_d`", None, None),
+    ("NEAR_POINTS", False): ("`fixed_radius_near_neighbors`, plane", 1.6, None),
+    ("NEAR_POINTS_IN_SPACE", False): ("`fixed_radius_near_neighbors`, space", 1.5, 117),
+    ("NEIGHBOR_LISTS", False): ("`fixed_radius_neighbor_lists`, space", 1.6, 145),
+    ("NEAR_POINTS_IN_SPACE", True): ("`fixed_radius_near_neighbors`, space, linked", 1.5, 28.3),
+    ("NEIGHBOR_LISTS", True): ("`fixed_radius_neighbor_lists`, space, linked", 1.6, 38),
+    ("CLOSEST_PAIR", False): ("`closest_pair`, plane", None, None),
+    ("CLOSEST_PAIR_IN_SPACE", False): ("`closest_pair`, space", 1.5, 99.5),
+    ("CLOSEST_PAIR_IN_SPACE", True): ("`closest_pair`, space, linked", 1.5, None),
+    ("SEGMENTS", False): ("`thick_self_intersection_d`, segments", None, None),
+    ("TRIANGLES", False): ("`thick_self_intersection_d`, triangles in space", 1.4, 80.5),
+    ("TRIANGLES", True): ("`thick_self_intersection_d`, triangles in space, linked", 1.6, 7.9),
+    ("NEAR_SEGMENTS", False): ("`fixed_radius_near_neighbors`, segments in space", None, 106),
+    ("BOXES", False): ("`thick_box_self_intersection_d`, boxes in space", 1.5, 67.5),
+    ("BOXES", True): ("`thick_box_self_intersection_d`, boxes in space, linked", 1.5, 12.8),
+    ("FIVE_CALLS", False): ("five calls of five kinds, space", None, None),
+    ("FIVE_CALLS", True): ("five calls of five kinds, space, linked", 2.4, None),
+    ("BOX_INTERSECTION", False): ("`box_self_intersection_d`", None, None),
 }
 
 
@@ -60,19 +62,25 @@ def compile_file(source, output, *options):
     subprocess.run(command, check=True)
 
 
-def seconds_to_compile(name):
+def options_of(call):
+    """The macros that make calls.cpp have a call."""
+    name, is_linked = call
+    return [f"-DCALL_{name}"] + ["-DCGAL_THICK_INTERSECTION_D_COMPILED"] * is_linked
+
+
+def seconds_to_compile(call):
     """The processor time of the compiler and what it calls."""
     before = os.times()
-    compile_file(FOLDER / f"{name}.cpp", os.devnull)
+    compile_file(SOURCE, os.devnull, *options_of(call))
     after = os.times()
     return (after.children_user + after.children_system
             - before.children_user - before.children_system)
 
 
-def text_of(name, header):
+def text_of(call, header):
     """The bytes of code and constants. The header has been compiled."""
     output = header.with_name("call.o")
-    compile_file(FOLDER / f"{name}.cpp", output, "-include", str(header))
+    compile_file(SOURCE, output, *options_of(call), "-include", str(header))
     table = subprocess.run(["size", str(output)], check=True, capture_output=True, text=True)
     return int(table.stdout.splitlines()[1].split()[0])
 
@@ -90,7 +98,7 @@ def print_times(names, round_count):
     print("| call | s | time / kernel | target | verdict |")
     print("|---|--:|--:|--:|---|")
     for name in names:
-        call, target, _ = FILES[name]
+        call, target, _ = CALLS[name]
         seconds = statistics.median(times[name] for times in rounds)
         measured = statistics.median(times[name] / times[KERNEL] for times in rounds)
         print(f"| {call} | {seconds:.1f} | {measured:.2f} {verdict(measured, target)}")
@@ -99,7 +107,7 @@ def print_times(names, round_count):
 def print_texts(names, folder):
     """Prints the table of texts in Markdown. Returns whether all limits are kept.
 
-    The header of the kernel is compiled once for all files, in a folder for temporary files. Their
+    The header of the kernel is compiled once for all calls, in a folder for temporary files. Their
     code is the same to the byte.
     """
     are_kept = True
@@ -111,7 +119,7 @@ def print_texts(names, folder):
     print("| call | kB beyond the kernel | limit | verdict |")
     print("|---|--:|--:|---|")
     for name in names:
-        call, _, limit = FILES[name]
+        call, _, limit = CALLS[name]
         if limit is not None:
             measured = (text_of(name, header) - of_kernel) / 1000
             are_kept = are_kept and measured <= limit
@@ -128,8 +136,8 @@ def main():
     parser.add_argument("words", nargs="*")
     options = parser.parse_args()
 
-    names = [name for name in FILES
-             if name == KERNEL or not options.words or any(w in name for w in options.words)]
+    names = [name for name in CALLS
+             if name == KERNEL or not options.words or any(w in name[0] for w in options.words)]
     if options.text:
         with tempfile.TemporaryDirectory() as folder:
             return 0 if print_texts(names, folder) else 1
