@@ -40,7 +40,7 @@ std::optional<Factor> Factors::of(const Recipe& recipe)
   const double n = static_cast<double>(recipe.n);
   const Work usual = uniform(recipe, work.pairs / n);
   const double share = (n + usual.pairs) / (n + work.pairs);
-  return Factor{work.pairs / n, work.counted / usual.counted * share,
+  return Factor{work.pairs / n, usual.counted == 0 ? 0 : work.counted / usual.counted * share,
                 work.seconds / usual.seconds * share};
 }
 

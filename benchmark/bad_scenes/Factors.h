@@ -19,7 +19,7 @@ namespace thick_benchmark {
 struct Factor
 {
   double pairs; // per element
-  double counted;
+  double counted; // 0 if it is not counted
   double time;
 };
 

@@ -16,7 +16,7 @@ namespace thick_benchmark {
 struct Work
 {
   double pairs = 0;   // of the union of two sets; infinite if there are too many to be counted
-  double counted = 0; // candidates looked at, and elements moved or swept
+  double counted = 0; // candidates looked at, and elements moved or swept; 0 if not counted
   double seconds = 0; // of the processor
 };
 

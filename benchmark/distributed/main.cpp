@@ -1,14 +1,14 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The distributed search, on processes of one machine. Prints rows of a table in Markdown;
-// measure.sh runs it with all numbers of processes, and adds their heads.
+// The distributed search, on processes of one machine. Prints rows of a table in Markdown,
+// and its head with the least number of processes. scripts/benchmark runs it with all numbers.
 //
 //   mpiexec -n <processes> distributed_table <table> [--quick]
 //
 //   facts      no table: the machine, the compiler, the version
 //   threads    two processes beside two threads of one process
-//   trees      beside the distributed tree of ArborX
+//   trees      beside the distributed tree of ArborX; nothing without it
 //   memory     the peak of memory
 //
 // It ends with status 1 if pairs are not those of one process.
@@ -38,11 +38,11 @@ void print_rows(const std::string& table, bool is_quick)
     print_threads(is_quick);
   else if(table == "memory")
     print_memory(is_quick);
+  else if(table == "trees") {
 #ifdef THICK_BENCHMARK_HAS_DISTRIBUTED_ARBORX
-  else if(table == "trees")
     print_trees(is_quick);
 #endif
-  else
+  } else
     throw std::invalid_argument("there is no table of this name");
 }
 

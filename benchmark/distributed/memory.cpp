@@ -6,13 +6,14 @@
 #include "Processes.h"
 #include "tables.h"
 
+#include "table/print.h"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/distributed_fixed_radius_near_neighbors.h>
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <fstream>
 #include <random>
 #include <string>
@@ -59,6 +60,10 @@ std::vector<Kernel::Point_3> uniform_points(std::size_t n)
 void print_memory(bool is_quick)
 {
   const std::size_t n = is_quick ? 10000 : 500000;
+  if(process_count() == 1) {
+    std::cout << '\n';
+    print_head({">processes", ">points on each", ">bytes / point, the points", ">the peak"});
+  }
   const double pi = std::acos(-1.);
   const double r = std::cbrt(6 / (pi * static_cast<double>(n) * process_count()));
   search({}, r);
@@ -71,7 +76,7 @@ void print_memory(bool is_quick)
   search(points, r);
   const double peak = per_point("VmHWM:");
   if(rank() == 0)
-    std::printf("| %d | %zu | %.1f | %.1f |\n", process_count(), n, of_points, peak);
+    print_line(process_count(), n, fixed(of_points, 1), fixed(peak, 1));
 }
 
 } // namespace thick_benchmark

@@ -9,6 +9,7 @@
 #include "tables.h"
 
 #include "scenes/generators.h"
+#include "table/print.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/distributed_fixed_radius_near_neighbors.h>
@@ -16,7 +17,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <functional>
 #include <stdexcept>
 #include <vector>
@@ -81,12 +81,15 @@ void print_row(std::size_t n)
     5);
   if(rank() != 0)
     return;
-  std::printf("| %dD uniform | %zu | %llu |", Dimension, n, static_cast<unsigned long long>(pairs));
-  for(std::size_t job = 0; job < 4; ++job)
-    std::printf(" %.1f |", 1000 * median(times, [&](const Seconds& s) { return s[job]; }));
-  for(const std::size_t job : {4, 1, 2, 3})
-    std::printf(" %.2f |", median(times, [&](const Seconds& s) { return s[0] / s[job]; }));
-  std::printf(" %.2f |\n", median(times, [&](const Seconds& s) { return s[2] / s[1]; }));
+  const auto milliseconds = [&](std::size_t job) {
+    return fixed(1000 * median(times, [&](const Seconds& s) { return s[job]; }), 1);
+  };
+  const auto quotient = [&](std::size_t a, std::size_t b) {
+    return fixed(median(times, [&](const Seconds& s) { return s[a] / s[b]; }), 2);
+  };
+  print_line(scene.name, n, pairs, milliseconds(0), milliseconds(1), milliseconds(2),
+             milliseconds(3), quotient(0, 4), quotient(0, 1), quotient(0, 2), quotient(0, 3),
+             quotient(2, 1));
 }
 
 } // namespace
@@ -95,6 +98,12 @@ void print_threads(bool is_quick)
 {
   if(process_count() != 2)
     throw std::runtime_error("two processes are to be started");
+  if(rank() == 0) {
+    std::cout << '\n';
+    print_head({"scene", ">n", ">k", ">ms of 1 process", ">of 2 threads", ">of 2 processes",
+                ">of 2, as is", ">machine", ">2 threads", ">2 processes", ">2, as is",
+                ">processes / threads"});
+  }
   for(const std::size_t n : {1000000, 4000000}) {
     print_row<2>(is_quick ? n / 100 : n);
     print_row<3>(is_quick ? n / 100 : n);

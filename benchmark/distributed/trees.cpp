@@ -8,6 +8,7 @@
 #include "tables.h"
 
 #include "scenes/generators.h"
+#include "table/print.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/distributed_fixed_radius_near_neighbors.h>
@@ -15,7 +16,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <vector>
 
 namespace thick_benchmark {
@@ -58,10 +58,10 @@ void print_row(const Scene& scene, const char* order, CGAL::Point_distribution d
   const auto milliseconds = [&](std::size_t job) {
     return 1000 * median(times, [&](const Seconds& s) { return s[job]; });
   };
-  std::printf("| %s, %s | %zu | %llu | %d | %lld | %.0f | %.0f | %.2f |\n", scene.name.c_str(),
-              order, scene.size(), static_cast<unsigned long long>(ours.pairs), process_count(),
-              static_cast<long long>(theirs.pairs - ours.pairs), milliseconds(0), milliseconds(1),
-              median(times, [](const Seconds& s) { return s[0] / s[1]; }));
+  print_line(scene.name + ", " + order, scene.size(), ours.pairs, process_count(),
+             static_cast<std::int64_t>(theirs.pairs - ours.pairs), fixed(milliseconds(0), 0),
+             fixed(milliseconds(1), 0),
+             fixed(median(times, [](const Seconds& s) { return s[0] / s[1]; }), 2));
 }
 
 } // namespace
@@ -69,6 +69,11 @@ void print_row(const Scene& scene, const char* order, CGAL::Point_distribution d
 void print_trees(bool is_quick)
 {
   const std::size_t n = is_quick ? 10000 : 1000000;
+  if(process_count() == 1) {
+    std::cout << '\n';
+    print_head({"scene", ">n", ">k", ">processes", ">pairs more", ">ms of ours", ">of ArborX",
+                ">ours / ArborX"});
+  }
   for(const double degree : {0.5, 10.})
     for(const Scene& points : {uniform(3, n, 0), clusters(3, n)}) {
       const Scene scene = with_pairs(points, degree * static_cast<double>(n));
