@@ -1,15 +1,10 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Libraries: predicates of the plane in doubles or in twice as many bits, and the adaptive
-// predicates of Shewchuk in our tests of objects.
+// Libraries: predicates of the plane in twice as many bits, and the adaptive predicates of Shewchuk
+// in our tests of objects.
 
 #include "predicate_columns.h"
-
-#include <boost/geometry.hpp>
-#include <boost/geometry/geometries/point_xy.hpp>
-#include <boost/geometry/geometries/ring.hpp>
-#include <boost/geometry/geometries/segment.hpp>
 
 #ifdef THICK_BENCHMARK_HAS_GEOS
 #include <geos_c.h>
@@ -28,44 +23,6 @@
 
 namespace lab {
 namespace {
-
-bool is_in_plane(const Kind& kind) { return kind.dimension == 2; }
-
-// ---- Boost --------------------------------------------------------------------------------------
-
-namespace bg = boost::geometry;
-using Boost_point = bg::model::d2::point_xy<double>;
-using Boost_segment = bg::model::segment<Boost_point>;
-using Boost_ring = bg::model::ring<Boost_point>;
-
-Boost_point point_at(const double* x) { return {x[0], x[1]}; }
-
-Boost_ring ring(const double* x)
-{
-  Boost_ring ring = {point_at(x), point_at(x + 2), point_at(x + 4), point_at(x)};
-  bg::correct(ring); // which turns it right
-  return ring;
-}
-
-template <class Object, class Make>
-Answers ask_boost(const Object_questions& questions, double milliseconds, const Make& make)
-{
-  std::vector<Object> objects;
-  for(std::size_t i = 0; i < questions.objects.size(); ++i)
-    objects.push_back(make(questions.objects.object(i)));
-  return answers_to(questions, milliseconds, [&](std::size_t i, std::size_t j) {
-    return bg::intersects(objects[i], objects[j]);
-  });
-}
-
-Answers ask_boost(const Object_questions& questions, double milliseconds)
-{
-  if(questions.objects.kind.vertices == 3)
-    return ask_boost<Boost_ring>(questions, milliseconds, ring);
-  return ask_boost<Boost_segment>(questions, milliseconds, [](const double* x) {
-    return Boost_segment(point_at(x), point_at(x + 2));
-  });
-}
 
 // ---- GEOS ---------------------------------------------------------------------------------------
 
@@ -141,12 +98,8 @@ Predicate_column shewchuk()
 Predicate_columns library_predicates()
 {
   return {
-    {"Boost.Geometry", "library", is_in_plane,
-     [](const Object_questions& questions, double milliseconds) {
-       return ask_boost(questions, milliseconds);
-     }},
 #ifdef THICK_BENCHMARK_HAS_GEOS
-    {"GEOS", "library", is_in_plane, ask_geos},
+    {"GEOS", "library", [](const Kind& kind) { return kind.dimension == 2; }, ask_geos},
 #endif
 #ifdef THICK_BENCHMARK_HAS_GTS
     shewchuk(),
