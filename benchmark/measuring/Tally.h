@@ -10,6 +10,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <ostream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/enumerable_thread_specific.h>
@@ -44,6 +47,15 @@ struct Tally
     return out << tally.pairs << " pairs (positions " << tally.positions << ")";
   }
 };
+
+// Throws unless they are equal.
+inline void check_equal(const std::string& name, const Tally& expected, const Tally& found)
+{
+  std::ostringstream message;
+  message << name << ": " << found << " instead of " << expected;
+  if(expected != found)
+    throw std::runtime_error(message.str());
+}
 
 #ifdef CGAL_LINKED_WITH_TBB
 

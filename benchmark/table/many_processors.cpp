@@ -6,17 +6,15 @@
 
 #include "many_processors/Task_record.h"
 #include "many_processors/searches.h"
-
 #include "table/print.h"
 #include "table/table.h"
+
 #include "support/counting_allocator.h"
 
 #include <malloc.h>
 
 #include <chrono>
 #include <cstdint>
-#include <sstream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -42,15 +40,6 @@ void keep_memory(bool keeps)
   mallopt(M_TRIM_THRESHOLD, keeps ? -1 : 128 << 10);
 }
 
-void check(const Tally& found, const Tally& expected)
-{
-  if(found == expected)
-    return;
-  std::ostringstream message;
-  message << found << " instead of " << expected;
-  throw std::runtime_error(message.str());
-}
-
 // The cost of a search by so many processors, with the least time that each of its segments took in
 // several runs.
 Cost cost_of(const std::function<void()>& run, const Many_search& search, std::size_t processors,
@@ -58,7 +47,7 @@ Cost cost_of(const std::function<void()>& run, const Many_search& search, std::s
 {
   const auto run_once = [&] {
     const Task_record record = record_tasks(processors, read, run);
-    check(search.found(), expected);
+    check_equal("with tasks in turn", expected, search.found());
     return record;
   };
   run_once(); // so that memory is as in later runs

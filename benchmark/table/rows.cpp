@@ -8,8 +8,6 @@
 #include "measuring/speed_up.h"
 
 #include <cmath>
-#include <sstream>
-#include <stdexcept>
 
 namespace thick_benchmark {
 namespace {
@@ -59,14 +57,6 @@ void print_rows(const Experiments& experiments, const Settings& settings)
     if(experiment.name.find(settings.only) != std::string::npos)
       for(const Row& row : experiment.run())
         print_row(row);
-}
-
-void check_equal(const std::string& name, const Tally& expected, const Tally& found)
-{
-  std::ostringstream message;
-  message << name << ": " << found << " instead of " << expected;
-  if(expected != found)
-    throw std::runtime_error(message.str());
 }
 
 Subject make_subject(const std::string& name, std::size_t n, const Search& search,

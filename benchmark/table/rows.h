@@ -65,9 +65,6 @@ inline Goal at_most(double target, double good) { return {Goal::AT_MOST, target,
 
 inline double milliseconds_of_first(const Seconds& s) { return 1000 * s[0]; }
 
-// Throws unless they are equal.
-void check_equal(const std::string& name, const Tally& expected, const Tally& found);
-
 struct Subject
 {
   std::string name;
