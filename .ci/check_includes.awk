@@ -24,7 +24,7 @@ function has_overload(file, name,    list, i) {
 }
 
 function is_vague(name) {  # also the name of something else
-  return name ~ /^(swap|get|report)$/
+  return name ~ /^(swap|get|report|alignas)$/
 }
 
 function standard(header, names,    list, i) {

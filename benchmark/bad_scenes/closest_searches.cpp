@@ -13,6 +13,7 @@
 #include <CGAL/closest_pair.h>
 
 #include <CGAL/Thick_intersection_d/internal/closest_pair/find_closest_pair.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 
 namespace thick_benchmark {
 namespace {
@@ -72,7 +73,7 @@ template <class Point>
 Work run_closest(const Made_scene& scene)
 {
   return run_counted<Point>(scene, [](const auto& points) {
-    internal::find_closest_pair<CGAL::Sequential_tag>(points, CGAL::parameters::default_values());
+    internal::find_closest_pair(points, CGAL::parameters::default_values(), internal::Threads());
   });
 }
 
@@ -80,8 +81,8 @@ template <class Point>
 Work run_close(const Made_scene& scene)
 {
   return run_counted<Point>(scene, [&](const auto& points) {
-    internal::find_pair_within<CGAL::Sequential_tag>(points, CGAL::within_distance(scene.reach),
-                                                     CGAL::parameters::default_values());
+    internal::find_pair_within(points, CGAL::within_distance(scene.reach),
+                               CGAL::parameters::default_values(), internal::Threads());
   });
 }
 

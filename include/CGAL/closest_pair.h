@@ -14,6 +14,7 @@
 #include <CGAL/Thick_intersection_d/internal/closest_pair/find_closest_pair.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 
 #include <cstddef>
 #include <optional>
@@ -100,8 +101,9 @@ closest_pair(PointRange&& points, const NamedParameters& np = parameters::defaul
 {
   namespace internal = Thick_intersection_d::internal;
   using Range = std::remove_reference_t<PointRange>;
-  if constexpr(internal::check_range_of_points<ConcurrencyTag, Range, NamedParameters>())
-    return internal::find_closest_pair<ConcurrencyTag>(internal::make_elements(points, np), np);
+  if constexpr(internal::check_range_of_points<Range, NamedParameters>())
+    return internal::find_closest_pair(internal::make_elements(points, np), np,
+                                       internal::Threads(ConcurrencyTag()));
   else
     return {};
 }
@@ -185,9 +187,9 @@ find_close_pair(PointRange&& points, const Distance_bound<NT>& bound,
 {
   namespace internal = Thick_intersection_d::internal;
   using Range = std::remove_reference_t<PointRange>;
-  if constexpr(internal::check_range_of_points<ConcurrencyTag, Range, NamedParameters>())
-    return internal::find_pair_within<ConcurrencyTag>(internal::make_elements(points, np), bound,
-                                                      np);
+  if constexpr(internal::check_range_of_points<Range, NamedParameters>())
+    return internal::find_pair_within(internal::make_elements(points, np), bound, np,
+                                      internal::Threads(ConcurrencyTag()));
   else
     return {};
 }

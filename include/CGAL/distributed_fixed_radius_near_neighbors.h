@@ -19,6 +19,7 @@
 #include <CGAL/Thick_intersection_d/internal/distributed/distributed_lists_search.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/distributed_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 
 #include <mpi.h>
 
@@ -111,8 +112,8 @@ bool distributed_fixed_radius_near_neighbors(
 {
   namespace internal = Thick_intersection_d::internal;
   const internal::Communicator together(comm);
-  return internal::search_distributed_ranges<ConcurrencyTag>(together, bound, callback, profile, np,
-                                                             points);
+  return internal::search_distributed_ranges(together, bound, callback, profile, np,
+                                             internal::Threads(ConcurrencyTag()), points);
 }
 
 /*!
@@ -157,8 +158,9 @@ bool distributed_fixed_radius_near_neighbors(
 {
   namespace internal = Thick_intersection_d::internal;
   const internal::Communicator together(comm);
-  return internal::search_distributed_ranges<ConcurrencyTag>(together, bound, callback, profile, np,
-                                                             points_a, points_b);
+  return internal::search_distributed_ranges(together, bound, callback, profile, np,
+                                             internal::Threads(ConcurrencyTag()), points_a,
+                                             points_b);
 }
 
 /*!
@@ -212,8 +214,8 @@ Distributed_neighbor_lists distributed_fixed_radius_neighbor_lists(
 {
   namespace internal = Thick_intersection_d::internal;
   const internal::Communicator together(comm);
-  return internal::collect_distributed_neighbors<ConcurrencyTag>(together, bound, profile, np,
-                                                                 points);
+  return internal::collect_distributed_neighbors(together, bound, profile, np,
+                                                 internal::Threads(ConcurrencyTag()), points);
 }
 
 /*!
@@ -254,8 +256,9 @@ Distributed_neighbor_lists distributed_fixed_radius_neighbor_lists(
 {
   namespace internal = Thick_intersection_d::internal;
   const internal::Communicator together(comm);
-  return internal::collect_distributed_neighbors<ConcurrencyTag>(together, bound, profile, np,
-                                                                 points_a, points_b);
+  return internal::collect_distributed_neighbors(together, bound, profile, np,
+                                                 internal::Threads(ConcurrencyTag()), points_a,
+                                                 points_b);
 }
 
 #ifndef DOXYGEN_RUNNING

@@ -14,6 +14,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/external/external_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 
 #include <type_traits>
 
@@ -98,8 +99,9 @@ bool external_fixed_radius_near_neighbors(PointRange&& points, const Distance_bo
                                           const Memory_budget& budget, Callback&& callback,
                                           const NamedParameters& np = parameters::default_values())
 {
-  return Thick_intersection_d::internal::search_externally<ConcurrencyTag>(points, bound, budget,
-                                                                           callback, np);
+  namespace internal = Thick_intersection_d::internal;
+  return internal::search_externally(points, bound, budget, callback, np,
+                                     internal::Threads(ConcurrencyTag()));
 }
 
 #ifndef DOXYGEN_RUNNING

@@ -15,6 +15,7 @@
 #include <CGAL/tags.h>
 
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/near_points/near_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
 
@@ -115,10 +116,11 @@ bool fixed_radius_near_neighbors(PointRange&& points, const Distance_bound<NT>& 
                                  const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
+  const internal::Threads threads{ConcurrencyTag()};
   const auto search = [&](const auto& elements, const auto& sets, auto& report) {
-    return internal::report_near_pairs<ConcurrencyTag>(elements, sets, bound, report, np);
+    return internal::report_near_pairs(elements, sets, bound, report, np, threads);
   };
-  return internal::search_ranges<ConcurrencyTag>(callback, np, search, points);
+  return internal::search_ranges(callback, np, threads, search, points);
 }
 
 /*!
@@ -146,10 +148,11 @@ bool fixed_radius_near_neighbors(PointRange&& points, const Distance_bound<NT>& 
                                  const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
+  const internal::Threads threads{ConcurrencyTag()};
   const auto search = [&](const auto& elements, const auto& sets, auto& report) {
-    return internal::report_near_pairs<ConcurrencyTag>(elements, sets, bound, report, profile, np);
+    return internal::report_near_pairs(elements, sets, bound, report, profile, np, threads);
   };
-  return internal::search_ranges<ConcurrencyTag>(callback, np, search, points);
+  return internal::search_ranges(callback, np, threads, search, points);
 }
 
 /*!
@@ -184,10 +187,11 @@ bool fixed_radius_near_neighbors(PointRangeA&& points_a, PointRangeB&& points_b,
                                  const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
+  const internal::Threads threads{ConcurrencyTag()};
   const auto search = [&](const auto& elements, const auto& sets, auto& report) {
-    return internal::report_near_pairs<ConcurrencyTag>(elements, sets, bound, report, np);
+    return internal::report_near_pairs(elements, sets, bound, report, np, threads);
   };
-  return internal::search_ranges<ConcurrencyTag>(callback, np, search, points_a, points_b);
+  return internal::search_ranges(callback, np, threads, search, points_a, points_b);
 }
 
 /*!
@@ -204,10 +208,11 @@ bool fixed_radius_near_neighbors(PointRangeA&& points_a, PointRangeB&& points_b,
                                  const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
+  const internal::Threads threads{ConcurrencyTag()};
   const auto search = [&](const auto& elements, const auto& sets, auto& report) {
-    return internal::report_near_pairs<ConcurrencyTag>(elements, sets, bound, report, profile, np);
+    return internal::report_near_pairs(elements, sets, bound, report, profile, np, threads);
   };
-  return internal::search_ranges<ConcurrencyTag>(callback, np, search, points_a, points_b);
+  return internal::search_ranges(callback, np, threads, search, points_a, points_b);
 }
 
 #ifndef DOXYGEN_RUNNING

@@ -14,6 +14,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/lists/neighbor_lists_search.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/objects/near_objects_search.h>
 
 #include <type_traits>
@@ -46,8 +47,9 @@ Neighbor_lists fixed_radius_neighbor_lists(PointRange&& points,
                                            const Distance_bound<NT>& bound,
                                            const NamedParameters& np = parameters::default_values())
 {
+  namespace internal = Thick_intersection_d::internal;
   Neighbor_lists lists;
-  Thick_intersection_d::internal::collect_neighbors<ConcurrencyTag>(lists, bound, np, points);
+  internal::collect_neighbors(lists, bound, np, internal::Threads(ConcurrencyTag()), points);
   return lists;
 }
 
@@ -71,7 +73,8 @@ bool fixed_radius_neighbor_lists(PointRange&& points, const Distance_bound<NT>& 
                                  const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
-  return internal::collect_neighbors<ConcurrencyTag>(lists, bound, np, points);
+  return internal::collect_neighbors(lists, bound, np, internal::Threads(ConcurrencyTag()),
+                                     points);
 }
 
 /*!
@@ -97,7 +100,8 @@ Neighbor_lists fixed_radius_neighbor_lists(PointRangeA&& points_a, PointRangeB&&
 {
   namespace internal = Thick_intersection_d::internal;
   Neighbor_lists lists;
-  internal::collect_neighbors<ConcurrencyTag>(lists, bound, np, points_a, points_b);
+  internal::collect_neighbors(lists, bound, np, internal::Threads(ConcurrencyTag()), points_a,
+                              points_b);
   return lists;
 }
 
@@ -114,7 +118,8 @@ bool fixed_radius_neighbor_lists(PointRangeA&& points_a, PointRangeB&& points_b,
                                  const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
-  return internal::collect_neighbors<ConcurrencyTag>(lists, bound, np, points_a, points_b);
+  return internal::collect_neighbors(lists, bound, np, internal::Threads(ConcurrencyTag()),
+                                     points_a, points_b);
 }
 
 #ifndef DOXYGEN_RUNNING

@@ -11,6 +11,7 @@
 #include <CGAL/Periodic_lattice_d.h>
 #include <CGAL/tags.h>
 
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/periodic_closest_pair_search.h>
 
 namespace CGAL {
@@ -44,8 +45,9 @@ template <class ConcurrencyTag = Sequential_tag, class PointRange, class Domain,
 auto periodic_closest_pair(PointRange&& points, const Domain& domain,
                            const NamedParameters& np = parameters::default_values())
 {
-  return Thick_intersection_d::internal::find_periodic_closest_pair<ConcurrencyTag>(domain, np,
-                                                                                    points);
+  namespace internal = Thick_intersection_d::internal;
+  return internal::find_periodic_closest_pair(domain, np, internal::Threads(ConcurrencyTag()),
+                                              points);
 }
 
 } // namespace CGAL

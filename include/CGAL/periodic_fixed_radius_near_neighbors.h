@@ -16,6 +16,7 @@
 #include <CGAL/tags.h>
 
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/periodic_lists_search.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/periodic_search.h>
 
@@ -91,8 +92,9 @@ bool periodic_fixed_radius_near_neighbors(
   PointRange&& points, const Domain& domain, const Distance_bound<NT>& bound, Callback&& callback,
   const NamedParameters& np = parameters::default_values())
 {
-  return Thick_intersection_d::internal::report_periodic_pairs<ConcurrencyTag>(
-    domain, bound, callback, nullptr, np, points);
+  namespace internal = Thick_intersection_d::internal;
+  return internal::report_periodic_pairs(domain, bound, callback, nullptr, np,
+                                         internal::Threads(ConcurrencyTag()), points);
 }
 
 /*!
@@ -113,8 +115,9 @@ bool periodic_fixed_radius_near_neighbors(
   PointRange&& points, const Domain& domain, const Distance_bound<NT>& bound, Callback&& callback,
   Scene_profile& profile, const NamedParameters& np = parameters::default_values())
 {
-  return Thick_intersection_d::internal::report_periodic_pairs<ConcurrencyTag>(
-    domain, bound, callback, &profile, np, points);
+  namespace internal = Thick_intersection_d::internal;
+  return internal::report_periodic_pairs(domain, bound, callback, &profile, np,
+                                         internal::Threads(ConcurrencyTag()), points);
 }
 
 /*!
@@ -139,8 +142,9 @@ bool periodic_fixed_radius_near_neighbors(
   const Distance_bound<NT>& bound, Callback&& callback,
   const NamedParameters& np = parameters::default_values())
 {
-  return Thick_intersection_d::internal::report_periodic_pairs<ConcurrencyTag>(
-    domain, bound, callback, nullptr, np, points_a, points_b);
+  namespace internal = Thick_intersection_d::internal;
+  return internal::report_periodic_pairs(domain, bound, callback, nullptr, np,
+                                         internal::Threads(ConcurrencyTag()), points_a, points_b);
 }
 
 /*!
@@ -163,8 +167,9 @@ auto periodic_fixed_radius_neighbor_lists(PointRange&& points, const Domain& dom
                                           const Distance_bound<NT>& bound,
                                           const NamedParameters& np = parameters::default_values())
 {
-  return Thick_intersection_d::internal::collect_periodic_neighbors<ConcurrencyTag>(
-    domain, bound, np, points);
+  namespace internal = Thick_intersection_d::internal;
+  return internal::collect_periodic_neighbors(domain, bound, np,
+                                              internal::Threads(ConcurrencyTag()), points);
 }
 
 /*!
@@ -180,8 +185,10 @@ auto periodic_fixed_radius_neighbor_lists(PointRangeA&& points_a, PointRangeB&& 
                                           const Domain& domain, const Distance_bound<NT>& bound,
                                           const NamedParameters& np = parameters::default_values())
 {
-  return Thick_intersection_d::internal::collect_periodic_neighbors<ConcurrencyTag>(
-    domain, bound, np, points_a, points_b);
+  namespace internal = Thick_intersection_d::internal;
+  return internal::collect_periodic_neighbors(domain, bound, np,
+                                              internal::Threads(ConcurrencyTag()), points_a,
+                                              points_b);
 }
 
 } // namespace CGAL

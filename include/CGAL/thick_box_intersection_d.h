@@ -11,6 +11,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/boxes/Numbered_boxes.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/box_ranges_search.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
 #include <cstddef>
@@ -112,8 +113,8 @@ bool thick_box_self_intersection_d(RandomAccessIterator begin, RandomAccessItera
   const auto boxes = internal::make_elements_of(begin, end);
   const auto no_boxes = internal::make_elements_of(end, end);
   const internal::Box_rules rules = {topology == Topology::CLOSED, true};
-  return internal::report_box_pairs<ConcurrencyTag, internal::One_set>(boxes, no_boxes, box_traits,
-                                                                       rules, callback);
+  return internal::report_box_pairs<internal::One_set>(boxes, no_boxes, box_traits, rules, callback,
+                                                       internal::Threads(ConcurrencyTag()));
 }
 
 /*!
@@ -181,8 +182,8 @@ bool thick_box_intersection_d(RandomAccessIterator1 begin1, RandomAccessIterator
   const auto boxes1 = internal::make_elements_of(begin1, end1);
   const auto boxes2 = internal::make_elements_of(begin2, end2);
   const internal::Box_rules rules = {topology == Topology::CLOSED, setting == Setting::COMPLETE};
-  return internal::report_box_pairs<ConcurrencyTag, internal::Two_sets>(boxes1, boxes2, box_traits,
-                                                                        rules, callback);
+  return internal::report_box_pairs<internal::Two_sets>(boxes1, boxes2, box_traits, rules, callback,
+                                                        internal::Threads(ConcurrencyTag()));
 }
 
 /*!

@@ -15,6 +15,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/features/Feature_boundaries.h>
 #include <CGAL/Thick_intersection_d/internal/features/feature_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 
 namespace CGAL {
 
@@ -111,8 +112,8 @@ bool thick_feature_self_intersection_d(FeatureRange&& features, Callback&& callb
                                        const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
-  return internal::search_features<ConcurrencyTag>(features, internal::Segments_intersect(),
-                                                   callback, np);
+  return internal::search_features(features, internal::Segments_intersect(), callback, np,
+                                   internal::Threads(ConcurrencyTag()));
 }
 
 /*!
@@ -144,8 +145,8 @@ bool thick_feature_intersection_d(FeatureRangeA&& features_a, FeatureRangeB&& fe
                                   const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
-  return internal::search_features<ConcurrencyTag>(
-    features_a, features_b, internal::Segments_intersect(), callback, np);
+  return internal::search_features(features_a, features_b, internal::Segments_intersect(),
+                                   callback, np, internal::Threads(ConcurrencyTag()));
 }
 
 /*!
@@ -178,8 +179,9 @@ bool fixed_radius_near_features(FeatureRange&& features, const Distance_bound<NT
                                 Callback&& callback,
                                 const NamedParameters& np = parameters::default_values())
 {
-  return Thick_intersection_d::internal::search_features<ConcurrencyTag>(features, bound, callback,
-                                                                         np);
+  namespace internal = Thick_intersection_d::internal;
+  return internal::search_features(features, bound, callback, np,
+                                   internal::Threads(ConcurrencyTag()));
 }
 
 /*!
@@ -207,8 +209,9 @@ bool fixed_radius_near_features(FeatureRangeA&& features_a, FeatureRangeB&& feat
                                 const Distance_bound<NT>& bound, Callback&& callback,
                                 const NamedParameters& np = parameters::default_values())
 {
-  return Thick_intersection_d::internal::search_features<ConcurrencyTag>(features_a, features_b,
-                                                                         bound, callback, np);
+  namespace internal = Thick_intersection_d::internal;
+  return internal::search_features(features_a, features_b, bound, callback, np,
+                                   internal::Threads(ConcurrencyTag()));
 }
 
 } // namespace CGAL

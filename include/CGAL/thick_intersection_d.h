@@ -13,6 +13,7 @@
 #include <CGAL/Thick_object_traits_d.h>
 #include <CGAL/tags.h>
 
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/objects/object_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
 
@@ -115,10 +116,11 @@ bool thick_self_intersection_d(ObjectRange&& objects, Callback&& callback,
                                const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
+  const internal::Threads threads{ConcurrencyTag()};
   const auto search = [&](const auto& elements, const auto& sets, auto& report) {
-    return internal::report_object_pairs<ConcurrencyTag>(elements, sets, report, np);
+    return internal::report_object_pairs(elements, sets, report, np, threads);
   };
-  return internal::search_ranges<ConcurrencyTag>(callback, np, search, objects);
+  return internal::search_ranges(callback, np, threads, search, objects);
 }
 
 /*!
@@ -146,10 +148,11 @@ bool thick_self_intersection_d(ObjectRange&& objects, Callback&& callback, Scene
                                const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
+  const internal::Threads threads{ConcurrencyTag()};
   const auto search = [&](const auto& elements, const auto& sets, auto& report) {
-    return internal::report_object_pairs<ConcurrencyTag>(elements, sets, report, profile, np);
+    return internal::report_object_pairs(elements, sets, report, profile, np, threads);
   };
-  return internal::search_ranges<ConcurrencyTag>(callback, np, search, objects);
+  return internal::search_ranges(callback, np, threads, search, objects);
 }
 
 /*!
@@ -191,10 +194,11 @@ bool thick_intersection_d(ObjectRangeA&& objects_a, ObjectRangeB&& objects_b,
                           const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
+  const internal::Threads threads{ConcurrencyTag()};
   const auto search = [&](const auto& elements, const auto& sets, auto& report) {
-    return internal::report_object_pairs<ConcurrencyTag>(elements, sets, report, np);
+    return internal::report_object_pairs(elements, sets, report, np, threads);
   };
-  return internal::search_ranges<ConcurrencyTag>(callback, np, search, objects_a, objects_b);
+  return internal::search_ranges(callback, np, threads, search, objects_a, objects_b);
 }
 
 /*!
@@ -216,10 +220,11 @@ bool thick_intersection_d(ObjectRangeA&& objects_a, ObjectRangeB&& objects_b, Ca
                           const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
+  const internal::Threads threads{ConcurrencyTag()};
   const auto search = [&](const auto& elements, const auto& sets, auto& report) {
-    return internal::report_object_pairs<ConcurrencyTag>(elements, sets, report, profile, np);
+    return internal::report_object_pairs(elements, sets, report, profile, np, threads);
   };
-  return internal::search_ranges<ConcurrencyTag>(callback, np, search, objects_a, objects_b);
+  return internal::search_ranges(callback, np, threads, search, objects_a, objects_b);
 }
 
 } // namespace CGAL

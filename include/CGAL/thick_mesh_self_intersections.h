@@ -11,6 +11,7 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
 
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/meshes/mesh_pairs_search.h>
 
 namespace CGAL {
@@ -100,8 +101,9 @@ thick_mesh_self_intersections(const FaceRange& face_range, const TriangleMesh& t
                               FacePairOutputIterator out,
                               const NamedParameters& np = parameters::default_values())
 {
-  return Thick_intersection_d::internal::write_mesh_pairs<ConcurrencyTag>(face_range, tmesh, out,
-                                                                          np);
+  namespace internal = Thick_intersection_d::internal;
+  return internal::write_mesh_pairs(face_range, tmesh, out, np,
+                                    internal::Threads(ConcurrencyTag()));
 }
 
 /*!

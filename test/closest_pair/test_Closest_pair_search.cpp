@@ -58,8 +58,8 @@ BOOST_AUTO_TEST_CASE(cancelled_search_looks_at_few_points_more)
     BOOST_CHECK_LE(looks - before, 4000u);
     for(const auto& bound : {zero, tiny}) {
       Progress other(cancel, points.size());
-      internal::Close_pair_search<CGAL::Sequential_tag, Counted, Progress>(counted, bound, scene,
-                                                                           other).find();
+      internal::Close_pair_search<Counted, Progress>(counted, bound, scene, other,
+                                                     internal::Threads()).find();
       BOOST_CHECK_LE(looks - before, 4000u);
     }
   }
@@ -207,9 +207,8 @@ BOOST_AUTO_TEST_CASE(equal_points_are_found_by_few_looks)
   const internal::Scene scene = scene_of(Elements_of<Point>(points));
   const internal::Squared_bound<Exact_of<Point>> zero(CGAL::within_distance(0));
   internal::Unwatched_progress progress;
-  BOOST_CHECK(!(internal::Close_pair_search<CGAL::Sequential_tag, Counted_points<Point>,
-                                            internal::Unwatched_progress>(counted, zero, scene,
-                                                                          progress).find()));
+  BOOST_CHECK(!(internal::Close_pair_search<Counted_points<Point>, internal::Unwatched_progress>(
+                  counted, zero, scene, progress, internal::Threads()).find()));
   BOOST_CHECK_LE(looks, 3 * points.size());
 }
 

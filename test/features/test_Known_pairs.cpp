@@ -5,9 +5,8 @@
 
 #include "support/point_generators.h"
 
-#include <CGAL/tags.h>
-
 #include <CGAL/Thick_intersection_d/internal/features/Known_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -23,7 +22,7 @@ using internal::Place;
 
 BOOST_AUTO_TEST_CASE(each_pair_is_added_once_in_either_order)
 {
-  internal::Known_pairs<CGAL::Sequential_tag> known;
+  internal::Known_pairs known{internal::Threads()};
   BOOST_CHECK(!known.has(0, 1));
   BOOST_CHECK(known.add(0, 1));
   BOOST_CHECK(known.has(0, 1) && known.has(1, 0) && !known.has(1, 2));
@@ -38,7 +37,7 @@ BOOST_AUTO_TEST_CASE(searches_in_full_sets_end)
   test_support::Random random(1);
   const auto below = [&](Place end) { return static_cast<Place>(random.below(end)); };
   for(int k = 0; k < 3000; ++k) {
-    internal::Known_pairs<CGAL::Sequential_tag> known;
+    internal::Known_pairs known{internal::Threads()};
     for(int count = 0; count < 8; ++count)
       known.add(below(1000), 1000 + below(1000));
     for(int count = 0; count < 10; ++count)
@@ -48,7 +47,7 @@ BOOST_AUTO_TEST_CASE(searches_in_full_sets_end)
 
 BOOST_AUTO_TEST_CASE(many_pairs)
 {
-  internal::Known_pairs<CGAL::Sequential_tag> known;
+  internal::Known_pairs known{internal::Threads()};
   std::set<std::pair<Place, Place>> expected;
   test_support::Random random(1);
   for(int k = 0; k < 20000; ++k) {

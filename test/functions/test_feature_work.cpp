@@ -7,7 +7,6 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2.h>
 #include <CGAL/Polygon_with_holes_2.h>
-#include <CGAL/tags.h>
 #include <CGAL/thick_feature_intersection_d.h>
 
 #include <boost/test/unit_test.hpp>
@@ -32,7 +31,7 @@ using Bands = std::vector<With_holes>;
 using Feature = std::variant<Polyline, Bands>;
 using Features = std::vector<Feature>;
 using Segments = internal::Feature_segments<Point>;
-using Known = internal::Known_pairs<CGAL::Sequential_tag>;
+using Known = internal::Known_pairs;
 
 double looks = 0, tests = 0;
 
@@ -60,16 +59,16 @@ struct Counted : Objects
 template <class Test>
 std::size_t count_pairs(const Segments& segments, const Test& test)
 {
-  Known known;
+  const internal::Threads one;
+  Known known(one);
   std::size_t pairs = 0;
   const auto take = [&](std::size_t, std::size_t) { ++pairs; };
   internal::Unwatched_progress progress;
-  using Boundaries = internal::Feature_boundaries<CGAL::Sequential_tag, Segments, Test>;
+  using Boundaries = internal::Feature_boundaries<Segments, Test>;
   const Counted<Boundaries> boundaries(segments, test, known);
-  const internal::Threads one;
   internal::report_meeting_boxes(boundaries, internal::One_set(), take, progress, one);
   const internal::Part_range all = {0, segments.part_count()};
-  using Insides = internal::Feature_insides<CGAL::Sequential_tag, Segments>;
+  using Insides = internal::Feature_insides<Segments>;
   const Counted<Insides> insides(segments, all, all, known);
   internal::report_meeting_boxes(insides, internal::Two_sets{insides.point_count()}, take, progress,
                                  one);

@@ -231,8 +231,8 @@ void check_closest_pairs()
         const Pair found = CGAL::closest_pair(points);
         BOOST_CHECK(found == closest[size]);
         BOOST_CHECK(found
-                    == internal::find_closest_pair_of_many<CGAL::Sequential_tag>(
-                      internal::make_elements(points, np), np));
+                    == internal::find_closest_pair_of_many(internal::make_elements(points, np), np,
+                                                           internal::Threads()));
         for(const bool is_open : {false, true}) {
           const Pairs pairs = pairs_among(is_open ? truth.open_pairs : truth.pairs, size);
           const auto close = CGAL::find_close_pair(points, is_open ? bound.open() : bound);

@@ -6,9 +6,8 @@
 #include "support/pairs.h"
 #include "support/point_generators.h"
 
-#include <CGAL/tags.h>
-
 #include <CGAL/Thick_intersection_d/internal/lists/Neighbor_collector.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -20,8 +19,7 @@ BOOST_AUTO_TEST_SUITE(Neighbor_collector)
 
 using namespace test_support;
 
-using Collector
-  = CGAL::Thick_intersection_d::internal::Neighbor_collector<CGAL::Sequential_tag>;
+namespace internal = CGAL::Thick_intersection_d::internal;
 
 // Distinct pairs; every tenth one has the first point, which so gets a long list.
 Pairs random_pairs(std::size_t size, std::size_t count, Random& random)
@@ -42,7 +40,7 @@ Pairs random_pairs(std::size_t size, std::size_t count, Random& random)
 void check_lists(std::size_t size, std::size_t count)
 {
   Random random(size);
-  Collector collect(size);
+  internal::Neighbor_collector collect(size, internal::Threads());
   Pairs both_ways;
   for(const Pair& p : random_pairs(size, count, random)) {
     collect(p.first, p.second);
@@ -76,12 +74,12 @@ BOOST_AUTO_TEST_CASE(lists_in_any_order_are_put_in_the_order_of_points)
 {
   const std::size_t size = 20000;
   Random random(7);
-  Collector collect_pairs(size);
+  internal::Neighbor_collector collect_pairs(size, internal::Threads());
   for(const Pair& p : random_pairs(size, 50000, random))
     collect_pairs(p.first, p.second);
   const CGAL::Neighbor_lists expected = collect_pairs.lists();
 
-  Collector collect_lists(size);
+  internal::Neighbor_collector collect_lists(size, internal::Threads());
   for(std::size_t i = 0; i < size; ++i) { // 7919 is prime
     const std::size_t of = i * 7919 % size;
     collect_lists.local_lists().append(static_cast<CGAL::Neighbor_lists::Position>(of),

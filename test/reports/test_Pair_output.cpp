@@ -6,8 +6,8 @@
 #include "support/pairs.h"
 
 #include <CGAL/Element_callback.h>
-#include <CGAL/tags.h>
 
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
 
 #include <boost/test/unit_test.hpp>
@@ -42,7 +42,7 @@ template <class Callback>
 decltype(auto) output_to(Callback& callback)
 {
   static_assert(internal::check_callback<Callback, Names, Squares>());
-  return internal::pair_output<false>(names, squares, callback);
+  return internal::pair_output(names, squares, callback, internal::Threads());
 }
 
 BOOST_AUTO_TEST_CASE(callback_of_positions_is_called_itself)

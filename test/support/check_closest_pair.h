@@ -66,8 +66,8 @@ private:
 template <class Elements, class Progress>
 Pair closest_of_many(const Elements& elements, const internal::Scene& scene, Progress& progress)
 {
-  return internal::Closest_pair_search<CGAL::Sequential_tag, Elements, Progress>(elements, scene, 1,
-                                                                                 progress).find();
+  return internal::Closest_pair_search<Elements, Progress>(elements, scene, 1, progress,
+                                                           internal::Threads()).find();
 }
 
 template <class ConcurrencyTag = CGAL::Sequential_tag, class Point>

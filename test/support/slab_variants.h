@@ -100,12 +100,12 @@ CGAL::Neighbor_lists slab_lists(const std::vector<Point>& points,
                                 const CGAL::Distance_bound<NT>& distance_bound,
                                 const Slab_tuning& tuning)
 {
-  using Collector = internal::Neighbor_collector<ConcurrencyTag>;
+  const internal::Threads threads{ConcurrencyTag()};
   std::optional<CGAL::Neighbor_lists> lists;
   const auto check = [&](auto number, auto& near, internal::Near_task<Dimension> task) {
-    Collector collector(points.size());
-    internal::Collector_taker<ConcurrencyTag> taker(collector);
-    task.threads = internal::Threads(ConcurrencyTag());
+    internal::Neighbor_collector collector(points.size(), threads);
+    internal::Collector_taker taker(collector);
+    task.threads = threads;
     using Slab_point = internal::Slab_point<Dimension, decltype(number)>;
     internal::List_route<Slab_point>(near, task, tuning).search(taker);
     const CGAL::Neighbor_lists found = collector.lists();
@@ -116,7 +116,7 @@ CGAL::Neighbor_lists slab_lists(const std::vector<Point>& points,
                                found[i].end()));
   };
   if(points.empty())
-    return Collector(0).lists();
+    return internal::Neighbor_collector(0, threads).lists();
   with_near_tasks<Dimension>(points, distance_bound, check);
   return *lists;
 }

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <memory>
 
 namespace tbb {
@@ -37,13 +36,6 @@ void parallel_for(const blocked_range<T>& range, const Body& body)
     body(blocked_range<T>(range.begin() + size * b / blocks,
                           range.begin() + size * (b + 1) / blocks));
   });
-}
-
-template <class... Task>
-void parallel_invoke(const Task&... task)
-{
-  const std::function<void()> tasks[] = {task...};
-  stand_in::run(sizeof...(Task), [&](std::size_t t) { tasks[t](); });
 }
 
 template <class T>

@@ -5,7 +5,8 @@
 
 #include "tbb_in_turn.h"
 
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Per_thread.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -24,6 +25,7 @@ using CGAL::Parallel_tag;
 using thick_benchmark::Cost;
 using thick_benchmark::Reading;
 
+const ti::Threads threads{Parallel_tag()};
 Reading now;
 
 void take_time(std::int64_t time) { now.nanoseconds += time; }
@@ -56,7 +58,7 @@ Cost cost_of(std::size_t processors, const Function& function)
 // What takes `time` for each of `count` indices.
 void take_time_for_each(std::size_t count, std::int64_t time)
 {
-  ti::for_each_block<Parallel_tag>(count, [&](std::size_t first, std::size_t last) {
+  threads.run_blocks(count, [&](std::size_t first, std::size_t last) {
     take_time(time * static_cast<std::int64_t>(last - first));
   });
 }
@@ -72,7 +74,7 @@ BOOST_AUTO_TEST_CASE(the_span_of_blocks_is_that_of_the_longest)
 {
   const Cost cost = cost_of(2, [] {
     take_time(1);
-    ti::for_each_numbered_block<Parallel_tag>(
+    threads.run_numbered_blocks(
       3, 300, [](std::size_t block, std::size_t first, std::size_t last) {
         BOOST_CHECK_EQUAL(last - first, 100);
         take_time(block == 1 ? 50 : 10);
@@ -94,7 +96,7 @@ BOOST_AUTO_TEST_CASE(a_range_is_divided_into_four_blocks_for_each_processor)
 BOOST_AUTO_TEST_CASE(tasks_within_tasks_are_on_the_chain)
 {
   const Cost cost = cost_of(2, [] {
-    ti::invoke_all<Parallel_tag>(
+    threads.run_all(
       [] { take_time(20); return true; },
       [] {
         take_time(3);
@@ -109,7 +111,7 @@ BOOST_AUTO_TEST_CASE(tasks_within_tasks_are_on_the_chain)
   BOOST_CHECK_EQUAL(cost.work, 20 + 3 + 40 + 4 + 48 + 1);
   BOOST_CHECK_EQUAL(cost.span, 20 + 1); // more than 3 + 5 + 4 + 6
   const Cost inner = cost_of(2, [] {
-    ti::invoke_all<Parallel_tag>([] { take_time(10); return true; },
+    threads.run_all([] { take_time(10); return true; },
                                  [] { take_time(3); take_time_for_each(8, 9); return true; },
                                  [] { return true; });
   });
@@ -121,9 +123,9 @@ BOOST_AUTO_TEST_CASE(each_processor_has_its_value)
   std::set<const int*> values;
   std::size_t count = 0;
   record_of(5, [&] {
-    ti::Per_thread<Parallel_tag, int> per_thread(0);
-    BOOST_CHECK_EQUAL(ti::block_count<Parallel_tag>(), 20);
-    ti::for_each_block<Parallel_tag>(100, [&](std::size_t, std::size_t) {
+    ti::Per_thread<int> per_thread(0, threads);
+    BOOST_CHECK_EQUAL(threads.block_count(), 20);
+    threads.run_blocks(100, [&](std::size_t, std::size_t) {
       values.insert(&per_thread.local());
       ++per_thread.local();
     });
@@ -143,8 +145,8 @@ BOOST_AUTO_TEST_CASE(tasks_within_tasks_share_the_processors_of_their_task)
     processors.insert(thick_benchmark::current_record()->processor());
   };
   record_of(6, [&] {
-    ti::for_each_block<Parallel_tag>(2, [&](std::size_t, std::size_t) {
-      ti::for_each_block<Parallel_tag>(3, take_task);
+    threads.run_blocks(2, [&](std::size_t, std::size_t) {
+      threads.run_blocks(3, take_task);
     });
   });
   const std::multiset<std::size_t> all = {0, 1, 2, 3, 4, 5};
@@ -172,7 +174,7 @@ BOOST_AUTO_TEST_CASE(each_processor_has_the_memory_of_a_task)
   const std::vector<std::int64_t> passing = {30, 100, 5};
   const Cost cost = cost_of(2, [&] {
     allocate(1000);
-    ti::for_each_block<Parallel_tag>(3, [&](std::size_t task, std::size_t) {
+    threads.run_blocks(3, [&](std::size_t task, std::size_t) {
       allocate(10 + passing[task]);
       allocate(-passing[task]);
     });

@@ -94,14 +94,14 @@ template <class Traits>
 struct Static_dimension<Traits, std::void_t<std::integral_constant<int, Traits::dimension()>>>
   : std::integral_constant<int, Traits::dimension()> {};
 
-template <class ConcurrencyTag, class First, class Second, class Callback>
+template <class First, class Second, class Callback>
 constexpr bool check_box_search()
 {
   using A = decltype(std::declval<const First&>().element(0));
   using B = decltype(std::declval<const Second&>().element(0));
   constexpr bool takes_boxes = std::is_invocable_v<Callback&, A, B>;
   static_assert(takes_boxes, "The callback must take two boxes, as the iterators give them.");
-  return check_concurrency<ConcurrencyTag>() && takes_boxes;
+  return takes_boxes;
 }
 
 // The box route is faster for more boxes.
@@ -138,11 +138,11 @@ BOOST_NOINLINE bool report_few_boxes(const Meeting& meeting, [[maybe_unused]] co
 }
 
 // Checks the boxes, and reports the pairs. Returns false iff the search was stopped.
-template <class ConcurrencyTag, class Sets, class First, class Second, class Traits, class Callback>
+template <class Sets, class First, class Second, class Traits, class Callback>
 bool report_box_pairs(const First& first, const Second& second, const Traits& traits,
-                      const Box_rules& rules, Callback& callback)
+                      const Box_rules& rules, Callback& callback, const Threads& threads)
 {
-  if constexpr(check_box_search<ConcurrencyTag, First, Second, Callback>()) {
+  if constexpr(check_box_search<First, Second, Callback>()) {
     check_denormals();
     using Boxes = Numbered_boxes<First, Second, Traits>;
     const Boxes boxes(first, second, traits);
@@ -158,7 +158,7 @@ bool report_box_pairs(const First& first, const Second& second, const Traits& tr
       if(boxes.size() <= max_few_boxes && meeting.are_exact())
         return report_few_boxes<dimension>(meeting, sets, report);
     Unwatched_progress progress;
-    return report_meeting_boxes(meeting, sets, report, progress, Threads(ConcurrencyTag()));
+    return report_meeting_boxes(meeting, sets, report, progress, threads);
   }
   else
     return false;

@@ -74,7 +74,7 @@ private:
   std::optional<Position_pair> pair_;
 };
 
-template <class ConcurrencyTag, class Elements, class Progress>
+template <class Elements, class Progress>
 class Close_pair_search
 {
   using Point = typename Elements::value_type;
@@ -84,8 +84,8 @@ class Close_pair_search
 public:
   // Takes the points of the scene.
   Close_pair_search(const Elements& points, const Squared_bound<Exact>& bound, const Scene& scene,
-                    Progress& progress)
-    : points_(points), scene_(scene),
+                    Progress& progress, const Threads& threads)
+    : points_(points), scene_(scene), threads_(threads),
       is_zero_within_(bound.holds_for(Exact(0))), is_zero_(bound.is_zero()),
       is_within_(is_within_of_scene<Point>(bound, scene)), progress_(progress)
   {}
@@ -115,7 +115,7 @@ private:
     const std::size_t few = points_.size() / first_look_divisor;
     progress_.restart(2 * (few + points_.size()));
     Element_points<Dimension, Elements, Progress> points(points_, progress_);
-    const auto task = join_task_of_scene<Dimension>(scene_, join_seed, Threads(ConcurrencyTag()));
+    const auto task = join_task_of_scene<Dimension>(scene_, join_seed, threads_);
     Close_pair_taker<Elements> taker(points_, is_within_);
     Joined joined = Joined::ALL;
     for(const std::size_t size : {few, points_.size()})
@@ -123,7 +123,7 @@ private:
         joined = join_first_points<Dimension>(points, task, size, is_within_.reach(), taker);
     if(!taker.pair() && joined == Joined::GIVEN_UP) {
       progress_.restart(points_.size());
-      search_near_pairs_of_scene<ConcurrencyTag>(points_, scene_, is_within_, taker, progress_);
+      search_near_pairs_of_scene(points_, scene_, is_within_, taker, progress_, threads_);
     }
     return taker.pair();
   }
@@ -145,8 +145,8 @@ private:
 
   Found find_in_buckets(std::size_t size) const
   {
-    return Close_pair_buckets<Elements>(points_, size, scene_, is_within_,
-                                        Threads(ConcurrencyTag())).find(progress_);
+    return Close_pair_buckets<Elements>(points_, size, scene_, is_within_, threads_)
+      .find(progress_);
   }
 
   Found test_closest_pair() const
@@ -155,8 +155,7 @@ private:
       return std::nullopt;
     Pair_minimum<Elements> minimum(points_, scene_);
     minimum.offer(0, 1);
-    divide_and_conquer(points_.size(), scene_.dimension(), Threads(ConcurrencyTag()), minimum,
-                       progress_);
+    divide_and_conquer(points_.size(), scene_.dimension(), threads_, minimum, progress_);
     const Position_pair& pair = minimum.pair();
     return is_within_(points_[pair.first], points_[pair.second]) ? Found(pair) : std::nullopt;
   }
@@ -166,6 +165,7 @@ private:
 
   const Elements& points_;
   const Scene& scene_;
+  const Threads threads_;
   const bool is_zero_within_;
   const bool is_zero_; // whether only equal points are close
   const Is_within_distance<Point> is_within_;

@@ -32,8 +32,8 @@
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Found_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Per_thread.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/near_points/Element_points.h>
 
@@ -58,14 +58,16 @@ inline constexpr bool are_joined_v
     && (dimension_or<Point>(0) == 2 || dimension_or<Point>(0) == 3);
 
 // Offers pairs that are found to a minimum. Each thread has a minimum of its own.
-template <class ConcurrencyTag, class Minimum>
+template <class Minimum>
 class Pair_offers final : public Closest_taker
 {
 public:
   // Takes pairs until there are more than `max_count`. They are as close as the minimum if
   // `are_ties`.
-  Pair_offers(Minimum& minimum, std::size_t max_count, bool are_ties = false)
-    : minimum_(minimum), minima_(minimum), max_count_(max_count), are_ties_(are_ties)
+  Pair_offers(Minimum& minimum, const Threads& threads, std::size_t max_count,
+              bool are_ties = false)
+    : minimum_(minimum), threads_(threads), minima_(minimum, threads), max_count_(max_count),
+      are_ties_(are_ties)
   {}
 
   bool take(const Found_pair* pairs, std::size_t count) override
@@ -90,7 +92,7 @@ public:
   CGAL_THICK_INTERSECTION_D_RARELY_CALLED void collect()
   {
     minima_.for_each([&](const Minimum& own) { minimum_.offer_pair_of(own); });
-    if constexpr(is_parallel_v<ConcurrencyTag>)
+    if(threads_.are_many())
       minima_.for_each([&](Minimum& own) { own.offer_pair_of(minimum_); });
   }
 
@@ -98,25 +100,27 @@ public:
 
 private:
   Minimum& minimum_;
-  Per_thread<ConcurrencyTag, Minimum> minima_;
+  const Threads threads_;
+  Per_thread<Minimum> minima_;
   std::size_t max_count_;
   bool are_ties_;
   std::atomic<std::size_t> count_ = 0;
 };
 
-template <class ConcurrencyTag, class Elements, class Progress>
+template <class Elements, class Progress>
 class Closest_pair_search
 {
   using Point = typename Elements::value_type;
   using Exact = Exact_number_t<Coordinate_t<Point>>;
   using Minimum = Pair_minimum<Elements>;
-  using Offers = Pair_offers<ConcurrencyTag, Minimum>;
+  using Offers = Pair_offers<Minimum>;
 
 public:
   // Takes the points of the scene, at least two.
   Closest_pair_search(const Elements& points, const Scene& scene, std::uint64_t seed,
-                      Progress& progress)
-    : points_(points), scene_(scene), seed_(seed), progress_(progress), minimum_(points, scene)
+                      Progress& progress, const Threads& threads)
+    : points_(points), scene_(scene), seed_(seed), progress_(progress), threads_(threads),
+      minimum_(points, scene)
   {}
 
   // Returns the closest pair. If the search is cancelled, returns the closest of the pairs that it
@@ -149,9 +153,8 @@ private:
   {
     progress_.restart(2 * points_.size() + 2 * points_.size() / 7); // a 7th are in all samples
     Element_points<Dimension, Elements, Progress> points(points_, progress_);
-    const auto task
-      = join_task_of_scene<Dimension>(scene_, seed_, Threads(ConcurrencyTag()));
-    Offers offers(minimum_, unlimited);
+    const auto task = join_task_of_scene<Dimension>(scene_, seed_, threads_);
+    Offers offers(minimum_, threads_, unlimited);
     const Joined joined = join_samples<Dimension>(points, task, offers);
     offers.collect();
     return joined;
@@ -227,10 +230,10 @@ private:
   Reported offer_reported(const Distance_bound<Exact>& bound, bool are_ties)
   {
     const std::size_t most = max_near_pairs_per_point * points_.size();
-    Offers offers(minimum_, most, are_ties);
-    search_near_pairs_of_scene<ConcurrencyTag>(
+    Offers offers(minimum_, threads_, most, are_ties);
+    search_near_pairs_of_scene(
       points_, scene_, is_within_of_scene<Point>(Squared_bound<Exact>(bound), scene_), offers,
-      progress_);
+      progress_, threads_);
     offers.collect();
     if(offers.count() > most)
       return Reported::TOO_MANY;
@@ -249,8 +252,7 @@ private:
         return;
       }
     if constexpr(!are_joined_v<Point>)
-      divide_and_conquer(points_.size(), scene_.dimension(), Threads(ConcurrencyTag()), minimum_,
-                         progress_);
+      divide_and_conquer(points_.size(), scene_.dimension(), threads_, minimum_, progress_);
   }
 
   static constexpr std::size_t unlimited = (std::numeric_limits<std::size_t>::max)();
@@ -261,6 +263,7 @@ private:
   const Scene& scene_;
   std::uint64_t seed_; // of what is drawn next
   Progress& progress_;
+  const Threads threads_;
   Minimum minimum_;
 };
 

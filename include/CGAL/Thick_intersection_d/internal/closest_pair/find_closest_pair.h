@@ -135,33 +135,33 @@ inline bool may_need_grid(const Scene_sample& sample)
 
 // Returns the scene of the points. Throws if there are too many points, if points differ in
 // dimension, or if a coordinate is not finite. Finds the grid of the scene if it may be of use.
-template <class ConcurrencyTag, class Elements>
-Scene scan_checked_points(const Elements& points)
+template <class Elements>
+Scene scan_checked_points(const Elements& points, const Threads& threads)
 {
   check_size(points.size(), max_place / 2); // crowds take slabs, as near_points_search.h does
-  return scan_points(points, "point", may_need_grid(Scene_sample(points)),
-                     Threads(ConcurrencyTag()));
+  return scan_points(points, "point", may_need_grid(Scene_sample(points)), threads);
 }
 
-template <class ConcurrencyTag, class Elements, class NamedParameters>
+template <class Elements, class NamedParameters>
 CGAL_THICK_INTERSECTION_D_RARELY_CALLED
-Position_pair find_closest_pair_of_many(const Elements& points, const NamedParameters& np)
+Position_pair find_closest_pair_of_many(const Elements& points, const NamedParameters& np,
+                                        const Threads& threads)
 {
-  const Scene scene = scan_checked_points<ConcurrencyTag>(points);
+  const Scene scene = scan_checked_points(points, threads);
   if(points.size() < 2)
     throw std::invalid_argument("There is no closest pair of fewer than two points.");
   const std::uint64_t seed = parameters::choose_parameter(
     parameters::get_parameter(np, internal_np::random_seed), seed_of_process());
   auto progress = make_progress(np, points.size());
-  Closest_pair_search<ConcurrencyTag, Elements, decltype(progress)> search(points, scene, seed,
-                                                                           progress);
+  Closest_pair_search<Elements, decltype(progress)> search(points, scene, seed, progress, threads);
   const Position_pair pair = search.find();
   progress.finish();
   return pair;
 }
 
-template <class ConcurrencyTag, class Elements, class NamedParameters>
-Position_pair find_closest_pair(const Elements& points, const NamedParameters& np)
+template <class Elements, class NamedParameters>
+Position_pair find_closest_pair(const Elements& points, const NamedParameters& np,
+                                const Threads& threads)
 {
   if constexpr(has_few_doubles<typename Elements::value_type>())
     if(Few_closest_pair<Elements>::takes(points))
@@ -170,30 +170,32 @@ Position_pair find_closest_pair(const Elements& points, const NamedParameters& n
         make_progress(np, points.size()).finish();
         return pair;
       }
-  return find_closest_pair_of_many<ConcurrencyTag>(points, np);
+  return find_closest_pair_of_many(points, np, threads);
 }
 
-template <class ConcurrencyTag, class Elements, class NT, class NamedParameters>
+template <class Elements, class NT, class NamedParameters>
 CGAL_THICK_INTERSECTION_D_RARELY_CALLED
 std::optional<Position_pair> find_pair_of_many_within(const Elements& points,
                                                       const Distance_bound<NT>& bound,
-                                                      const NamedParameters& np)
+                                                      const NamedParameters& np,
+                                                      const Threads& threads)
 {
   using Number = Coordinate_t<typename Elements::value_type>;
   const Squared_bound<Exact_number_t<Number>> squared_bound(bound);
-  const Scene scene = scan_checked_points<ConcurrencyTag>(points);
+  const Scene scene = scan_checked_points(points, threads);
   auto progress = make_progress(np, points.size());
-  const Close_pair_search<ConcurrencyTag, Elements, decltype(progress)> search(
-    points, squared_bound, scene, progress);
+  const Close_pair_search<Elements, decltype(progress)> search(points, squared_bound, scene,
+                                                               progress, threads);
   const std::optional<Position_pair> pair = search.find();
   progress.finish();
   return pair;
 }
 
-template <class ConcurrencyTag, class Elements, class NT, class NamedParameters>
+template <class Elements, class NT, class NamedParameters>
 std::optional<Position_pair> find_pair_within(const Elements& points,
                                               const Distance_bound<NT>& bound,
-                                              const NamedParameters& np)
+                                              const NamedParameters& np,
+                                              const Threads& threads)
 {
   using Point = typename Elements::value_type;
   if constexpr(has_few_doubles<Point>() && is_held_by_double_v<NT>)
@@ -204,7 +206,7 @@ std::optional<Position_pair> find_pair_within(const Elements& points,
         make_progress(np, points.size()).finish();
         return pair.first != pair.second ? std::optional<Position_pair>(pair) : std::nullopt;
       }
-  return find_pair_of_many_within<ConcurrencyTag>(points, bound, np);
+  return find_pair_of_many_within(points, bound, np, threads);
 }
 
 } // namespace internal

@@ -19,7 +19,6 @@
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/near_points/Element_points.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Is_within_distance.h>
@@ -55,16 +54,16 @@ Join_task<Dimension> join_task_of_scene(const Scene& scene, std::uint64_t seed,
 
 // Gives the pairs of points of a scene in the plane or in space that are within a distance to the
 // taker. There may be as many near ties as pairs, so coordinates are not rounded to 32 bits.
-template <class ConcurrencyTag, class Elements, class Progress>
+template <class Elements, class Progress>
 CGAL_THICK_INTERSECTION_D_RARELY_CALLED
 void search_near_pairs_of_scene(const Elements& points, const Scene& scene,
                                 const Is_within_distance<typename Elements::value_type>& is_within,
-                                Result_taker& taker, Progress& progress)
+                                Result_taker& taker, Progress& progress, const Threads& threads)
 {
   using Point = typename Elements::value_type;
   Doubles<Elements> doubles(points);
   if constexpr(!is_held_by_double_v<Coordinate_t<Point>>)
-    for_each_block<ConcurrencyTag>(points.size(), [&](std::size_t i, std::size_t last) {
+    threads.run_blocks(points.size(), [&](std::size_t i, std::size_t last) {
       for(; i != last; ++i)
         for(int axis = 0; axis < scene.dimension(); ++axis)
           doubles.set(i, axis, coordinate_bounds(points[i], axis).first);
@@ -74,7 +73,7 @@ void search_near_pairs_of_scene(const Elements& points, const Scene& scene,
     Near_task<dimension> task;
     std::copy_n(scene.box.begin(), int(dimension), task.box.begin());
     task.near = is_within.filter_of_doubles();
-    task.threads = Threads(ConcurrencyTag());
+    task.threads = threads;
     return search_near<dimension, double, may_share_slabs>(near, task, taker);
   }, [] { return false; });
 }

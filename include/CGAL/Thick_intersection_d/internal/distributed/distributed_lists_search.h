@@ -21,7 +21,6 @@
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/lists/neighbor_lists_search.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_points.h>
 #include <CGAL/Thick_intersection_d/internal/lists/Neighbor_collector.h>
 #include <CGAL/Thick_intersection_d/internal/lists/mutual_neighbors.h>
@@ -199,18 +198,18 @@ private:
 
 // Returns the lists of the points that this process has, of the first set if there are two, as
 // places. If the search was stopped here, each pair of one set is in both of its lists or in none.
-template <class ConcurrencyTag, class Carried, class Sets, class NT, class NamedParameters>
+template <class Carried, class Sets, class NT, class NamedParameters>
 Neighbor_lists
 collect_neighbors_here(const Communicator& comm,
                        const std::vector<Part_points<Carried>>& points, const Sets& sets,
-                       const Distance_bound<NT>& bound, const NamedParameters& np)
+                       const Distance_bound<NT>& bound, const NamedParameters& np,
+                       const Threads& threads)
 {
-  const Threads threads{ConcurrencyTag()};
-  std::optional<Neighbor_collector<ConcurrencyTag>> collector;
+  std::optional<Neighbor_collector> collector;
   run_together(comm, [&] {
     check_list_size(points.front().size());
     check_list_size(points.back().size());
-    collector.emplace(points.front().size());
+    collector.emplace(points.front().size(), threads);
   });
   bool is_complete = false;
   search_together(comm, np, [&](const auto& watched_np) {
@@ -231,22 +230,21 @@ collect_neighbors_here(const Communicator& comm,
   return lists;
 }
 
-template <class ConcurrencyTag, class Elements, class Sets, class NT, class NamedParameters>
+template <class Elements, class Sets, class NT, class NamedParameters>
 Distributed_neighbor_lists
 make_distributed_lists(const Communicator& comm, const Elements& elements, const Sets& sets,
                        const Distance_bound<NT>& bound, Distributed_profile& profile,
-                       const NamedParameters& np)
+                       const NamedParameters& np, const Threads& threads)
 {
   if constexpr(!check_sent_points<Elements, NamedParameters>())
     return Distributed_neighbor_lists();
   else {
-    const Threads threads{ConcurrencyTag()};
     Phase_clock clock(profile);
     Distributed_lists lists(comm, elements.first().size());
     { // then the points are given up
       const auto points = distribute_points(comm, elements, sets, bound, profile, clock, threads);
       const Neighbor_lists here
-        = collect_neighbors_here<ConcurrencyTag>(comm, points.sets(), sets, bound, np);
+        = collect_neighbors_here(comm, points.sets(), sets, bound, np, threads);
       run_together(comm, [&] { lists.pack(here, points.sets().front(), points.sets().back()); });
       clock.finish(Distributed_phase::SEARCH);
     }
@@ -259,15 +257,15 @@ make_distributed_lists(const Communicator& comm, const Elements& elements, const
 
 // Makes the lists of one range on each process, or those of the first of two ranges, with neighbors
 // in the second.
-template <class ConcurrencyTag, class NT, class NamedParameters, class... Ranges>
+template <class NT, class NamedParameters, class... Ranges>
 Distributed_neighbor_lists
 collect_distributed_neighbors(const Communicator& comm, const Distance_bound<NT>& bound,
                               Distributed_profile& profile, const NamedParameters& np,
-                              Ranges&... ranges)
+                              const Threads& threads, Ranges&... ranges)
 {
-  if constexpr((check_range<ConcurrencyTag, Ranges, NamedParameters>() && ...)) {
+  if constexpr((check_range<Ranges, NamedParameters>() && ...)) {
     const auto search = [&](const auto& elements, const auto& sets) {
-      return make_distributed_lists<ConcurrencyTag>(comm, elements, sets, bound, profile, np);
+      return make_distributed_lists(comm, elements, sets, bound, profile, np, threads);
     };
     return with_distributed_ranges(comm, np, search, ranges...);
   }

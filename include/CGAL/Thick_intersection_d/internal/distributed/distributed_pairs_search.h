@@ -16,7 +16,6 @@
 #include <CGAL/Thick_intersection_d/internal/distributed/distributed_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_points.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
@@ -63,20 +62,19 @@ bool report_own_pairs(const std::vector<Part_points<Carried>>& points, const Set
   return report_pairs_here(points, sets, bound, report, np, threads);
 }
 
-template <class ConcurrencyTag, class Elements, class Sets, class NT, class Callback,
-          class NamedParameters>
+template <class Elements, class Sets, class NT, class Callback, class NamedParameters>
 bool report_distributed_pairs(const Communicator& comm, const Elements& elements, const Sets& sets,
                               const Distance_bound<NT>& bound, Callback& callback,
-                              Distributed_profile& profile, const NamedParameters& np)
+                              Distributed_profile& profile, const NamedParameters& np,
+                              const Threads& threads)
 {
   if constexpr(!check_sent_points<Elements, NamedParameters>())
     return false;
   else if constexpr(!check_callback_of_remote_ids<Elements, Callback>())
     return false;
   else {
-    auto&& report = pair_output<is_parallel_v<ConcurrencyTag>>(elements, elements, callback);
+    auto&& report = pair_output(elements, elements, callback, threads);
     Phase_clock clock(profile);
-    const Threads threads{ConcurrencyTag()};
     const auto points = distribute_points(comm, elements, sets, bound, profile, clock, threads);
     const bool is_complete = search_together(comm, np, [&](const auto& watched_np) {
       return report_own_pairs(points.sets(), sets, bound, report, watched_np, threads);
@@ -87,15 +85,15 @@ bool report_distributed_pairs(const Communicator& comm, const Elements& elements
 }
 
 // Searches one range on each process, or two.
-template <class ConcurrencyTag, class NT, class Callback, class NamedParameters, class... Ranges>
+template <class NT, class Callback, class NamedParameters, class... Ranges>
 bool search_distributed_ranges(const Communicator& comm, const Distance_bound<NT>& bound,
                                Callback& callback, Distributed_profile& profile,
-                               const NamedParameters& np, Ranges&... ranges)
+                               const NamedParameters& np, const Threads& threads,
+                               Ranges&... ranges)
 {
-  if constexpr((check_range<ConcurrencyTag, Ranges, NamedParameters>() && ...)) {
+  if constexpr((check_range<Ranges, NamedParameters>() && ...)) {
     const auto search = [&](const auto& elements, const auto& sets) {
-      return report_distributed_pairs<ConcurrencyTag>(comm, elements, sets, bound, callback,
-                                                      profile, np);
+      return report_distributed_pairs(comm, elements, sets, bound, callback, profile, np, threads);
     };
     return with_distributed_ranges(comm, np, search, ranges...);
   }

@@ -230,10 +230,10 @@ inline void check_budget(std::size_t bytes)
                                 + " bytes is too small: take at least 4 MiB.");
 }
 
-template <class ConcurrencyTag, class Range, class Callback, class NamedParameters>
+template <class Range, class Callback, class NamedParameters>
 constexpr bool check_external_search()
 {
-  if constexpr(!check_range_of_points<ConcurrencyTag, Range, NamedParameters>())
+  if constexpr(!check_range_of_points<Range, NamedParameters>())
     return false;
   else {
     using Point = typename Elements_of<Range, NamedParameters>::value_type;
@@ -247,11 +247,11 @@ constexpr bool check_external_search()
   }
 }
 
-template <class ConcurrencyTag, class Range, class NT, class Callback, class NamedParameters>
+template <class Range, class NT, class Callback, class NamedParameters>
 bool search_externally(Range& range, const Distance_bound<NT>& bound, const Memory_budget& budget,
-                       Callback& callback, const NamedParameters& np)
+                       Callback& callback, const NamedParameters& np, const Threads& threads)
 {
-  if constexpr(check_external_search<ConcurrencyTag, Range, Callback, NamedParameters>()) {
+  if constexpr(check_external_search<Range, Callback, NamedParameters>()) {
     check_budget(budget.bytes());
     const auto go_on_always = [](double) { return true; };
     const auto& given = parameters::get_parameter(np, internal_np::callback);
@@ -260,8 +260,7 @@ bool search_externally(Range& range, const Distance_bound<NT>& bound, const Memo
     using Point = typename Elements_of<Range, NamedParameters>::value_type;
     using Search = External_search<dimension_or<Point>(0), std::remove_const_t<Range>, Map, NT,
                                    Callback, std::decay_t<decltype(go_on)>>;
-    return Search(range, element_map(range, np), bound, budget, callback, go_on,
-                  Threads(ConcurrencyTag()))
+    return Search(range, element_map(range, np), bound, budget, callback, go_on, threads)
       .run();
   }
   else

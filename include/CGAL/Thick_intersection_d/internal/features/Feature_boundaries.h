@@ -42,14 +42,13 @@ struct Segments_intersect
 };
 
 // `Test` is like Segments_intersect.
-template <class ConcurrencyTag, class Segments, class Test>
+template <class Segments, class Test>
 class Feature_boundaries : public Objects_in_boxes
 {
 public:
   static constexpr int static_dimension = vertex_dimension_v<typename Segments::Segment>;
 
-  Feature_boundaries(const Segments& segments, const Test& test,
-                     Known_pairs<ConcurrencyTag>& known)
+  Feature_boundaries(const Segments& segments, const Test& test, Known_pairs& known)
     : segments_(segments), test_(test), known_(known)
   {}
 
@@ -85,7 +84,7 @@ public:
 private:
   const Segments& segments_;
   const Test& test_;
-  Known_pairs<ConcurrencyTag>& known_;
+  Known_pairs& known_;
 };
 
 } // namespace internal

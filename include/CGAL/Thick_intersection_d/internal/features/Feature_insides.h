@@ -39,7 +39,7 @@ struct Part_range
   std::size_t last;
 };
 
-template <class ConcurrencyTag, class Segments>
+template <class Segments>
 class Feature_insides : public Objects_in_boxes
 {
 public:
@@ -47,7 +47,7 @@ public:
 
   // The vertices of some parts, and the polygons among others.
   Feature_insides(const Segments& segments, const Part_range& points, const Part_range& parts,
-                  Known_pairs<ConcurrencyTag>& known)
+                  Known_pairs& known)
     : segments_(segments), points_(points), known_(known)
   {
     for(std::size_t part = parts.first; part != parts.last; ++part)
@@ -104,7 +104,7 @@ private:
   const Segments& segments_;
   const Part_range points_;
   std::vector<std::size_t> polygons_;
-  Known_pairs<ConcurrencyTag>& known_;
+  Known_pairs& known_;
 };
 
 } // namespace internal

@@ -10,14 +10,14 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/Hash_table.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <mutex>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -70,10 +70,13 @@ private:
 };
 
 // A thread that asks locks one of several sets for a moment.
-template <class ConcurrencyTag>
 class Known_pairs
 {
 public:
+  explicit Known_pairs(const Threads& threads)
+    : are_threads_many_(threads.are_many()), sets_(threads.are_many() ? set_count : 1)
+  {}
+
   bool has(Place i, Place j) const
   {
     return in_set(i, j, [](const Hashed_numbers& numbers, std::uint64_t number) {
@@ -90,7 +93,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t set_count = is_parallel_v<ConcurrencyTag> ? 256 : 1;
+  static constexpr std::size_t set_count = 256; // for many threads
 
   struct Set
   {
@@ -103,16 +106,15 @@ private:
   bool in_set(Place i, Place j, const Function& function) const
   {
     const std::uint64_t number = std::uint64_t((std::max)(i, j)) << 32 | (std::min)(i, j);
-    Set& set = sets_[(std::size_t(i) + j) % set_count];
-    if constexpr(is_parallel_v<ConcurrencyTag>) {
-      const std::lock_guard<std::mutex> lock(set.mutex);
-      return function(set.numbers, number);
-    }
-    else
-      return function(set.numbers, number);
+    Set& set = are_threads_many_ ? sets_[(std::size_t(i) + j) % set_count] : sets_.front();
+    std::unique_lock<std::mutex> lock(set.mutex, std::defer_lock);
+    if(are_threads_many_)
+      lock.lock();
+    return function(set.numbers, number);
   }
 
-  mutable std::array<Set, set_count> sets_;
+  const bool are_threads_many_;
+  mutable std::vector<Set> sets_;
 };
 
 } // namespace internal

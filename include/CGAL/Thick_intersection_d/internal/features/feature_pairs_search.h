@@ -23,7 +23,6 @@
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/objects/near_objects_search.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
@@ -102,13 +101,14 @@ struct Feature_ranges
   std::size_t segments = 0;
 };
 
-template <class ConcurrencyTag, class Sets, class Segments, class Report, class Progress>
+template <class Sets, class Segments, class Report, class Progress>
 class Feature_search
 {
 public:
   Feature_search(const Segments& segments, const Feature_ranges& second, Report& report,
-                 Progress& progress)
-    : segments_(segments), second_(second), report_(report), progress_(progress)
+                 Progress& progress, const Threads& threads)
+    : segments_(segments), second_(second), report_(report), progress_(progress),
+      threads_(threads), known_(threads)
   {}
 
   // Reports the pairs of features whose segments pass the test, and then those of which one is
@@ -116,14 +116,14 @@ public:
   template <class Test>
   bool search(const Test& test)
   {
-    const Feature_boundaries<ConcurrencyTag, Segments, Test> boundaries(segments_, test, known_);
+    const Feature_boundaries<Segments, Test> boundaries(segments_, test, known_);
     Sets sets = {};
     if constexpr(Sets::are_two)
       sets.first_size = second_.segments;
     const auto take = [&](std::size_t i, std::size_t j) {
       return put(segments_.feature_of(i), segments_.feature_of(second_.segments + j));
     };
-    return report_meeting_boxes(boundaries, sets, take, progress_, Threads(ConcurrencyTag()))
+    return report_meeting_boxes(boundaries, sets, take, progress_, threads_)
            && (segments_.polygon_count() == 0 || !test.takes_insides() || search_insides());
   }
 
@@ -140,12 +140,12 @@ private:
   bool search_insides(const Part_range& points, const Part_range& parts)
   {
     if constexpr(Segments::dimension == 2) {
-      const Feature_insides<ConcurrencyTag, Segments> insides(segments_, points, parts, known_);
+      const Feature_insides<Segments> insides(segments_, points, parts, known_);
       const auto take = [&](std::size_t i, std::size_t j) {
         return put(insides.feature_of(i), insides.feature_of(insides.point_count() + j));
       };
       return report_meeting_boxes(insides, Two_sets{insides.point_count()}, take, progress_,
-                                  Threads(ConcurrencyTag()));
+                                  threads_);
     }
     else
       return true;
@@ -161,15 +161,16 @@ private:
   const Feature_ranges second_;
   Report& report_;
   Progress& progress_;
-  Known_pairs<ConcurrencyTag> known_;
+  const Threads threads_;
+  Known_pairs known_;
 };
 
 // Reads the features, and reports the pairs. `relation` is a bound, or the test of segments itself.
 // Returns false iff the search was stopped.
-template <class ConcurrencyTag, class Sets, class First, class Second, class Relation,
-          class Callback, class NamedParameters>
+template <class Sets, class First, class Second, class Relation, class Callback,
+          class NamedParameters>
 bool report_feature_pairs(const First& first, const Second& second, const Relation& relation,
-                          Callback& callback, const NamedParameters& np)
+                          Callback& callback, const NamedParameters& np, const Threads& threads)
 {
   check_denormals();
   using Segments = Feature_segments<Point_of_features<First>>;
@@ -182,20 +183,20 @@ bool report_feature_pairs(const First& first, const Second& second, const Relati
     segments.add_features(second);
   }
   const bool has_insides = segments.polygon_count() != 0 && test.takes_insides();
-  auto&& report = pair_output<is_parallel_v<ConcurrencyTag>>(first, second, callback);
+  auto&& report = pair_output(first, second, callback, threads);
   auto progress = make_progress(
     np, segments.size() + (has_insides ? segments.part_count() + segments.polygon_count() : 0));
   using Report = std::remove_reference_t<decltype(report)>;
-  return Feature_search<ConcurrencyTag, Sets, Segments, Report, decltype(progress)>(
-           segments, ranges, report, progress)
+  return Feature_search<Sets, Segments, Report, decltype(progress)>(segments, ranges, report,
+                                                                    progress, threads)
     .search(test);
 }
 
-template <class ConcurrencyTag, class Callback, class NamedParameters, class First, class Second>
+template <class Callback, class NamedParameters, class First, class Second>
 constexpr bool check_feature_search()
 {
-  if constexpr(check_range<ConcurrencyTag, First, NamedParameters>()
-               && check_range<ConcurrencyTag, Second, NamedParameters>()) {
+  if constexpr(check_range<First, NamedParameters>()
+               && check_range<Second, NamedParameters>()) {
     using A = Elements_of<First, NamedParameters>;
     using B = Elements_of<Second, NamedParameters>;
     if constexpr(check_features<A, B, NamedParameters>())
@@ -208,28 +209,27 @@ constexpr bool check_feature_search()
 }
 
 // Reports the pairs of features of a range.
-template <class ConcurrencyTag, class Range, class Relation, class Callback, class NamedParameters>
+template <class Range, class Relation, class Callback, class NamedParameters>
 bool search_features(Range& range, const Relation& relation, Callback& callback,
-                     const NamedParameters& np)
+                     const NamedParameters& np, const Threads& threads)
 {
-  if constexpr(check_feature_search<ConcurrencyTag, Callback, NamedParameters, Range, Range>()) {
+  if constexpr(check_feature_search<Callback, NamedParameters, Range, Range>()) {
     const auto elements = make_elements(range, np);
-    return report_feature_pairs<ConcurrencyTag, One_set>(elements, elements, relation, callback,
-                                                         np);
+    return report_feature_pairs<One_set>(elements, elements, relation, callback, np, threads);
   }
   else
     return false;
 }
 
 // The same of two ranges.
-template <class ConcurrencyTag, class First, class Second, class Relation, class Callback,
+template <class First, class Second, class Relation, class Callback,
           class NamedParameters>
 bool search_features(First& first, Second& second, const Relation& relation, Callback& callback,
-                     const NamedParameters& np)
+                     const NamedParameters& np, const Threads& threads)
 {
-  if constexpr(check_feature_search<ConcurrencyTag, Callback, NamedParameters, First, Second>())
-    return report_feature_pairs<ConcurrencyTag, Two_sets>(
-      make_elements(first, np), make_elements(second, np), relation, callback, np);
+  if constexpr(check_feature_search<Callback, NamedParameters, First, Second>())
+    return report_feature_pairs<Two_sets>(make_elements(first, np), make_elements(second, np),
+                                          relation, callback, np, threads);
   else
     return false;
 }

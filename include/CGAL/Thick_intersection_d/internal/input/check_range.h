@@ -16,7 +16,6 @@
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/input/kinds.h>
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 
 #include <type_traits>
 #include <utility>
@@ -28,17 +27,6 @@ class Distance_bound;
 
 namespace Thick_intersection_d {
 namespace internal {
-
-template <class ConcurrencyTag>
-constexpr bool check_concurrency()
-{
-  constexpr bool is_tag
-    = is_parallel_v<ConcurrencyTag> || std::is_convertible_v<ConcurrencyTag, Sequential_tag>;
-  constexpr bool is_possible = has_tbb || !is_parallel_v<ConcurrencyTag>;
-  static_assert(is_tag, "The first template argument must be Sequential_tag or Parallel_tag.");
-  static_assert(is_possible, "Parallel_tag is enabled but TBB is unavailable.");
-  return is_tag && is_possible;
-}
 
 template <class T>
 inline constexpr bool are_named_parameters_v = false;
@@ -87,12 +75,10 @@ constexpr bool check_map_of_range()
 }
 
 // `Range` is const if the range is.
-template <class ConcurrencyTag, class Range, class NamedParameters>
+template <class Range, class NamedParameters>
 constexpr bool check_range()
 {
-  if constexpr(!check_concurrency<ConcurrencyTag>())
-    return false;
-  else if constexpr(!check_named_parameters<NamedParameters>())
+  if constexpr(!check_named_parameters<NamedParameters>())
     return false;
   else if constexpr(!check_map_of_range<NamedParameters>())
     return false;
@@ -171,10 +157,10 @@ constexpr bool check_points()
     return false;
 }
 
-template <class ConcurrencyTag, class Range, class NamedParameters>
+template <class Range, class NamedParameters>
 constexpr bool check_range_of_points()
 {
-  if constexpr(!check_range<ConcurrencyTag, Range, NamedParameters>())
+  if constexpr(!check_range<Range, NamedParameters>())
     return false;
   else
     return check_points<Elements_of<Range, NamedParameters>, NamedParameters>();

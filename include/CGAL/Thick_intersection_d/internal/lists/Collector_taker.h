@@ -17,23 +17,20 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-template <class ConcurrencyTag>
 class Collector_taker final
-  : public Callback_taker<One_set, Neighbor_collector<ConcurrencyTag>, List_taker>
+  : public Callback_taker<One_set, Neighbor_collector, List_taker>
 {
 public:
-  explicit Collector_taker(Neighbor_collector<ConcurrencyTag>& collector)
-    : Callback_taker<One_set, Neighbor_collector<ConcurrencyTag>, List_taker>(One_set(), collector)
+  explicit Collector_taker(Neighbor_collector& collector)
+    : Callback_taker<One_set, Neighbor_collector, List_taker>(One_set(), collector)
   {}
 
-  List_bins& local_lists() override { return this->callback_.local_lists(); }
+  List_bins& local_lists() override { return callback_.local_lists(); }
 };
 
-template <class ConcurrencyTag>
-Collector_taker<ConcurrencyTag> taker_of(const One_set&,
-                                         Neighbor_collector<ConcurrencyTag>& collector)
+inline Collector_taker taker_of(const One_set&, Neighbor_collector& collector)
 {
-  return Collector_taker<ConcurrencyTag>(collector);
+  return Collector_taker(collector);
 }
 
 } // namespace internal

@@ -18,7 +18,8 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/sort_distinct.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/machine/huge_pages.h>
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Per_thread.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/reports/List_bins.h>
 #include <CGAL/Thick_intersection_d/internal/lists/Neighbor_bins.h>
@@ -33,15 +34,16 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-template <class ConcurrencyTag>
 class Neighbor_collector
 {
   using Position = Neighbor_lists::Position;
   using Positions = std::vector<Position>;
 
 public:
-  CGAL_THICK_INTERSECTION_D_RARELY_CALLED explicit Neighbor_collector(std::size_t size)
-    : size_(size), pairs_(Neighbor_bins(size)), lists_(List_bins(size))
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+  Neighbor_collector(std::size_t size, const Threads& threads)
+    : size_(size), threads_(threads), pairs_(Neighbor_bins(size), threads),
+      lists_(List_bins(size), threads)
   {}
 
   // Makes the point at position `j`, of another set, a neighbor of the point at position `i`.
@@ -76,7 +78,7 @@ public:
 private:
   // The bins of all threads.
   template <class Bins>
-  using All_bins = Per_thread<ConcurrencyTag, Bins>;
+  using All_bins = Per_thread<Bins>;
 
   template <class Bins>
   Neighbor_lists lists_of(All_bins<Bins>& bins, bool are_of_one_set, Neighbor_lists&& old_lists)
@@ -86,20 +88,20 @@ private:
     const std::vector<std::size_t> begins_of_bins = begins_of_all_bins(bins);
     make_room(begins, positions, begins_of_bins.back());
 
-    for_each_block<ConcurrencyTag>(bin_count<Bins>(), [&](std::size_t bin, std::size_t last) {
+    threads_.run_blocks(bin_count<Bins>(), [&](std::size_t bin, std::size_t last) {
       Buffer<Position> lists;
       for(; bin != last; ++bin) {
         const std::size_t begin = begins_of_bins[bin];
         const std::size_t end = begins_of_bins[bin + 1];
         Position* const first = lists.require(end - begin);
         make_lists(bins, bin, begin, begins, first);
-        if constexpr(is_parallel_v<ConcurrencyTag>)
+        if(threads_.are_many())
           std::copy(first, first + (end - begin), positions.data() + begin);
         else
           positions.insert(positions.end(), first, first + (end - begin));
       }
     });
-    if constexpr(is_parallel_v<ConcurrencyTag>) // to free much memory takes a while
+    if(threads_.are_many()) // to free much memory takes a while
       bins.for_each_at_once([](Bins& bins_of_thread) { bins_of_thread.clear(); });
     return Neighbor_lists(std::move(begins), std::move(positions), are_of_one_set);
   }
@@ -108,7 +110,7 @@ private:
   // do it in parallel. In sequence, lists are appended: one write less.
   CGAL_THICK_INTERSECTION_D_RARELY_CALLED
   void make_room(std::vector<std::size_t>& begins, Positions& positions,
-                                    std::size_t neighbor_count) const
+                 std::size_t neighbor_count) const
   {
     const auto clear_begins = [&] {
       begins.assign(size_ + 1, 0);
@@ -118,11 +120,11 @@ private:
       positions.clear();
       positions.reserve(neighbor_count);
       advise_huge_pages(positions.data(), neighbor_count * sizeof(Position));
-      if constexpr(is_parallel_v<ConcurrencyTag>)
+      if(threads_.are_many())
         positions.resize(neighbor_count);
       return true;
     };
-    invoke_all<ConcurrencyTag>(clear_begins, clear_positions, [] { return true; });
+    threads_.run_all(clear_begins, clear_positions, [] { return true; });
   }
 
   template <class Bins>
@@ -137,7 +139,7 @@ private:
   std::vector<std::size_t> begins_of_all_bins(All_bins<Bins>& all_bins)
   {
     std::vector<std::size_t> begins(bin_count<Bins>() + 1, 0);
-    for_each_block<ConcurrencyTag>(bin_count<Bins>(), [&](std::size_t bin, std::size_t last) {
+    threads_.run_blocks(bin_count<Bins>(), [&](std::size_t bin, std::size_t last) {
       for(; bin != last; ++bin)
         all_bins.for_each([&](const Bins& bins) { begins[bin + 1] += bins.size(bin); });
     });
@@ -178,6 +180,7 @@ private:
   }
 
   const std::size_t size_;
+  const Threads threads_;
   All_bins<Neighbor_bins> pairs_;
   All_bins<List_bins> lists_;
   std::atomic<bool> has_lists_ = false;

@@ -15,6 +15,7 @@
 #include <CGAL/Thick_intersection_d/internal/lists/Collector_taker.h>
 #include <CGAL/Thick_intersection_d/internal/lists/Neighbor_collector.h>
 #include <CGAL/Thick_intersection_d/internal/lists/mutual_neighbors.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/near_points/near_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
 
@@ -37,22 +38,22 @@ inline void check_list_size(std::size_t size)
 // Replaces `lists`, in the memory that they have, by those of numbered points. Of two sets, the
 // lists have positions in the second one, for each point of the first. Returns false iff the search
 // was stopped.
-template <class ConcurrencyTag, class Elements, class Sets, class NT, class NamedParameters>
+template <class Elements, class Sets, class NT, class NamedParameters>
 bool collect_neighbors_of(Neighbor_lists& lists, const Elements& points, const Sets& sets,
-                          const Distance_bound<NT>& bound, const NamedParameters& np)
+                          const Distance_bound<NT>& bound, const NamedParameters& np,
+                          const Threads& threads)
 {
   check_list_size(points.size());
   if constexpr(Sets::are_two) {
-    Neighbor_collector<ConcurrencyTag> collector(sets.first_size);
+    Neighbor_collector collector(sets.first_size, threads);
     const auto add = [&](std::size_t i, std::size_t j) { collector.add(i, j); };
-    const bool is_complete = report_near_pairs<ConcurrencyTag>(points, sets, bound, add, np);
+    const bool is_complete = report_near_pairs(points, sets, bound, add, np, threads);
     lists = collector.lists(false, std::move(lists));
     return is_complete;
   }
   else {
-    Neighbor_collector<ConcurrencyTag> collector(points.size());
-    const bool is_complete
-      = report_near_pairs<ConcurrencyTag>(points, sets, bound, collector, np);
+    Neighbor_collector collector(points.size(), threads);
+    const bool is_complete = report_near_pairs(points, sets, bound, collector, np, threads);
     lists = collector.lists(true, std::move(lists));
     if(!is_complete)
       lists = mutual_neighbors(lists);
@@ -61,13 +62,13 @@ bool collect_neighbors_of(Neighbor_lists& lists, const Elements& points, const S
 }
 
 // The same, for points of one range or of two.
-template <class ConcurrencyTag, class NT, class NamedParameters, class... Ranges>
+template <class NT, class NamedParameters, class... Ranges>
 bool collect_neighbors(Neighbor_lists& lists, const Distance_bound<NT>& bound,
-                       const NamedParameters& np, Ranges&... ranges)
+                       const NamedParameters& np, const Threads& threads, Ranges&... ranges)
 {
-  if constexpr((check_range<ConcurrencyTag, Ranges, NamedParameters>() && ...)) {
+  if constexpr((check_range<Ranges, NamedParameters>() && ...)) {
     const auto collect = [&](const auto& points, const auto& sets) {
-      return collect_neighbors_of<ConcurrencyTag>(lists, points, sets, bound, np);
+      return collect_neighbors_of(lists, points, sets, bound, np, threads);
     };
     return with_sets(collect, make_elements(ranges, np)...);
   }

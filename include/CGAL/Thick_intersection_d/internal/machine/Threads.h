@@ -6,17 +6,32 @@
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_MACHINE_THREADS_H
 
 // Threads that share the blocks of a task, as data. What takes them at run time is the same code
-// with oneTBB and without: only the program that makes them needs oneTBB.
-
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+// with oneTBB and without: only the program that makes them needs oneTBB. Only this file knows it.
 
 #include <CGAL/tags.h>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#endif
+
 #include <cstddef>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <type_traits>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
+
+#ifdef CGAL_LINKED_WITH_TBB
+inline constexpr bool has_tbb = true;
+#else
+inline constexpr bool has_tbb = false;
+#endif
 
 // A function of a block of indices. Does not own the function.
 class Block_task
@@ -37,6 +52,70 @@ private:
   void (*call_)(const void*, std::size_t, std::size_t);
 };
 
+// A pointer for each thread that asks for its own. It is null at first.
+class Thread_pointers
+{
+public:
+  virtual ~Thread_pointers() = default;
+  virtual void*& own() = 0;
+};
+
+// What Threads do if there is one thread.
+struct One_thread
+{
+  static constexpr bool are_many = false;
+  static std::size_t block_count() { return 1; }
+  static void run(std::size_t count, const Block_task& task) { task(0, count); }
+  static std::unique_ptr<Thread_pointers> make_pointers() { return nullptr; }
+};
+
+#ifdef CGAL_LINKED_WITH_TBB
+// What Threads do if oneTBB has the threads.
+struct Threads_of_tbb
+{
+  static constexpr bool are_many = true;
+
+  static std::size_t block_count()
+  {
+    return 4 * static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+  }
+
+  static void run(std::size_t count, const Block_task& task)
+  {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count), [&](const auto& block) {
+      task(block.begin(), block.end());
+    });
+  }
+
+  static std::unique_ptr<Thread_pointers> make_pointers()
+  {
+    class Pointers : public Thread_pointers
+    {
+    public:
+      void*& own() override { return pointers_.local(); }
+
+    private:
+      tbb::enumerable_thread_specific<void*, tbb::cache_aligned_allocator<void*>,
+                                      tbb::ets_key_per_instance> pointers_{nullptr};
+    };
+    return std::make_unique<Pointers>();
+  }
+};
+#else
+struct Threads_of_tbb;
+#endif
+
+// Whether a tag asks for many threads. Explains to the compiler's user what is no tag.
+template <class ConcurrencyTag>
+constexpr bool is_parallel()
+{
+  constexpr bool are_many = std::is_convertible_v<ConcurrencyTag, Parallel_tag>;
+  static_assert(are_many || std::is_convertible_v<ConcurrencyTag, Sequential_tag>,
+                "The first template argument must be Sequential_tag or Parallel_tag.");
+  static_assert(has_tbb || !are_many, "Parallel_tag is enabled but TBB is unavailable.");
+  return has_tbb && are_many;
+}
+
 class Threads
 {
 public:
@@ -44,18 +123,26 @@ public:
   Threads() : Threads(Sequential_tag()) {}
 
   // Those of a tag.
-  template <class ConcurrencyTag>
+  template <class ConcurrencyTag,
+            class Kind
+            = std::conditional_t<is_parallel<ConcurrencyTag>(), Threads_of_tbb, One_thread>>
   explicit Threads(ConcurrencyTag)
-    : block_count_(&internal::block_count<ConcurrencyTag>), run_(&run<ConcurrencyTag>),
-      are_many_(is_parallel_v<ConcurrencyTag>)
+    : block_count_(&Kind::block_count), run_(&Kind::run), make_pointers_(&Kind::make_pointers),
+      are_many_(Kind::are_many)
   {}
 
   bool are_many() const { return are_many_; }
 
-  // As block_count() of parallel.h.
+  // Returns the number of blocks to divide elements into, when each block costs some work of its
+  // own. So there are few blocks, but more than one per thread: then the threads finish at about
+  // the same time.
   std::size_t block_count() const { return block_count_(); }
 
-  // Calls task(first, last) on blocks that cover the indices [0, count).
+  // Returns nothing if there is one thread.
+  std::unique_ptr<Thread_pointers> make_pointers() const { return make_pointers_(); }
+
+  // Calls task(first, last) on blocks that cover the indices [0, count): one block in sequence,
+  // several blocks at the same time in parallel.
   template <class Task>
   void run_blocks(std::size_t count, const Task& task) const
   {
@@ -85,15 +172,37 @@ public:
     return go_on[0] && go_on[1] && go_on[2];
   }
 
-private:
-  template <class ConcurrencyTag>
-  static void run(std::size_t count, const Block_task& task)
+  // Calls check(index) for each index in [0, count). If checks throw, what the check of the least
+  // index throws passes through, in parallel as well.
+  template <class Check>
+  void check_each(std::size_t count, const Check& check) const
   {
-    internal::for_each_block<ConcurrencyTag>(count, task);
+    std::mutex mutex;
+    std::size_t least = count; // of the indices whose check has thrown
+    std::exception_ptr error;
+    run_blocks(count, [&](std::size_t index, std::size_t last) {
+      try {
+        for(; index != last; ++index)
+          check(index);
+      }
+      catch(...) {
+        if(!are_many_)
+          throw;
+        const std::lock_guard<std::mutex> lock(mutex);
+        if(index < least) {
+          least = index;
+          error = std::current_exception();
+        }
+      }
+    });
+    if(error)
+      std::rethrow_exception(error);
   }
 
+private:
   std::size_t (*block_count_)();
   void (*run_)(std::size_t, const Block_task&);
+  std::unique_ptr<Thread_pointers> (*make_pointers_)();
   bool are_many_;
 };
 

@@ -198,9 +198,9 @@ constexpr bool check_mesh_parameters()
 
 // Writes the pairs of faces that intersect. Degenerate faces come first, each as a pair with
 // itself. Returns the iterator behind the last pair.
-template <class ConcurrencyTag, class FaceRange, class Mesh, class Iterator, class NamedParameters>
+template <class FaceRange, class Mesh, class Iterator, class NamedParameters>
 Iterator write_mesh_pairs(const FaceRange& face_range, const Mesh& mesh, Iterator out,
-                          const NamedParameters& np)
+                          const NamedParameters& np, const Threads& threads)
 {
   using Point_map = typename GetVertexPointMap<Mesh, NamedParameters>::const_type;
   using Point = typename boost::property_traits<Point_map>::value_type;
@@ -229,7 +229,7 @@ Iterator write_mesh_pairs(const FaceRange& face_range, const Mesh& mesh, Iterato
         return write(triangles[i].face, triangles[j].face);
       };
       auto progress = make_progress(np, triangles.size());
-      report_meeting_boxes(triangles, One_set(), write_faces, progress, Threads(ConcurrencyTag()));
+      report_meeting_boxes(triangles, One_set(), write_faces, progress, threads);
     }
     return out;
   }

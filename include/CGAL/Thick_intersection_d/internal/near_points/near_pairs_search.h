@@ -26,7 +26,7 @@ struct Near_pairs_of
   static_assert(IsPoint, "For objects that are no points, and for traits of one's own, include "
                          "<CGAL/fixed_radius_near_neighbors.h>.");
 
-  template <class ConcurrencyTag, class... Arguments>
+  template <class... Arguments>
   static bool report(const Arguments&...)
   {
     return false; // after one error, and not a second one
@@ -37,22 +37,21 @@ template <class Point>
 struct Near_pairs_of<Point, true>
 {
   // Reports the near pairs. Returns false iff the search was stopped.
-  template <class ConcurrencyTag, class Elements, class Sets, class NT, class Callback,
-            class NamedParameters>
+  template <class Elements, class Sets, class NT, class Callback, class NamedParameters>
   static bool report(const Elements& points, const Sets& sets, const Distance_bound<NT>& bound,
-                     Callback& callback, const NamedParameters& np)
+                     Callback& callback, const NamedParameters& np, const Threads& threads)
   {
-    return report_pairs_of_points(points, sets, bound, callback, np, Threads(ConcurrencyTag()));
+    return report_pairs_of_points(points, sets, bound, callback, np, threads);
   }
 
   // The same. Takes the tier that is forced in `profile`, and sets `profile` to the profile of the
   // scene.
-  template <class ConcurrencyTag, class Elements, class Sets, class NT, class Callback,
-            class NamedParameters>
+  template <class Elements, class Sets, class NT, class Callback, class NamedParameters>
   static bool report(const Elements& points, const Sets& sets, const Distance_bound<NT>& bound,
-                     Callback& callback, Scene_profile& profile, const NamedParameters& np)
+                     Callback& callback, Scene_profile& profile, const NamedParameters& np,
+                     const Threads& threads)
   {
-    Near_pairs_search<Elements> search(points, bound, true, Threads(ConcurrencyTag()));
+    Near_pairs_search<Elements> search(points, bound, true, threads);
     return search.report_profiled(sets, callback, np, &profile);
   }
 };
@@ -63,22 +62,21 @@ using Near_pairs_of_t
                   Is_point<typename Elements::value_type>::value
                     && !has_traits_v<typename Elements::value_type, NamedParameters>>;
 
-template <class ConcurrencyTag, class Elements, class Sets, class NT, class Callback,
-          class NamedParameters>
+template <class Elements, class Sets, class NT, class Callback, class NamedParameters>
 bool report_near_pairs(const Elements& elements, const Sets& sets, const Distance_bound<NT>& bound,
-                       Callback& callback, const NamedParameters& np)
+                       Callback& callback, const NamedParameters& np, const Threads& threads)
 {
-  return Near_pairs_of_t<Elements, NamedParameters>::template report<ConcurrencyTag>(
-    elements, sets, bound, callback, np);
+  return Near_pairs_of_t<Elements, NamedParameters>::report(elements, sets, bound, callback, np,
+                                                            threads);
 }
 
-template <class ConcurrencyTag, class Elements, class Sets, class NT, class Callback,
-          class NamedParameters>
+template <class Elements, class Sets, class NT, class Callback, class NamedParameters>
 bool report_near_pairs(const Elements& elements, const Sets& sets, const Distance_bound<NT>& bound,
-                       Callback& callback, Scene_profile& profile, const NamedParameters& np)
+                       Callback& callback, Scene_profile& profile, const NamedParameters& np,
+                       const Threads& threads)
 {
-  return Near_pairs_of_t<Elements, NamedParameters>::template report<ConcurrencyTag>(
-    elements, sets, bound, callback, profile, np);
+  return Near_pairs_of_t<Elements, NamedParameters>::report(elements, sets, bound, callback,
+                                                            profile, np, threads);
 }
 
 } // namespace internal

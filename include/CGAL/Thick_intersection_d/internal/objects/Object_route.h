@@ -14,7 +14,6 @@
 #include <CGAL/Thick_intersection_d/internal/boxes/box_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/kinds.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/objects/segment_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/recursion/Recursive_route.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
@@ -126,13 +125,12 @@ public:
   }
 
   // Returns whether all intervals are finite. Throws if an interval is empty or NaN.
-  template <class ConcurrencyTag>
-  bool are_finite() const
+  bool are_finite(const Threads& threads) const
   {
     if constexpr(Has_boxes<Traits>::value)
       return true;
     std::atomic<bool> are_finite = true;
-    check_each<ConcurrencyTag>(size(), [&](std::size_t position) {
+    threads.check_each(size(), [&](std::size_t position) {
       if(!is_finite(position))
         are_finite.store(false, std::memory_order_relaxed);
     });
@@ -180,11 +178,11 @@ struct Has_any_check<Traits, One_of_two<A, B>>
 
 // Checks each object with the traits, if they have check() for its type, as the traits of the
 // package do. Other traits have to check their objects themselves.
-template <class ConcurrencyTag, class Elements, class Traits>
-void check_objects(const Elements& objects, const Traits& traits)
+template <class Elements, class Traits>
+void check_objects(const Elements& objects, const Traits& traits, const Threads& threads)
 {
   if constexpr(Has_any_check<Traits, typename Elements::value_type>::value)
-    check_each<ConcurrencyTag>(objects.size(), [&](std::size_t position) {
+    threads.check_each(objects.size(), [&](std::size_t position) {
       of_range(objects[position], [&]([[maybe_unused]] const auto& object) {
         if constexpr(Has_check<Traits, std::decay_t<decltype(object)>>::value)
           traits.check(object, position);
@@ -195,18 +193,16 @@ void check_objects(const Elements& objects, const Traits& traits)
 // Reports the pairs by the route that the traits allow. Boxes of finite doubles are for the box
 // route. Objects beyond the range of doubles have boxes that all meet there, so they take the
 // recursive route, if the traits have its predicates.
-template <class ConcurrencyTag, class Elements, class Sets, class Traits, class Callback,
-          class NamedParameters>
+template <class Elements, class Sets, class Traits, class Callback, class NamedParameters>
 bool report_objects(const Elements& objects, const Sets& sets, const Traits& traits,
-                    Callback& callback, const NamedParameters& np)
+                    Callback& callback, const NamedParameters& np, const Threads& threads)
 {
   auto progress = make_progress(np, objects.size());
   constexpr bool may_recurse = Has_close_predicate<Traits>::value && !Has_boxes<Traits>::value;
   if constexpr(Has_intervals<Traits>::value) {
     const Traits_boxes<Elements, Traits> boxes(objects, traits);
-    const bool are_finite = boxes.template are_finite<ConcurrencyTag>();
+    const bool are_finite = boxes.are_finite(threads);
     if(are_finite || !may_recurse) {
-      const Threads threads = Threads(ConcurrencyTag());
       if constexpr(Sets::are_two && Has_boxes<Traits>::value
                    && Has_segments<typename Elements::value_type>::value
                    && !has_own_tests_v<typename Elements::value_type>)
@@ -216,8 +212,7 @@ bool report_objects(const Elements& objects, const Sets& sets, const Traits& tra
     }
   }
   if constexpr(may_recurse)
-    return search_recursively(objects, sets, traits, callback, progress,
-                              Threads(ConcurrencyTag()));
+    return search_recursively(objects, sets, traits, callback, progress, threads);
   else
     return true;
 }
@@ -226,13 +221,12 @@ bool report_objects(const Elements& objects, const Sets& sets, const Traits& tra
 template <class Traits>
 struct Object_route
 {
-  template <class ConcurrencyTag, class Elements, class Sets, class Callback,
-            class NamedParameters>
+  template <class Elements, class Sets, class Callback, class NamedParameters>
   static bool report(const Elements& objects, const Sets& sets, const Traits& traits,
-                     Callback& callback, const NamedParameters& np)
+                     Callback& callback, const NamedParameters& np, const Threads& threads)
   {
-    check_objects<ConcurrencyTag>(objects, traits);
-    return report_objects<ConcurrencyTag>(objects, sets, traits, callback, np);
+    check_objects(objects, traits, threads);
+    return report_objects(objects, sets, traits, callback, np, threads);
   }
 };
 

@@ -39,19 +39,19 @@ struct Box_filter_of_traits<Thick_ball_traits_d<Point>>
 template <class Point>
 struct Object_route<Thick_ball_traits_d<Point>>
 {
-  template <class ConcurrencyTag, class Balls, class Sets, class Callback, class NamedParameters>
+  template <class Balls, class Sets, class Callback, class NamedParameters>
   static bool report(const Balls& balls, const Sets& sets,
                      const Thick_ball_traits_d<Point>& traits, Callback& callback,
-                     const NamedParameters& np)
+                     const NamedParameters& np, const Threads& threads)
   {
-    check_objects<ConcurrencyTag>(balls, traits);
+    check_objects(balls, traits, threads);
     const auto radius = common_radius(balls);
     if(!radius)
-      return report_objects<ConcurrencyTag>(balls, sets, traits, callback, np);
+      return report_objects(balls, sets, traits, callback, np, threads);
     using Exact = Exact_number_t<std::decay_t<decltype(*radius)>>;
     const Exact diameter(Exact(2) * to_exact_number(*radius));
     return report_pairs_of_points(Ball_centers<Balls>(balls), sets, within_distance(diameter),
-                                  callback, np, Threads(ConcurrencyTag()));
+                                  callback, np, threads);
   }
 };
 

@@ -23,7 +23,6 @@
 #include <CGAL/Thick_intersection_d/internal/input/kinds.h>
 #include <CGAL/Thick_intersection_d/internal/input/scan_objects.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/near_points/near_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/objects/Object_route.h>
 #include <CGAL/Thick_intersection_d/internal/objects/segment_pairs_search.h>
@@ -200,22 +199,20 @@ constexpr bool check_profiled_near_objects()
 }
 
 // Checks the objects, and makes their lazy coordinates final.
-template <class ConcurrencyTag, class Elements>
-void check_near_kinds(const Elements& objects)
+template <class Elements>
+void check_near_kinds(const Elements& objects, const Threads& threads)
 {
   check_denormals();
-  check_each<ConcurrencyTag>(objects.size(), [&](std::size_t position) {
+  threads.check_each(objects.size(), [&](std::size_t position) {
     settle(objects[position]);
     check_object(objects[position], position);
   });
 }
 
-template <class ConcurrencyTag, class Elements, class Sets, class Test, class Callback,
-          class NamedParameters>
+template <class Elements, class Sets, class Test, class Callback, class NamedParameters>
 bool report_near_boxes(const Elements& objects, const Sets& sets, const Test& test,
-                       Callback& callback, const NamedParameters& np)
+                       Callback& callback, const NamedParameters& np, const Threads& threads)
 {
-  const Threads threads = Threads(ConcurrencyTag());
   auto progress = make_progress(np, objects.size());
   const Near_object_boxes<Test::static_dimension, Elements, Test> boxes(objects, test);
   if constexpr(Sets::are_two && Test::are_kinds_known
@@ -229,10 +226,9 @@ template <class Object>
 struct Near_pairs_of<Object, false>
 {
   // Reports the near pairs of objects. Returns false iff the search was stopped.
-  template <class ConcurrencyTag, class Elements, class Sets, class NT, class Callback,
-            class NamedParameters>
+  template <class Elements, class Sets, class NT, class Callback, class NamedParameters>
   static bool report(const Elements& objects, const Sets& sets, const Distance_bound<NT>& bound,
-                       Callback& callback, const NamedParameters& np)
+                     Callback& callback, const NamedParameters& np, const Threads& threads)
   {
     if constexpr(!check_near_objects<Object, NT, NamedParameters>())
       return false;
@@ -240,28 +236,28 @@ struct Near_pairs_of<Object, false>
       const auto& traits = parameters::get_parameter_reference(np, internal_np::geom_traits);
       const Are_near_by_traits<Object, Given_traits<NamedParameters>, NT> test(traits, bound);
       check_denormals();
-      check_objects<ConcurrencyTag>(objects, traits);
-      return report_near_boxes<ConcurrencyTag>(objects, sets, test, callback, np);
+      check_objects(objects, traits, threads);
+      return report_near_boxes(objects, sets, test, callback, np, threads);
     }
     else {
       const Are_objects_near<Object> test(bound, Arithmetic_tier::INT64, nullptr);
-      check_near_kinds<ConcurrencyTag>(objects);
-      return report_near_boxes<ConcurrencyTag>(objects, sets, test, callback, np);
+      check_near_kinds(objects, threads);
+      return report_near_boxes(objects, sets, test, callback, np, threads);
     }
   }
 
   // The same, with the tier that is forced in `profile`. Sets `profile` to the profile of the
   // scene.
-  template <class ConcurrencyTag, class Elements, class Sets, class NT, class Callback,
-            class NamedParameters>
+  template <class Elements, class Sets, class NT, class Callback, class NamedParameters>
   static bool report(const Elements& objects, const Sets& sets, const Distance_bound<NT>& bound,
-                       Callback& callback, Scene_profile& profile, const NamedParameters& np)
+                     Callback& callback, Scene_profile& profile, const NamedParameters& np,
+                     const Threads& threads)
   {
     if constexpr(!check_profiled_near_objects<Object, NamedParameters>())
       return false;
     else {
       Shared_decision_counts counts;
-      check_near_kinds<ConcurrencyTag>(objects);
+      check_near_kinds(objects, threads);
       const double reach = Squared_bound<Common_exact_number_t<Object>>(bound).reach();
       Scene_profile found(scan_near_objects(objects, bounds(bound.value()), reach),
                           degree_of<Distance_degree, Object>());
@@ -269,7 +265,7 @@ struct Near_pairs_of<Object, false>
         found.force_tier(*forced);
       const Are_objects_near<Object> test(
         bound, found.forced_tier().value_or(Arithmetic_tier::INT64), &counts);
-      const bool is_complete = report_near_boxes<ConcurrencyTag>(objects, sets, test, callback, np);
+      const bool is_complete = report_near_boxes(objects, sets, test, callback, np, threads);
       found.set_counts(counts.total());
       profile = found;
       return is_complete;

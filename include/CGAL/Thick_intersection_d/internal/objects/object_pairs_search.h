@@ -24,6 +24,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/input/kinds.h>
 #include <CGAL/Thick_intersection_d/internal/input/scan_objects.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/objects/Object_route.h>
 #include <CGAL/Thick_intersection_d/internal/objects/Two_type_traits.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
@@ -234,16 +235,16 @@ decltype(auto) object_traits([[maybe_unused]] const NamedParameters& np)
 }
 
 // Checks the objects, and reports the pairs. Returns false iff the search was stopped.
-template <class ConcurrencyTag, class Elements, class Sets, class Callback, class NamedParameters>
+template <class Elements, class Sets, class Callback, class NamedParameters>
 bool report_object_pairs(const Elements& objects, const Sets& sets, Callback& callback,
-                         const NamedParameters& np)
+                         const NamedParameters& np, const Threads& threads)
 {
   using Object = typename Elements::value_type;
   if constexpr(check_objects_and_traits<Object, NamedParameters>()) {
     check_denormals();
     const auto& traits = object_traits<Object>(np);
     using Route = Object_route<std::decay_t<decltype(traits)>>;
-    return Route::template report<ConcurrencyTag>(objects, sets, traits, callback, np);
+    return Route::report(objects, sets, traits, callback, np, threads);
   }
   else
     return false;
@@ -258,15 +259,15 @@ inline Arithmetic_tier least_tier_of(const Scene_profile& profile)
 }
 
 // The same, with the tier that is forced in `profile`. Sets `profile` to the profile of the scene.
-template <class ConcurrencyTag, class Elements, class Sets, class Callback, class NamedParameters>
+template <class Elements, class Sets, class Callback, class NamedParameters>
 bool report_object_pairs(const Elements& objects, const Sets& sets, Callback& callback,
-                         Scene_profile& profile, const NamedParameters& np)
+                         Scene_profile& profile, const NamedParameters& np, const Threads& threads)
 {
   using Object = typename Elements::value_type;
   if constexpr(check_profiled_objects<Object, NamedParameters>()) {
     check_denormals();
     Thick_object_traits_d<Object> traits;
-    check_objects<ConcurrencyTag>(objects, traits);
+    check_objects(objects, traits, threads);
     Object_scene scene = scan_objects(objects);
     scene.has_distances = Kinds<Object>::template is_any<Is_ball>;
     Scene_profile found(scene, degree_of<Intersection_degree, Object>());
@@ -274,7 +275,7 @@ bool report_object_pairs(const Elements& objects, const Sets& sets, Callback& ca
       found.force_tier(*forced);
     Shared_decision_counts counts;
     traits.decide_by(least_tier_of(found), counts);
-    const bool is_complete = report_objects<ConcurrencyTag>(objects, sets, traits, callback, np);
+    const bool is_complete = report_objects(objects, sets, traits, callback, np, threads);
     found.set_counts(counts.total());
     profile = found;
     return is_complete;

@@ -12,8 +12,8 @@
 #include <CGAL/Distance_bound.h>
 
 #include <CGAL/Thick_intersection_d/internal/closest_pair/find_closest_pair.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Per_thread.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/periodic_search.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/periodic_sets.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
@@ -31,7 +31,7 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-template <class ConcurrencyTag, class Elements, class Domain>
+template <class Elements, class Domain>
 class Periodic_closest_pair_search
 {
   template <class NT>
@@ -43,9 +43,10 @@ public:
   using Pair = std::tuple<std::size_t, std::size_t, Offsets>;
 
   // Checks the domain and the points.
-  Periodic_closest_pair_search(const Elements& points, const Domain& domain)
-    : points_(points), domain_(domain), homes_(points, One_set(), domain, at_zero_, false,
-                                                Threads(ConcurrencyTag()))
+  Periodic_closest_pair_search(const Elements& points, const Domain& domain,
+                               const Threads& threads)
+    : points_(points), domain_(domain), threads_(threads),
+      homes_(points, One_set(), domain, at_zero_, false, threads)
   {}
 
   // Returns the closest pair. If the search is cancelled, returns the closest of those that it has
@@ -119,7 +120,7 @@ private:
     else
       scene.with_homes([&](const auto& homes) {
         const auto [i, j]
-          = find_closest_pair<ConcurrencyTag>(homes, scene.parameters_of_homes(np));
+          = find_closest_pair(homes, scene.parameters_of_homes(np), threads_);
         const Pair pair(i, j, scene.offset_of_homes(i, j));
         minimum.offer(pair, square_of(pair));
       });
@@ -131,27 +132,29 @@ private:
   void offer_reported(const Distance_bound<NT>& bound, Minimum& minimum, const NamedParameters& np,
                       const Offer& offer) const
   {
-    Per_thread<ConcurrencyTag, Minimum> minima(minimum);
+    Per_thread<Minimum> minima(minimum, threads_);
     const auto report = [&](std::size_t i, std::size_t j, const Offsets& offset) {
       offer(minima.local(), Pair(i, j, offset));
     };
-    Search<NT>(points_, One_set(), domain_, bound, false, Threads(ConcurrencyTag()))
+    Search<NT>(points_, One_set(), domain_, bound, false, threads_)
       .report(report, np, nullptr);
     minima.for_each([&](const Minimum& own) { minimum.offer(*own.pair, own.square); });
   }
 
   const Elements& points_;
   const Domain& domain_;
+  const Threads threads_;
   const Distance_bound<double> at_zero_ = within_distance(0.);
   Search<double> homes_;
 };
 
-template <class ConcurrencyTag, class Domain, class NamedParameters, class Range>
-auto find_periodic_closest_pair(const Domain& domain, const NamedParameters& np, Range& range)
+template <class Domain, class NamedParameters, class Range>
+auto find_periodic_closest_pair(const Domain& domain, const NamedParameters& np,
+                                const Threads& threads, Range& range)
 {
-  return with_periodic_sets<ConcurrencyTag, Domain>(np, [&](const auto& points, const One_set&) {
+  return with_periodic_sets<Domain>(np, [&](const auto& points, const One_set&) {
     using Elements = std::decay_t<decltype(points)>;
-    return Periodic_closest_pair_search<ConcurrencyTag, Elements, Domain>(points, domain).find(np);
+    return Periodic_closest_pair_search<Elements, Domain>(points, domain, threads).find(np);
   }, range);
 }
 

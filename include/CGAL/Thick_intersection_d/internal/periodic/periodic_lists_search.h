@@ -12,8 +12,8 @@
 #include <CGAL/Periodic_neighbor_lists.h>
 
 #include <CGAL/Thick_intersection_d/internal/lists/neighbor_lists_search.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Per_thread.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Periods.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/periodic_search.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/periodic_sets.h>
@@ -137,15 +137,15 @@ void add_neighbors(std::size_t i, std::size_t j, const Offset<Dimension>& offset
 }
 
 // The pairs that no offset between homes moves are most of all, and make lists as without periods.
-template <class ConcurrencyTag, class Domain, class NT, class NamedParameters, class... Ranges>
+template <class Domain, class NT, class NamedParameters, class... Ranges>
 auto collect_periodic_neighbors(const Domain& domain, const Distance_bound<NT>& bound,
-                                const NamedParameters& np, Ranges&... ranges)
+                                const NamedParameters& np, const Threads& threads,
+                                Ranges&... ranges)
 {
   const auto collect = [&](const auto& elements, const auto& sets) {
     constexpr int dimension = domain_dimension_v<Domain>;
     using Neighbor = Image_neighbor<dimension>;
     using Sets = std::decay_t<decltype(sets)>;
-    const Threads threads{ConcurrencyTag()};
     Periodic_search<std::decay_t<decltype(elements)>, Sets, Domain, NT>
       search(elements, sets, domain, bound, false, threads);
 
@@ -155,11 +155,11 @@ auto collect_periodic_neighbors(const Domain& domain, const Distance_bound<NT>& 
     bool is_complete = scene.find_images(np);
     if(is_complete)
       scene.with_homes([&](const auto& homes) {
-        is_complete = collect_neighbors_of<ConcurrencyTag>(of_homes, homes, sets, bound,
-                                                           scene.parameters_of_homes(np));
+        is_complete = collect_neighbors_of(of_homes, homes, sets, bound,
+                                           scene.parameters_of_homes(np), threads);
       });
 
-    Per_thread<ConcurrencyTag, std::vector<Neighbor>> parts{std::vector<Neighbor>()};
+    Per_thread<std::vector<Neighbor>> parts(std::vector<Neighbor>(), threads);
     const auto add = [&](std::size_t i, std::size_t j, const Offset<dimension>& offset) {
       add_neighbors<Sets, dimension>(i, j, offset, parts.local());
     };
@@ -171,7 +171,7 @@ auto collect_periodic_neighbors(const Domain& domain, const Distance_bound<NT>& 
         return scene.offset_of_homes(i, scene.first_of_second() + j);
       }, threads);
   };
-  return with_periodic_sets<ConcurrencyTag, Domain>(np, collect, ranges...);
+  return with_periodic_sets<Domain>(np, collect, ranges...);
 }
 
 } // namespace internal

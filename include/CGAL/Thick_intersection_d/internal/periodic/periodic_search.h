@@ -15,7 +15,6 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 #include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/near_points/near_points_search.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Images.h>
@@ -203,27 +202,26 @@ private:
   Periodic_scene scene_;
 };
 
-template <class ConcurrencyTag, class Domain, class NT, class Callback, class NamedParameters,
-          class... Ranges>
+template <class Domain, class NT, class Callback, class NamedParameters, class... Ranges>
 bool report_periodic_pairs(const Domain& domain, const Distance_bound<NT>& bound,
                            Callback& callback, Scene_profile* profile, const NamedParameters& np,
-                           Ranges&... ranges)
+                           const Threads& threads, Ranges&... ranges)
 {
   const auto search_sets = [&](const auto& elements, const auto& sets) {
     Periodic_search<std::decay_t<decltype(elements)>, std::decay_t<decltype(sets)>, Domain, NT>
-      search(elements, sets, domain, bound, profile != nullptr, Threads(ConcurrencyTag()));
+      search(elements, sets, domain, bound, profile != nullptr, threads);
     using First = std::decay_t<decltype(elements.first())>;
     using Second = std::decay_t<decltype(elements.second())>;
     using Offsets = Offset<domain_dimension_v<Domain>>;
     if constexpr(check_callback<Callback, First, Second, Offsets>()) {
-      auto&& report = pair_output<is_parallel_v<ConcurrencyTag>, Offsets>(
-        elements.first(), elements.second(), callback);
+      auto&& report
+        = pair_output<Offsets>(elements.first(), elements.second(), callback, threads);
       return search.report(report, np, profile);
     }
     else
       return false;
   };
-  return with_periodic_sets<ConcurrencyTag, Domain>(np, search_sets, ranges...);
+  return with_periodic_sets<Domain>(np, search_sets, ranges...);
 }
 
 } // namespace internal

@@ -47,10 +47,10 @@ constexpr bool check_domain()
 
 // Returns search(elements, sets) for the points of one range, or of two. Explains to the compiler's
 // user what cannot be searched, and returns nothing of use then.
-template <class ConcurrencyTag, class Domain, class NamedParameters, class Search, class... Ranges>
+template <class Domain, class NamedParameters, class Search, class... Ranges>
 auto with_periodic_sets(const NamedParameters& np, const Search& search, Ranges&... ranges)
 {
-  if constexpr(!(check_range_of_points<ConcurrencyTag, Ranges, NamedParameters>() && ...))
+  if constexpr(!(check_range_of_points<Ranges, NamedParameters>() && ...))
     return false;
   else if constexpr(!check_domain<Domain, Elements_of<Ranges, NamedParameters>...>())
     return false;

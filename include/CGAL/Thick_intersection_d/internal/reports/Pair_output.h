@@ -11,6 +11,8 @@
 
 #include <CGAL/Element_callback.h>
 
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
+
 #include <cstddef>
 #include <mutex>
 #include <tuple>
@@ -57,9 +59,8 @@ inline constexpr bool is_void_or_bool
   = std::is_void_v<Result> || std::is_same_v<std::decay_t<Result>, bool>;
 
 // Hands the pairs of positions in two ranges to a functor of elements or to an output iterator.
-// With each pair comes a value of each of the types `More`. `AreThreads` tells whether several
-// threads may do so at once.
-template <bool AreThreads, class Target, class First, class Second, class... More>
+// With each pair comes a value of each of the types `More`.
+template <class Target, class First, class Second, class... More>
 class Pair_output
 {
   using A = typename Target::A;
@@ -71,8 +72,8 @@ class Pair_output
   static constexpr bool is_functor = std::is_invocable_v<Functor&, A, B, const More&...>;
 
 public:
-  Pair_output(const First& first, const Second& second, Functor& target)
-    : first_(first), second_(second), target_(target)
+  Pair_output(const First& first, const Second& second, Functor& target, const Threads& threads)
+    : first_(first), second_(second), target_(target), are_threads_many_(threads.are_many())
   {}
 
   auto operator()(std::size_t i, std::size_t j, const More&... more)
@@ -115,17 +116,18 @@ private:
   {
     if constexpr(is_functor)
       return target_(std::forward<A>(a), std::forward<B>(b), more...);
-    else if constexpr(AreThreads) {
-      const std::lock_guard<std::mutex> lock(mutex_);
+    else {
+      std::unique_lock<std::mutex> lock(mutex_, std::defer_lock);
+      if(are_threads_many_)
+        lock.lock();
       *target_++ = Value(a, b, more...);
     }
-    else
-      *target_++ = Value(a, b, more...);
   }
 
   const First& first_;
   const Second& second_;
   Functor& target_;
+  const bool are_threads_many_;
   std::mutex mutex_;
 };
 
@@ -134,20 +136,21 @@ template <class Callback, class First, class Second, class... More>
 constexpr bool check_callback()
 {
   using Target = Pair_target<Callback, First, Second>;
-  return Pair_output<false, Target, First, Second, More...>::check();
+  return Pair_output<Target, First, Second, More...>::check();
 }
 
 // Returns a functor of two positions in two ranges, and of `More`: `callback` itself, if it is one.
 // To be called if check_callback() has returned true.
-template <bool AreThreads, class... More, class First, class Second, class Callback>
-decltype(auto) pair_output(const First& first, const Second& second, Callback& callback)
+template <class... More, class First, class Second, class Callback>
+decltype(auto) pair_output(const First& first, const Second& second, Callback& callback,
+                           const Threads& threads)
 {
   using Target = Pair_target<Callback, First, Second>;
-  using Output = Pair_output<AreThreads, Target, First, Second, More...>;
+  using Output = Pair_output<Target, First, Second, More...>;
   if constexpr(Target::takes_elements)
-    return Output(first, second, callback.callback());
+    return Output(first, second, callback.callback(), threads);
   else if constexpr(!std::is_invocable_v<Callback&, std::size_t, std::size_t, const More&...>)
-    return Output(first, second, callback);
+    return Output(first, second, callback, threads);
   else
     return (callback);
 }

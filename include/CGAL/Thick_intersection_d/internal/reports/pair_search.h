@@ -10,7 +10,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
@@ -32,10 +32,10 @@ auto with_sets(const Task& task, const First& first, const Second& second)
   return task(Joined_elements(first, second), Two_sets{first.size()});
 }
 
-template <class ConcurrencyTag, class Callback, class NamedParameters, class... Ranges>
+template <class Callback, class NamedParameters, class... Ranges>
 constexpr bool check_pair_search()
 {
-  if constexpr((check_range<ConcurrencyTag, Ranges, NamedParameters>() && ...)) {
+  if constexpr((check_range<Ranges, NamedParameters>() && ...)) {
     using Elements = std::tuple<Elements_of<Ranges, NamedParameters>...>;
     return check_callback<Callback, std::tuple_element_t<0, Elements>,
                           std::tuple_element_t<sizeof...(Ranges) - 1, Elements>>();
@@ -45,15 +45,13 @@ constexpr bool check_pair_search()
 }
 
 // Returns search(elements, sets, report) for the elements of one range, or of two.
-template <class ConcurrencyTag, class Callback, class NamedParameters, class Search,
-          class... Ranges>
-bool search_ranges(Callback& callback, const NamedParameters& np, const Search& search,
-                   Ranges&... ranges)
+template <class Callback, class NamedParameters, class Search, class... Ranges>
+bool search_ranges(Callback& callback, const NamedParameters& np, const Threads& threads,
+                   const Search& search, Ranges&... ranges)
 {
-  if constexpr(check_pair_search<ConcurrencyTag, Callback, NamedParameters, Ranges...>()) {
+  if constexpr(check_pair_search<Callback, NamedParameters, Ranges...>()) {
     const auto search_sets = [&](const auto& elements, const auto& sets) {
-      auto&& report
-        = pair_output<is_parallel_v<ConcurrencyTag>>(elements.first(), elements.second(), callback);
+      auto&& report = pair_output(elements.first(), elements.second(), callback, threads);
       return search(elements, sets, report);
     };
     return with_sets(search_sets, make_elements(ranges, np)...);

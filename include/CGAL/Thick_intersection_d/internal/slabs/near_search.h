@@ -13,7 +13,7 @@
 #include <CGAL/Thick_intersection_d/internal/lanes/Flush.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Near_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Run.h>
-#include <CGAL/Thick_intersection_d/internal/machine/parallel.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Narrow_scale.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_task.h>
 #ifndef CGAL_THICK_INTERSECTION_D_COMPILED

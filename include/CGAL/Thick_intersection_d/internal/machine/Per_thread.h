@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_MACHINE_PER_THREAD_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_MACHINE_PER_THREAD_H
+
+// A value for each thread that asks for it.
+
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
+#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
+
+#include <cstddef>
+#include <forward_list>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// In sequence, the value is `first` itself. In parallel, each value is a copy of it. The layout is
+// the same with oneTBB and without.
+template <class T>
+class Per_thread
+{
+public:
+  Per_thread(const T& first, const Threads& threads)
+    : first_(first), threads_(threads), pointers_(threads.make_pointers())
+  {}
+
+  T& local()
+  {
+    if(!threads_.are_many())
+      return first_;
+    void*& own = pointers_->own();
+    if(own == nullptr)
+      own = make_value();
+    return *static_cast<T*>(own);
+  }
+
+  template <class Task>
+  void for_each(const Task& task)
+  {
+    if(!threads_.are_many())
+      task(first_);
+    for(Value& value : values_)
+      task(value.value);
+  }
+
+  // Calls task(value) for the values of all threads, by all threads in parallel.
+  template <class Task>
+  void for_each_at_once(const Task& task)
+  {
+    std::vector<T*> values;
+    for_each([&](T& value) { values.push_back(&value); });
+    threads_.run_blocks(values.size(), [&](std::size_t i, std::size_t last) {
+      for(; i != last; ++i)
+        task(*values[i]);
+    });
+  }
+
+private:
+  // Threads write to their values at once, so no two of these share a line of a cache.
+  struct Value
+  {
+    explicit Value(const T& first) : value(first) {}
+    alignas(64) T value;
+  };
+
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED T* make_value()
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return &values_.emplace_front(first_).value;
+  }
+
+  T first_;
+  const Threads threads_;
+  const std::unique_ptr<Thread_pointers> pointers_;
+  std::mutex mutex_;
+  std::forward_list<Value> values_;
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_MACHINE_PER_THREAD_H
