@@ -5,7 +5,7 @@
 // The predicates of objects whose coordinates are doubles, for programs that define
 // CGAL_THICK_INTERSECTION_D_COMPILED.
 
-#include <CGAL/Thick_intersection_d/internal/features/ray_crossings.h>
+#include <CGAL/Thick_intersection_d/internal/features/Ring_trees.h>
 #include <CGAL/Thick_intersection_d/internal/meshes/mesh_triangles.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Staged_orientation.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/are_objects_near.h>

@@ -7,7 +7,7 @@
 #include "support/point_generators.h"
 #include "support/rounding_mode.h"
 
-#include <CGAL/Thick_intersection_d/internal/arithmetic/grid_steps.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/Double_grid.h>
 
 #include <CGAL/Exact_rational.h>
 

@@ -7,7 +7,7 @@
 #include "support/grouped_boxes.h"
 #include "support/number_boxes.h"
 
-#include <CGAL/Thick_intersection_d/internal/boxes/Boxes_by_group.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Group_scan.h>
 
 #include <boost/test/unit_test.hpp>
 

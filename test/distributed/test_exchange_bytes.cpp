@@ -7,7 +7,6 @@
 
 #include <CGAL/Remote_error.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/Communicator.h>
-#include <CGAL/Thick_intersection_d/internal/distributed/exchange_bytes.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/run_together.h>
 
 #include <boost/test/unit_test.hpp>

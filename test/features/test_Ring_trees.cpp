@@ -11,7 +11,6 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <CGAL/Thick_intersection_d/internal/features/Ring_trees.h>
-#include <CGAL/Thick_intersection_d/internal/features/ray_crossings.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -11,7 +11,6 @@
 #include "support/run_of_points.h"
 
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
-#include <CGAL/Thick_intersection_d/internal/lanes/Flush.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Near_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Run.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/instruction_set.h>

@@ -5,7 +5,7 @@
 
 #include "support/point_generators.h"
 
-#include <CGAL/Thick_intersection_d/internal/lists/Neighbor_bins.h>
+#include <CGAL/Thick_intersection_d/internal/lists/Neighbor_collector.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#include <CGAL/Thick_intersection_d/internal/lists/mutual_neighbors.h>
+#include <CGAL/Thick_intersection_d/internal/lists/Neighbor_collector.h>
 
 #include <boost/test/unit_test.hpp>
 

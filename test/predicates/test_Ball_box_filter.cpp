@@ -9,7 +9,7 @@
 #include "support/rounding_mode.h"
 
 #include <CGAL/Thick_intersection_d/internal/input/Ball_centers.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Ball_box_filter.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Do_balls_intersect.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>

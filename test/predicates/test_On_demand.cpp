@@ -3,7 +3,7 @@
 
 // A value is made once, when it is asked for.
 
-#include <CGAL/Thick_intersection_d/internal/predicates/On_demand.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Is_within_distance.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -8,7 +8,7 @@
 #include "support/point_generators.h"
 #include "support/rounding_mode.h"
 
-#include <CGAL/Thick_intersection_d/internal/predicates/do_balls_intersect_in_integers.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Do_balls_intersect.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -4,8 +4,8 @@
 #include "support/counting_allocator.h"
 #include "support/point_generators.h"
 
+#include <CGAL/Thick_intersection_d/internal/lists/Neighbor_collector.h>
 #include <CGAL/Thick_intersection_d/internal/reports/List_bins.h>
-#include <CGAL/Thick_intersection_d/internal/lists/Neighbor_bins.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -3,7 +3,7 @@
 
 // A reporter hands pairs on until the callback, or the search, says stop.
 
-#include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
 #include <boost/test/unit_test.hpp>

@@ -6,7 +6,7 @@
 #include "support/counting_allocator.h"
 #include "support/point_generators.h"
 
-#include <CGAL/Thick_intersection_d/internal/lanes/Found_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/lanes/Near_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/reports/List_bins.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_lists.h>
 

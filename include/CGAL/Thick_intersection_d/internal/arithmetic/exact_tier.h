@@ -14,7 +14,7 @@
 
 #include <CGAL/Arithmetic_tier.h>
 
-#include <CGAL/Thick_intersection_d/internal/arithmetic/grid_steps.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/Double_grid.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/wide_integers.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 

@@ -10,8 +10,8 @@
 
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
-#include <CGAL/Thick_intersection_d/internal/lanes/Box_run.h>
-#include <CGAL/Thick_intersection_d/internal/lanes/Found_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/lanes/Near_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/lanes/Run.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -12,7 +12,6 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/radix_sort.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
-#include <CGAL/Thick_intersection_d/internal/lanes/Box_run.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Run.h>
 
 #include <algorithm>

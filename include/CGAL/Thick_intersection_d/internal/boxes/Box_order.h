@@ -14,7 +14,7 @@
 #include <CGAL/Thick_intersection_d/internal/boxes/Box_columns.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/tuning.h>
-#include <CGAL/Thick_intersection_d/internal/lanes/Box_run.h>
+#include <CGAL/Thick_intersection_d/internal/lanes/Run.h>
 
 #include <boost/functional/hash.hpp>
 

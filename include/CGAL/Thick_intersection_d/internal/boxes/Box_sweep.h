@@ -10,9 +10,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Box_client.h>
-#include <CGAL/Thick_intersection_d/internal/lanes/Box_run.h>
-#include <CGAL/Thick_intersection_d/internal/lanes/Flush.h>
-#include <CGAL/Thick_intersection_d/internal/lanes/Found_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/lanes/Near_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Run.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/with_lanes.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Stop_flag.h>
@@ -20,12 +18,48 @@
 #include <boost/config.hpp> // BOOST_NOINLINE
 
 #include <array>
+#include <atomic>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
+
+// How many candidates a sweep may still look at before it is given up, and what it has finished.
+//
+// Each wanted pair allows some more candidates. So a sweep takes time for the first allowance, and
+// O(1) time for each wanted pair. Threads share the allowance.
+class Sweep_allowance
+{
+public:
+  // As many as a sweep wants.
+  Sweep_allowance() = default;
+
+  Sweep_allowance(std::int64_t first, std::int64_t per_wanted_pair)
+    : left_(first), per_wanted_pair_(per_wanted_pair)
+  {}
+
+  bool is_left() const { return left_.load(std::memory_order_relaxed) >= 0; }
+
+  // After a part of the sweep: how many candidates there were, wanted pairs among them, and boxes
+  // that are finished.
+  void use(std::uint64_t candidates, std::uint64_t wanted_pairs, std::size_t finished)
+  {
+    finished_.fetch_add(finished, std::memory_order_relaxed);
+    const std::int64_t earned = per_wanted_pair_ * static_cast<std::int64_t>(wanted_pairs);
+    left_.fetch_add(earned - static_cast<std::int64_t>(candidates), std::memory_order_relaxed);
+  }
+
+  std::size_t finished() const { return finished_.load(std::memory_order_relaxed); }
+
+private:
+  std::atomic<std::int64_t> left_ = (std::numeric_limits<std::int64_t>::max)();
+  std::atomic<std::size_t> finished_ = 0;
+  std::int64_t per_wanted_pair_ = 0;
+};
 
 template <int Axes>
 class Box_sweep

@@ -9,8 +9,10 @@
 
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -76,6 +78,28 @@ private:
   std::array<Span<Box>, 2> sets_;
   std::size_t set_count_;
 };
+
+// Puts the boxes of each class next to each other. Returns the classes that have any boxes. A box
+// is long along an axis if it is longer than `lengths`.
+template <class Box>
+std::vector<Span<Box>> divide_into_classes(const Span<Box>& boxes,
+                                           const std::array<double, Box::axes>& lengths)
+{
+  std::vector<Span<Box>> classes(1, boxes);
+  for(int axis = 0; axis < Box::axes; ++axis) {
+    std::vector<Span<Box>> parts;
+    for(const Span<Box>& span : classes) {
+      Box* const first_long = std::partition(span.first, span.last, [&](const Box& box) {
+        return !(box.high[axis] - box.low[axis] > lengths[axis]);
+      });
+      for(const Span<Box>& part : {Span<Box>{span.first, first_long}, {first_long, span.last}})
+        if(part.size() != 0)
+          parts.push_back(part);
+    }
+    classes.swap(parts);
+  }
+  return classes;
+}
 
 } // namespace internal
 } // namespace Thick_intersection_d

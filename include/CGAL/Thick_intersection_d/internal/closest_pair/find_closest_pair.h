@@ -19,11 +19,11 @@
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Close_pair_search.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Closest_pair_search.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Pair_minimum.h>
+#include <CGAL/Thick_intersection_d/internal/input/Point_doubles.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene_sample.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
-#include <CGAL/Thick_intersection_d/internal/input/few_coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>

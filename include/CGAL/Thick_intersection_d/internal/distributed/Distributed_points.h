@@ -11,7 +11,6 @@
 
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/Communicator.h>
-#include <CGAL/Thick_intersection_d/internal/distributed/exchange_bytes.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/run_together.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Bisection.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Cell_counts.h>

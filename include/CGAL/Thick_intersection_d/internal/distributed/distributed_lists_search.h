@@ -16,14 +16,12 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/prefix_sums.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/Communicator.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/distributed_search.h>
-#include <CGAL/Thick_intersection_d/internal/distributed/exchange_bytes.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/run_together.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
+#include <CGAL/Thick_intersection_d/internal/lists/Neighbor_collector.h>
 #include <CGAL/Thick_intersection_d/internal/lists/neighbor_lists_search.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_points.h>
-#include <CGAL/Thick_intersection_d/internal/lists/Neighbor_collector.h>
-#include <CGAL/Thick_intersection_d/internal/lists/mutual_neighbors.h>
 
 #include <algorithm>
 #include <cstddef>

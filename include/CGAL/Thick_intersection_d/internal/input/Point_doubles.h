@@ -5,14 +5,17 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_POINT_DOUBLES_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_POINT_DOUBLES_H
 
-// Where the slab route reads the doubles of points.
+// The doubles of points: of few points on the stack, of many points as the slab route reads them.
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <type_traits>
 #include <utility>
@@ -21,6 +24,51 @@
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
+
+// Slabs and cells are faster for more points.
+inline constexpr std::size_t max_few_points = 256;
+
+// Whether doubles hold all coordinates of points in the plane or in space, as their type tells.
+template <class Point>
+constexpr bool has_few_doubles()
+{
+  if constexpr(dimension_or<Point>(0) == 2 || dimension_or<Point>(0) == 3)
+    return is_held_by_double_v<Coordinate_t<Point>>;
+  else
+    return false;
+}
+
+// A column for each axis. Places that nothing was written to have no value.
+template <class Point, std::size_t size>
+using Few_coordinates = std::array<std::array<double, size>, dimension_or<Point>(0)>;
+
+// Writes the coordinates of the points [first, last) to places from `place` on. Returns false if
+// one of them is NaN or infinite.
+template <class Elements, class Columns>
+bool read_coordinates(const Elements& points, std::size_t first, std::size_t last, Columns& x,
+                      std::size_t place)
+{
+  bool are_finite = true;
+  for(; first < last; ++first, ++place) {
+    const auto& point = points[first];
+    for(std::size_t axis = 0; axis < x.size(); ++axis) {
+      const double value = static_cast<double>(coordinate(point, static_cast<int>(axis)));
+      are_finite &= std::fabs(value) <= (std::numeric_limits<double>::max)();
+      x[axis][place] = value;
+    }
+  }
+  return are_finite;
+}
+
+// Returns the squared distance of the points at two places, as doubles compute it.
+template <class Columns>
+double computed_square(const Columns& x, std::size_t i, std::size_t j)
+{
+  double sum = 0;
+  for(const auto& column : x)
+    sum += (column[i] - column[j]) * (column[i] - column[j]);
+  return sum;
+}
 
 // The doubles that stand for the coordinates of points. Coordinates that are doubles are read where
 // they are. Of others, lower bounds are computed once, with a column per axis. There are no columns

@@ -5,11 +5,10 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_LANES_NEAR_PAIRS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_LANES_NEAR_PAIRS_H
 
-// The question that lanes ask about two points, and the near pairs that they have found, which
-// Near_sweep decides and reports.
+// The question that lanes ask about two points, and the pairs that they have found, of points or of
+// boxes, which sweeps decide and report.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
-#include <CGAL/Thick_intersection_d/internal/lanes/Found_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Run.h>
 
 #include <array>
@@ -18,6 +17,44 @@
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
+
+// What lanes call when they have found many pairs. Does not own the function. The call returns
+// false to stop.
+class Flush
+{
+public:
+  template <class Function>
+  explicit Flush(const Function& function)
+    : function_(&function),
+      call_([](const void* f) { return (*static_cast<const Function*>(f))(); })
+  {}
+
+  bool operator()() const { return call_(function_); }
+
+private:
+  const void* function_;
+  bool (*call_)(const void*);
+};
+
+// The point at place i of one run, and the point at place j of the same run or another run.
+struct Found_pair
+{
+  Place i;
+  Place j;
+};
+
+// Where many boxes meet, most pairs are found in rows: the pairs {i, j}, {i, j + 1} and so on, one
+// in each lane. A row is stored as its first pair. This is quicker to write and to read.
+struct Found_pairs
+{
+  static constexpr Place capacity = 1024;
+  static constexpr Place row_capacity = capacity / lanes;
+
+  Place count = 0;
+  Place row_count = 0;
+  std::array<Found_pair, capacity + lanes> pairs; // `lanes` more before a look at count
+  std::array<Found_pair, row_capacity> rows;
+};
 
 // What sums of squares of differences are computed in.
 template <class Number>

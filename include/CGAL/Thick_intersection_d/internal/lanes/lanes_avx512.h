@@ -8,9 +8,6 @@
 // The lanes of AVX-512, with the vectors of 256 bits that AVX512VL has.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
-#include <CGAL/Thick_intersection_d/internal/lanes/Box_run.h>
-#include <CGAL/Thick_intersection_d/internal/lanes/Flush.h>
-#include <CGAL/Thick_intersection_d/internal/lanes/Found_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Near_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Run.h>
 

@@ -8,9 +8,6 @@
 // The lanes of NEON, which every processor of AArch64 has. The file is empty for other processors.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
-#include <CGAL/Thick_intersection_d/internal/lanes/Box_run.h>
-#include <CGAL/Thick_intersection_d/internal/lanes/Flush.h>
-#include <CGAL/Thick_intersection_d/internal/lanes/Found_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Near_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Run.h>
 

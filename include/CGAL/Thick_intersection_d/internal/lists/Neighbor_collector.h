@@ -13,26 +13,85 @@
 // holds their lists. Then the collector makes the lists of one bin after another.
 
 #include <CGAL/Neighbor_lists.h>
-
+#include <CGAL/Thick_intersection_d/internal/arrays/Chunked_lists.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/prefix_sums.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/sort_distinct.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
-#include <CGAL/Thick_intersection_d/internal/machine/huge_pages.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Per_thread.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
+#include <CGAL/Thick_intersection_d/internal/machine/huge_pages.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
+#include <CGAL/Thick_intersection_d/internal/near_points/Callback_taker.h>
 #include <CGAL/Thick_intersection_d/internal/reports/List_bins.h>
-#include <CGAL/Thick_intersection_d/internal/lists/Neighbor_bins.h>
+#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Near_task.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
+
+// The neighbors that one thread finds, in any order, in bins. A bin takes the neighbors of
+// consecutive points, so few that a cache holds their lists.
+class Neighbor_bins
+{
+public:
+  using Position = Neighbor_lists::Position;
+
+  // The number of points of a bin. 16384 points with 20 neighbors each have lists of 1.3 MB.
+  static constexpr std::size_t bin_size = 16384;
+
+  // Whether the neighbors of a point come in ascending order.
+  static constexpr bool are_sorted = false;
+
+  // Makes bins for `size` points.
+  explicit Neighbor_bins(std::size_t size) : bins_((size + bin_size - 1) / bin_size) {}
+
+  // Puts the neighbor of the point `of` into the bin of that point.
+  void add(Position of, Position neighbor)
+  {
+    bins_.append(of / bin_size,
+                 {static_cast<std::uint16_t>(of % bin_size), static_cast<std::uint16_t>(neighbor),
+                  static_cast<std::uint16_t>(neighbor >> 16)});
+  }
+
+  // Returns the number of neighbors in a bin.
+  std::size_t size(std::size_t bin) const { return bins_.size(bin); }
+
+  // Calls task(of, first, last) for each neighbor in a bin, as a list of one neighbor. `of` counts
+  // from the first point of the bin.
+  template <class Task>
+  void for_each(std::size_t bin, const Task& task) const
+  {
+    bins_.for_each(bin, [&](const Neighbor& neighbor) {
+      const Position position = neighbor.low | static_cast<Position>(neighbor.high) << 16;
+      task(neighbor.of, &position, &position + 1);
+      return true;
+    });
+  }
+
+  // Frees the memory of all neighbors. None can be added or read then.
+  void clear() { bins_.clear(); }
+
+private:
+  // It has six bytes, because moving neighbors takes much of the time.
+  struct Neighbor
+  {
+    std::uint16_t of;
+    std::uint16_t low;
+    std::uint16_t high;
+  };
+
+  static constexpr std::size_t chunk_size = 1024; // neighbors
+
+  Chunked_lists<Neighbor, chunk_size> bins_;
+};
 
 class Neighbor_collector
 {
@@ -185,6 +244,37 @@ private:
   All_bins<List_bins> lists_;
   std::atomic<bool> has_lists_ = false;
 };
+
+// Hands the results of a search by slabs to a collector: pairs, or the lists of single points.
+class Collector_taker final
+  : public Callback_taker<One_set, Neighbor_collector, List_taker>
+{
+public:
+  explicit Collector_taker(Neighbor_collector& collector)
+    : Callback_taker<One_set, Neighbor_collector, List_taker>(One_set(), collector)
+  {}
+
+  List_bins& local_lists() override { return callback_.local_lists(); }
+};
+
+inline Collector_taker taker_of(const One_set&, Neighbor_collector& collector)
+{
+  return Collector_taker(collector);
+}
+
+// Returns the lists with those pairs that are in both of their lists.
+inline Neighbor_lists mutual_neighbors(const Neighbor_lists& lists)
+{
+  std::vector<std::size_t> begins(1, 0);
+  std::vector<Neighbor_lists::Position> positions;
+  for(std::size_t i = 0; i < lists.size(); ++i) {
+    for(const Neighbor_lists::Position j : lists[i])
+      if(std::binary_search(lists[j].begin(), lists[j].end(), i))
+        positions.push_back(j);
+    begins.push_back(positions.size());
+  }
+  return Neighbor_lists(std::move(begins), std::move(positions));
+}
 
 } // namespace internal
 } // namespace Thick_intersection_d

@@ -12,9 +12,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
-#include <CGAL/Thick_intersection_d/internal/lists/Collector_taker.h>
 #include <CGAL/Thick_intersection_d/internal/lists/Neighbor_collector.h>
-#include <CGAL/Thick_intersection_d/internal/lists/mutual_neighbors.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/near_points/near_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>

@@ -16,7 +16,7 @@
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/near_points/near_points_search.h>
 #include <CGAL/Thick_intersection_d/internal/objects/Object_route.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Ball_box_filter.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Do_balls_intersect.h>
 
 #include <type_traits>
 

@@ -22,7 +22,7 @@
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Cell_fractions.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Lattice_basis.h>
-#include <CGAL/Thick_intersection_d/internal/periodic/count_text.h>
+#include <CGAL/Thick_intersection_d/internal/periodic/Periods.h>
 
 #include <boost/config.hpp> // BOOST_NOINLINE
 

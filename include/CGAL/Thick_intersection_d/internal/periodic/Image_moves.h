@@ -13,7 +13,6 @@
 #include <CGAL/Thick_intersection_d/internal/periodic/Images.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Lattice_basis.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Periods.h>
-#include <CGAL/Thick_intersection_d/internal/periodic/count_text.h>
 
 #include <algorithm>
 #include <array>

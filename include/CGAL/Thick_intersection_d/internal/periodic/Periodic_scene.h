@@ -9,6 +9,7 @@
 // the progress is shared.
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
@@ -19,18 +20,42 @@
 #include <CGAL/Thick_intersection_d/internal/periodic/Lattice_basis.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Periods.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Scene_images.h>
-#include <CGAL/Thick_intersection_d/internal/periodic/check_in_box.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
-#include <CGAL/Thick_intersection_d/internal/reports/parameters_of_part.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
+
+// Throws if a point of the scene is not in [min, max) along all axes of an iso-box.
+template <class Elements, class Iso_box>
+CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+void check_in_box(const Elements& points, const Scene& scene, const Iso_box& box)
+{
+  using Exact = Common_exact_t<Coordinate_t<typename Elements::value_type>,
+                               std::decay_t<decltype(box.min_coord(0))>>;
+  for(int axis = 0; axis < scene.dimension(); ++axis) {
+    const Exact low = to_exact<Exact>(box.min_coord(axis));
+    const Exact high = to_exact<Exact>(box.max_coord(axis));
+    const Interval& interval = scene.box[static_cast<std::size_t>(axis)];
+    if(interval.low >= bounds(low).second && interval.high < bounds(high).first)
+      continue;
+    for(std::size_t position = 0; position < points.size(); ++position) {
+      const Exact x = to_exact<Exact>(coordinate(points[position], axis));
+      if(x < low || x >= high)
+        throw std::invalid_argument("Point " + std::to_string(position)
+                                    + " is not in the domain along axis " + std::to_string(axis)
+                                    + ". A Periodic_lattice_d of the domain takes it.");
+    }
+  }
+}
 
 template <class Elements, class Sets, class Domain>
 class Periodic_scene

@@ -9,7 +9,6 @@
 // period. A moved coordinate is never rounded: it is an exact number, with doubles around it.
 
 #include <CGAL/Periodic_lattice_d.h>
-
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
@@ -21,14 +20,28 @@
 #include <cstdint>
 #include <cstdlib>
 #include <functional>
+#include <ios>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <utility>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
+
+// Returns a count that may be too large for an integer, in the words of a message.
+inline std::string count_text(double count)
+{
+  std::ostringstream text;
+  if(count < 0x1p53)
+    text << std::fixed;
+  text.precision(count < 0x1p53 ? 0 : 3);
+  text << count;
+  return text.str();
+}
 
 // How many times each period is added.
 template <int Dimension>

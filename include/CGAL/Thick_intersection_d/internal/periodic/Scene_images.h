@@ -26,7 +26,7 @@
 #include <CGAL/Thick_intersection_d/internal/periodic/Image_moves.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Images.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Lattice_basis.h>
-#include <CGAL/Thick_intersection_d/internal/periodic/count_text.h>
+#include <CGAL/Thick_intersection_d/internal/periodic/Periods.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
 #include <boost/config.hpp> // BOOST_NOINLINE

@@ -11,7 +11,6 @@
 #include <CGAL/Arithmetic_tier.h>
 #include <CGAL/Distance_bound.h>
 #include <CGAL/Scene_profile.h>
-
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 #include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
@@ -20,23 +19,55 @@
 #include <CGAL/Thick_intersection_d/internal/periodic/Images.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Periodic_scene.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Periods.h>
-#include <CGAL/Thick_intersection_d/internal/periodic/joined_profile.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/periodic_sets.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
-#include <CGAL/Thick_intersection_d/internal/reports/parameters_of_part.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
+
+// Adds the decisions of one profile to those of another one.
+inline void add_decisions(const Scene_profile& profile, Scene_profile& sum)
+{
+  Decision_counts counts;
+  for(std::size_t tier = 0; tier < arithmetic_tier_count; ++tier)
+    for(const Scene_profile* part : {&profile, static_cast<const Scene_profile*>(&sum)})
+      counts.add(static_cast<Arithmetic_tier>(tier),
+                 part->decided(static_cast<Arithmetic_tier>(tier)));
+  sum.set_counts(counts);
+}
+
+// Returns the profile of `size` points, from those of the points and of their images elsewhere.
+inline Scene_profile joined_profile(std::size_t size, int dimension, double reach,
+                                    const Scene_profile& points, const Scene_profile& images)
+{
+  std::vector<std::pair<double, double>> box;
+  for(int axis = 0; axis < dimension; ++axis)
+    box.emplace_back((std::min)(points.range(axis).first, images.range(axis).first),
+                     (std::max)(points.range(axis).second, images.range(axis).second));
+  std::optional<int> grid_exponent;
+  if(points.has_grid() && images.has_grid())
+    grid_exponent = (std::min)(points.grid_exponent(), images.grid_exponent());
+  Scene_profile profile(size, box, reach, grid_exponent);
+  if(points.forced_tier())
+    profile.force_tier(*points.forced_tier());
+  for(const Scene_profile* part : {&points, &images})
+    add_decisions(*part, profile);
+  profile.set_coordinates(points.coordinate_bits(), points.are_coordinates_rounded());
+  return profile;
+}
 
 template <class Elements, class Sets, class Domain, class NT>
 class Periodic_search

@@ -9,7 +9,6 @@
 // filter in doubles, integers and exact numbers, in this order. Degree 2.
 
 #include <CGAL/Arithmetic_tier.h>
-
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_tier.h>
@@ -20,18 +19,56 @@
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Integer_distance.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/On_demand.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Scaled_filter.h>
 
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <mutex>
 #include <optional>
 #include <utility>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
+
+// A value that is made when the first thread asks for it, because most searches never do. Several
+// threads may ask at once; all but one of them wait.
+template <class Value>
+class On_demand
+{
+public:
+  On_demand() = default;
+
+  // A copy makes a value of its own.
+  On_demand(const On_demand&) {}
+  On_demand& operator=(const On_demand&)
+  {
+    is_made_ = false;
+    value_.reset();
+    return *this;
+  }
+
+  // Returns the value, which is what the first call of `make` that did not throw returned.
+  template <class Make>
+  const Value& get(const Make& make)
+  {
+    if(!is_made_.load(std::memory_order_acquire)) {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if(!value_) {
+        value_.emplace(make());
+        is_made_.store(true, std::memory_order_release);
+      }
+    }
+    return *value_;
+  }
+
+private:
+  std::mutex mutex_;
+  std::atomic<bool> is_made_ = false;
+  std::optional<Value> value_;
+};
 
 template <class Point>
 class Is_within_distance

@@ -22,8 +22,8 @@
 #include <CGAL/Arithmetic_tier.h>
 #include <CGAL/enum.h>
 
+#include <CGAL/Thick_intersection_d/internal/arithmetic/Double_grid.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/determinant_signs.h>
-#include <CGAL/Thick_intersection_d/internal/arithmetic/grid_steps.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/wide_integers.h>
 
 #include <boost/config.hpp> // BOOST_FORCEINLINE, BOOST_NOINLINE

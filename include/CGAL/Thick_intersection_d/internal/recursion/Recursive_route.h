@@ -23,7 +23,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/recursion/Members.h>
-#include <CGAL/Thick_intersection_d/internal/reports/Pair_reporter.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
 
 #include <algorithm>
 #include <cstddef>

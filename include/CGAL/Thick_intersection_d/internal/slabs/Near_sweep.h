@@ -11,8 +11,6 @@
 #include <CGAL/Arithmetic_tier.h>
 
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
-#include <CGAL/Thick_intersection_d/internal/lanes/Flush.h>
-#include <CGAL/Thick_intersection_d/internal/lanes/Found_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Near_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/with_lanes.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Stop_flag.h>

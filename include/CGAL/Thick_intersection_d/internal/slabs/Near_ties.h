@@ -11,7 +11,7 @@
 #include <CGAL/Arithmetic_tier.h>
 
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
-#include <CGAL/Thick_intersection_d/internal/lanes/Found_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/lanes/Near_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Integer_distance.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Narrow_scale.h>

@@ -63,6 +63,19 @@ Box_of_intervals<Point::dimension> box_of(const Point* first, const Point* last)
   return box;
 }
 
+// Numbers for the points of slabs that become ready. Searches of pairs need none, and do not
+// compile what gives them.
+class Place_numbers
+{
+public:
+  // Returns the first of `size` consecutive numbers for a slab behind those in the window. Sets
+  // `positions` to where to write the positions of its points, by their numbers from there on.
+  virtual Place add(Place size, Place*& positions) = 0;
+
+protected:
+  ~Place_numbers() = default;
+};
+
 } // namespace internal
 } // namespace Thick_intersection_d
 } // namespace CGAL

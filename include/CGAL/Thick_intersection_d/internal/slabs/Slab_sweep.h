@@ -13,7 +13,7 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Run.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_sweep.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Slabs_nearby.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slab_window.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Strips.h>
 
 #include <boost/config.hpp> // BOOST_NOINLINE

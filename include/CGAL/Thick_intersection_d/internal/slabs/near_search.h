@@ -10,7 +10,6 @@
 // A program compiles them, unless it defines CGAL_THICK_INTERSECTION_D_COMPILED. Then it links the
 // library that src/near_points.cpp makes.
 
-#include <CGAL/Thick_intersection_d/internal/lanes/Flush.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Near_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Run.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
