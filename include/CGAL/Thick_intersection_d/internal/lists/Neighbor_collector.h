@@ -140,30 +140,7 @@ private:
   using All_bins = Per_thread<Bins>;
 
   template <class Bins>
-  Neighbor_lists lists_of(All_bins<Bins>& bins, bool are_of_one_set, Neighbor_lists&& old_lists)
-  {
-    std::vector<std::size_t> begins = std::move(old_lists).begins();
-    Positions positions = std::move(old_lists).positions();
-    const std::vector<std::size_t> begins_of_bins = begins_of_all_bins(bins);
-    make_room(begins, positions, begins_of_bins.back());
-
-    threads_.run_blocks(bin_count<Bins>(), [&](std::size_t bin, std::size_t last) {
-      Buffer<Position> lists;
-      for(; bin != last; ++bin) {
-        const std::size_t begin = begins_of_bins[bin];
-        const std::size_t end = begins_of_bins[bin + 1];
-        Position* const first = lists.require(end - begin);
-        make_lists(bins, bin, begin, begins, first);
-        if(threads_.are_many())
-          std::copy(first, first + (end - begin), positions.data() + begin);
-        else
-          positions.insert(positions.end(), first, first + (end - begin));
-      }
-    });
-    if(threads_.are_many()) // to free much memory takes a while
-      bins.for_each_at_once([](Bins& bins_of_thread) { bins_of_thread.clear(); });
-    return Neighbor_lists(std::move(begins), std::move(positions), are_of_one_set);
-  }
+  Neighbor_lists lists_of(All_bins<Bins>& bins, bool are_of_one_set, Neighbor_lists&& old_lists);
 
   // Makes room for lists of `neighbor_count` neighbors. To clear it takes a while, and two threads
   // do it in parallel. In sequence, lists are appended: one write less.
@@ -244,6 +221,40 @@ private:
   All_bins<List_bins> lists_;
   std::atomic<bool> has_lists_ = false;
 };
+
+template <class Bins>
+Neighbor_lists Neighbor_collector::lists_of(All_bins<Bins>& bins, bool are_of_one_set,
+                                            Neighbor_lists&& old_lists)
+{
+  std::vector<std::size_t> begins = std::move(old_lists).begins();
+  Positions positions = std::move(old_lists).positions();
+  const std::vector<std::size_t> begins_of_bins = begins_of_all_bins(bins);
+  make_room(begins, positions, begins_of_bins.back());
+
+  threads_.run_blocks(bin_count<Bins>(), [&](std::size_t bin, std::size_t last) {
+    Buffer<Position> lists;
+    for(; bin != last; ++bin) {
+      const std::size_t begin = begins_of_bins[bin];
+      const std::size_t end = begins_of_bins[bin + 1];
+      Position* const first = lists.require(end - begin);
+      make_lists(bins, bin, begin, begins, first);
+      if(threads_.are_many())
+        std::copy(first, first + (end - begin), positions.data() + begin);
+      else
+        positions.insert(positions.end(), first, first + (end - begin));
+    }
+  });
+  if(threads_.are_many()) // to free much memory takes a while
+    bins.for_each_at_once([](Bins& bins_of_thread) { bins_of_thread.clear(); });
+  return Neighbor_lists(std::move(begins), std::move(positions), are_of_one_set);
+}
+
+#ifdef CGAL_THICK_INTERSECTION_D_COMPILED
+extern template Neighbor_lists Neighbor_collector::lists_of(
+  Per_thread<Neighbor_bins>&, bool, Neighbor_lists&&);
+extern template Neighbor_lists Neighbor_collector::lists_of(
+  Per_thread<List_bins>&, bool, Neighbor_lists&&);
+#endif
 
 // Hands the results of a search by slabs to a collector: pairs, or the lists of single points.
 class Collector_taker final

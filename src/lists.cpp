@@ -1,0 +1,25 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Lists of neighbors from pairs and from the lists of single points, for all kernels, in the
+// library that programs link if they define CGAL_THICK_INTERSECTION_D_COMPILED.
+
+#include <CGAL/Neighbor_lists.h>
+
+#include <CGAL/Thick_intersection_d/internal/lists/Neighbor_collector.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Per_thread.h>
+#include <CGAL/Thick_intersection_d/internal/reports/List_bins.h>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+template Neighbor_lists Neighbor_collector::lists_of(
+  Per_thread<Neighbor_bins>&, bool, Neighbor_lists&&);
+template Neighbor_lists Neighbor_collector::lists_of(
+  Per_thread<List_bins>&, bool, Neighbor_lists&&);
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
