@@ -66,8 +66,7 @@ public:
   // `are_ties`.
   Pair_offers(Minimum& minimum, const Threads& threads, std::size_t max_count,
               bool are_ties = false)
-    : minimum_(minimum), threads_(threads), minima_(minimum, threads), max_count_(max_count),
-      are_ties_(are_ties)
+    : minimum_(minimum), minima_(minimum, threads), max_count_(max_count), are_ties_(are_ties)
   {}
 
   bool take(const Found_pair* pairs, std::size_t count) override
@@ -92,15 +91,13 @@ public:
   CGAL_THICK_INTERSECTION_D_RARELY_CALLED void collect()
   {
     minima_.for_each([&](const Minimum& own) { minimum_.offer_pair_of(own); });
-    if(threads_.are_many())
-      minima_.for_each([&](Minimum& own) { own.offer_pair_of(minimum_); });
+    minima_.for_each([&](Minimum& own) { own.offer_pair_of(minimum_); });
   }
 
   std::size_t count() const { return count_.load(std::memory_order_relaxed); }
 
 private:
   Minimum& minimum_;
-  const Threads threads_;
   Per_thread<Minimum> minima_;
   std::size_t max_count_;
   bool are_ties_;

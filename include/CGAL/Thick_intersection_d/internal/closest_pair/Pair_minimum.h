@@ -75,7 +75,7 @@ public:
     pair_ = (std::min)(pair_, Position_pair(std::minmax(i, j)));
   }
 
-  void offer_pair_of(const Pair_minimum& other)
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED void offer_pair_of(const Pair_minimum& other)
   {
     if(other.has_pair_)
       offer(other.pair_.first, other.pair_.second);

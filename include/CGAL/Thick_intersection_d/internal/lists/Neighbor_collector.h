@@ -245,7 +245,7 @@ Neighbor_lists Neighbor_collector::lists_of(All_bins<Bins>& bins, bool are_of_on
     }
   });
   if(threads_.are_many()) // to free much memory takes a while
-    bins.for_each_at_once([](Bins& bins_of_thread) { bins_of_thread.clear(); });
+    bins.for_each_at_once(threads_, [](Bins& bins_of_thread) { bins_of_thread.clear(); });
   return Neighbor_lists(std::move(begins), std::move(positions), are_of_one_set);
 }
 

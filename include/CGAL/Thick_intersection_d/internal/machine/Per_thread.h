@@ -27,12 +27,12 @@ class Per_thread
 {
 public:
   Per_thread(const T& first, const Threads& threads)
-    : first_(first), threads_(threads), pointers_(threads.make_pointers())
+    : first_(first), pointers_(threads.make_pointers())
   {}
 
   T& local()
   {
-    if(!threads_.are_many())
+    if(pointers_ == nullptr)
       return first_;
     void*& own = pointers_->own();
     if(own == nullptr)
@@ -43,19 +43,19 @@ public:
   template <class Task>
   void for_each(const Task& task)
   {
-    if(!threads_.are_many())
+    if(pointers_ == nullptr)
       task(first_);
     for(Value& value : values_)
       task(value.value);
   }
 
-  // Calls task(value) for the values of all threads, by all threads in parallel.
+  // Calls task(value) for all values, by the threads in parallel.
   template <class Task>
-  void for_each_at_once(const Task& task)
+  void for_each_at_once(const Threads& threads, const Task& task)
   {
     std::vector<T*> values;
     for_each([&](T& value) { values.push_back(&value); });
-    threads_.run_blocks(values.size(), [&](std::size_t i, std::size_t last) {
+    threads.run_blocks(values.size(), [&](std::size_t i, std::size_t last) {
       for(; i != last; ++i)
         task(*values[i]);
     });
@@ -76,8 +76,7 @@ private:
   }
 
   T first_;
-  const Threads threads_;
-  const std::unique_ptr<Thread_pointers> pointers_;
+  const std::unique_ptr<Thread_pointers> pointers_; // none in sequence
   std::mutex mutex_;
   std::forward_list<Value> values_;
 };
