@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Small random scenes whose coordinates are thirds, in exact numbers.
+// Every search of small random scenes whose coordinates are thirds, in exact numbers, in sequence
+// and by four threads.
 
 #include "support/check_fuzz.h"
 
@@ -10,17 +11,34 @@
 #include <CGAL/Homogeneous.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <tbb/global_control.h>
+
 using namespace test_support;
 
 using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
 using Rationals = CGAL::Simple_cartesian<CGAL::Exact_rational>;
 using Integers = CGAL::Homogeneous<CGAL::Exact_integer>;
 
-BOOST_AUTO_TEST_CASE(epeck_3) { fuzz<Fuzz_cartesian<Epeck, 3, true>, NEAR_PAIRS | BALLS>(20000); }
-BOOST_AUTO_TEST_CASE(rationals_2)
+namespace {
+
+const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 4);
+
+template <class Kernel, int Dimension, class ConcurrencyTag = CGAL::Sequential_tag>
+void fuzz_thirds()
 {
-  fuzz<Fuzz_cartesian<Rationals, 2, true>, NEAR_PAIRS | CLOSEST_PAIRS>(20000);
+  fuzz<Fuzz_cartesian<Kernel, Dimension, true>, ALL_PARTS, ConcurrencyTag>(8000);
 }
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(epeck_2) { fuzz_thirds<Epeck, 2>(); }
+BOOST_AUTO_TEST_CASE(epeck_2_by_threads) { fuzz_thirds<Epeck, 2, CGAL::Parallel_tag>(); }
+BOOST_AUTO_TEST_CASE(epeck_3) { fuzz_thirds<Epeck, 3>(); }
+BOOST_AUTO_TEST_CASE(epeck_3_by_threads) { fuzz_thirds<Epeck, 3, CGAL::Parallel_tag>(); }
+BOOST_AUTO_TEST_CASE(rationals_2) { fuzz_thirds<Rationals, 2>(); }
+BOOST_AUTO_TEST_CASE(rationals_2_by_threads) { fuzz_thirds<Rationals, 2, CGAL::Parallel_tag>(); }
+BOOST_AUTO_TEST_CASE(rationals_3) { fuzz_thirds<Rationals, 3>(); }
+BOOST_AUTO_TEST_CASE(rationals_3_by_threads) { fuzz_thirds<Rationals, 3, CGAL::Parallel_tag>(); }
 BOOST_AUTO_TEST_CASE(homogeneous_2)
 {
   fuzz<Fuzz_homogeneous<Integers, 2>, NEAR_PAIRS | CLOSEST_PAIRS>(2000);

@@ -1,23 +1,42 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Small random scenes in domains that repeat: on doubles and floats, and by several threads.
+// Small random periodic scenes on the usual kernels, in sequence and by threads.
 
 #include "support/check_periodic_fuzz.h"
 
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
 
 using namespace test_support;
 
+using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
 using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Floats = CGAL::Simple_cartesian<float>;
-using Threads = CGAL::Parallel_if_available_tag;
+using Doubles = CGAL::Simple_cartesian<double>;
+using Rationals = CGAL::Simple_cartesian<CGAL::Exact_rational>;
 
-BOOST_AUTO_TEST_CASE(doubles_2) { fuzz_periodic<Fuzz_cartesian<Epick, 2, false>>(3000); }
-BOOST_AUTO_TEST_CASE(doubles_3) { fuzz_periodic<Fuzz_cartesian<Epick, 3, false>>(3000); }
-BOOST_AUTO_TEST_CASE(floats_3) { fuzz_periodic<Fuzz_cartesian<Floats, 3, false>>(2000); }
-BOOST_AUTO_TEST_CASE(doubles_2_by_threads)
+namespace {
+
+template <class Maker, class ConcurrencyTag = CGAL::Sequential_tag>
+void fuzz_with_domain(std::uint64_t count)
 {
-  fuzz_periodic<Fuzz_cartesian<Epick, 2, false>, Fuzz_cartesian<Epick, 2, false>, Threads>(1000);
+  fuzz_periodic<Maker, Maker, ConcurrencyTag>(count);
 }
+
+using Threads = CGAL::Parallel_if_available_tag;
+using Epick_2 = Fuzz_cartesian<Epick, 2, false>;
+using Doubles_3 = Fuzz_cartesian<Doubles, 3, false>;
+using Epeck_3 = Fuzz_cartesian<Epeck, 3, true>;
+using Rationals_2 = Fuzz_cartesian<Rationals, 2, true>;
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(epick_2) { fuzz_with_domain<Epick_2>(3000); }
+BOOST_AUTO_TEST_CASE(epick_2_by_threads) { fuzz_with_domain<Epick_2, Threads>(1000); }
+BOOST_AUTO_TEST_CASE(doubles_3) { fuzz_with_domain<Doubles_3>(3000); }
+BOOST_AUTO_TEST_CASE(doubles_3_by_threads) { fuzz_with_domain<Doubles_3, Threads>(1000); }
+BOOST_AUTO_TEST_CASE(epeck_3) { fuzz_with_domain<Epeck_3>(400); }
+BOOST_AUTO_TEST_CASE(epeck_3_by_threads) { fuzz_with_domain<Epeck_3, Threads>(400); }
+BOOST_AUTO_TEST_CASE(rationals_2) { fuzz_with_domain<Rationals_2>(400); }
+BOOST_AUTO_TEST_CASE(rationals_2_by_threads) { fuzz_with_domain<Rationals_2, Threads>(400); }

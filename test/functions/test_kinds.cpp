@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 // Which objects of all kinds intersect, and which are near, mixed in one range and in two, on the
-// usual kernels. One program, because both questions have most of their predicates in common.
+// usual kernels, in sequence and by threads. One program, because both questions have most of their
+// predicates in common.
 
 #include "support/check_kinds.h"
 

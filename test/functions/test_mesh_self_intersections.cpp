@@ -10,6 +10,7 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
@@ -42,6 +43,7 @@ namespace {
 using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
 using Double_kernel = CGAL::Simple_cartesian<double>;
+using Rational_kernel = CGAL::Simple_cartesian<CGAL::Exact_rational>;
 using Point = Epick::Point_3;
 using Surface = CGAL::Surface_mesh<Point>;
 using Vertex = Surface::Vertex_index;
@@ -80,15 +82,21 @@ Pairs pairs_of(const Mesh& mesh)
   return by_positions(mesh, found);
 }
 
+template <class Mesh>
+void check_pairs(const Pairs& expected, const Mesh& mesh, const std::string& name)
+{
+  const Pairs_difference difference = compare(expected, pairs_of(mesh));
+  BOOST_CHECK_MESSAGE(difference.empty(), name << ": " << difference);
+  const Pairs_difference in_parallel = compare(expected, pairs_of<CGAL::Parallel_tag>(mesh));
+  BOOST_CHECK_MESSAGE(in_parallel.empty(), name << ", in parallel: " << in_parallel);
+}
+
 // Returns the number of pairs.
 template <class Mesh>
 std::size_t check_mesh(const Mesh& mesh, const std::string& name)
 {
   const Pairs expected = pairs_of_cgal(mesh);
-  const Pairs_difference difference = compare(expected, pairs_of(mesh));
-  BOOST_CHECK_MESSAGE(difference.empty(), name << ": " << difference);
-  const Pairs_difference in_parallel = compare(expected, pairs_of<CGAL::Parallel_tag>(mesh));
-  BOOST_CHECK_MESSAGE(in_parallel.empty(), name << ", in parallel: " << in_parallel);
+  check_pairs(expected, mesh, name);
   return expected.size();
 }
 
@@ -130,6 +138,18 @@ Surface random_mesh(unsigned int seed, bool is_closed)
     const double x = double(random.below(3)), y = double(random.below(3));
     return Point(x, y, double(random.below(2 + seed % 2)));
   });
+}
+
+// The mesh with all coordinates divided by three.
+template <class Kernel>
+auto thirds(const Surface& mesh)
+{
+  using FT = typename Kernel::FT;
+  CGAL::Surface_mesh<typename Kernel::Point_3> result;
+  CGAL::copy_face_graph(mesh, result);
+  for(auto& p : result.points())
+    p = typename Kernel::Point_3(FT(p.x() / 3), FT(p.y() / 3), FT(p.z() / 3));
+  return result;
 }
 
 // Two triangles without neighbors.
@@ -319,15 +339,15 @@ BOOST_AUTO_TEST_CASE(polyhedron_has_the_same_pairs)
 }
 
 // Thirds are no doubles, so the planes through them need exact numbers.
-BOOST_AUTO_TEST_CASE(exact_kernel_has_the_pairs_of_cgal)
+BOOST_AUTO_TEST_CASE(exact_kernels_have_the_pairs_of_cgal)
 {
   std::size_t pairs = 0;
   for(unsigned int seed = 0; seed < 40; ++seed) {
-    CGAL::Surface_mesh<Epeck::Point_3> mesh;
-    CGAL::copy_face_graph(random_mesh(seed, seed % 4 < 2), mesh);
-    for(Epeck::Point_3& p : mesh.points())
-      p = Epeck::Point_3(p.x() / 3, p.y() / 3, p.z() / 3);
-    pairs += check_mesh(mesh, "seed " + std::to_string(seed));
+    const Surface mesh = random_mesh(seed, seed % 4 < 2);
+    const std::string name = "seed " + std::to_string(seed);
+    const auto lazy = thirds<Epeck>(mesh);
+    pairs += check_mesh(lazy, name);
+    check_pairs(pairs_of_cgal(lazy), thirds<Rational_kernel>(mesh), name + ", rationals");
   }
   BOOST_CHECK_GT(pairs, 2000u);
 }
@@ -344,8 +364,7 @@ BOOST_AUTO_TEST_CASE(kernel_with_inexact_predicates_has_the_pairs_of_an_exact_on
     CGAL::copy_face_graph(mesh, inexact);
     const Pairs expected = pairs_of_cgal(mesh);
     pairs += expected.size();
-    const Pairs_difference difference = compare(expected, pairs_of(inexact));
-    BOOST_CHECK_MESSAGE(difference.empty(), "seed " << seed << ": " << difference);
+    check_pairs(expected, inexact, "seed " + std::to_string(seed));
   }
   BOOST_CHECK_GT(pairs, 2000u);
 }

@@ -29,7 +29,6 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <boost/test/unit_test.hpp>
 
-#include <mutex>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -46,23 +45,6 @@ enum Fuzz_parts : unsigned {
   OBJECTS = 16,
   ALL_PARTS = 31,
   PARTNERS = 32 // near pairs of scenes at the limits of narrow coordinates
-};
-
-// Takes pairs from several threads.
-class Fuzz_collector
-{
-public:
-  explicit Fuzz_collector(Pairs& pairs) : pairs_(pairs) {}
-
-  void operator()(std::size_t i, std::size_t j)
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    pairs_.emplace_back(i, j);
-  }
-
-private:
-  Pairs& pairs_;
-  std::mutex mutex_;
 };
 
 // One scene and one search.
@@ -122,7 +104,7 @@ private:
   void check_near_pairs()
   {
     Pairs found;
-    Fuzz_collector collect(found);
+    Locked_collector collect(found);
     with_bound([&](const auto& bound) {
       if(first_set_size_)
         CGAL::fixed_radius_near_neighbors<ConcurrencyTag>(first(points_), second(points_), bound,
@@ -297,7 +279,7 @@ private:
       boxes.emplace_back(low, high);
     }
     Pairs found;
-    Fuzz_collector collect(found);
+    Locked_collector collect(found);
     const auto middle = boxes.begin() + static_cast<std::ptrdiff_t>(first_set_size_.value_or(0));
     const auto report = [&](const Box& a, const Box& b) {
       const std::size_t i = static_cast<std::size_t>(&a - boxes.data());
@@ -339,7 +321,7 @@ private:
   Pairs object_pairs(const std::vector<Object>& objects, const NamedParameters& np) const
   {
     Pairs found;
-    Fuzz_collector collect(found);
+    Locked_collector collect(found);
     if(first_set_size_)
       CGAL::thick_intersection_d<ConcurrencyTag>(first(objects), second(objects), collect, np);
     else

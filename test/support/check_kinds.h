@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Objects of all kinds in one range and in two, on the kernels, against all pairs tested by the
-// oracle of distances: which ones intersect, and which ones are near.
+// Objects of all kinds in one range and in two, on the kernels, in sequence and by threads, against
+// all pairs tested by the oracle of distances: which ones intersect, and which ones are near.
 
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_CHECK_KINDS_H
 #define THICK_INTERSECTION_TEST_SUPPORT_CHECK_KINDS_H
@@ -140,11 +140,14 @@ public:
   void check_intersections(Kind_table& table)
   {
     const Rational_bound touching = {0, false, false};
-    check_pairs("intersections", touching, [](const auto& collect, const auto&... ranges) {
-      if constexpr(sizeof...(ranges) == 1)
-        CGAL::thick_self_intersection_d(ranges..., collect);
-      else
-        CGAL::thick_intersection_d(ranges..., collect);
+    in_sequence_and_by_threads([&](auto tag) {
+      using Tag = decltype(tag);
+      check_pairs("intersections", touching, [](auto& collect, const auto&... ranges) {
+        if constexpr(sizeof...(ranges) == 1)
+          CGAL::thick_self_intersection_d<Tag>(ranges..., collect);
+        else
+          CGAL::thick_intersection_d<Tag>(ranges..., collect);
+      });
     });
     truth_.count(touching, table);
   }
@@ -152,15 +155,25 @@ public:
   void check_near_pairs(Kind_table& table)
   {
     with_bound([&](const auto& bound) {
-      check_pairs("near pairs", scene_.bound, [&](const auto& collect, const auto&... ranges) {
-        CGAL::fixed_radius_near_neighbors(ranges..., bound, collect);
+      in_sequence_and_by_threads([&](auto tag) {
+        using Tag = decltype(tag);
+        check_pairs("near pairs", scene_.bound, [&](auto& collect, const auto&... ranges) {
+          CGAL::fixed_radius_near_neighbors<Tag>(ranges..., bound, collect);
+        });
+        check_lists<Tag>(bound);
       });
-      check_lists(bound);
     });
     truth_.count(scene_.bound, table);
   }
 
 private:
+  template <class Check>
+  static void in_sequence_and_by_threads(const Check& check)
+  {
+    check(CGAL::Sequential_tag());
+    check(CGAL::Parallel_if_available_tag());
+  }
+
   // Calls find(collect, ranges...) with one range and with two.
   template <class Find>
   void check_pairs(const char* what, const Rational_bound& bound, const Find& find)
@@ -168,8 +181,9 @@ private:
     Pairs one_set, two_sets;
     {
       const Rounding_mode rounding(any_mode());
-      find(Pair_collector{one_set}, ranges_.all);
-      find(Pair_collector{two_sets}, ranges_.a, ranges_.b);
+      Locked_collector collect_one(one_set), collect_two(two_sets);
+      find(collect_one, ranges_.all);
+      find(collect_two, ranges_.a, ranges_.b);
     }
     const Pairs expected = truth_.pairs(bound);
     compare_pairs(what, expected, one_set);
@@ -192,10 +206,11 @@ private:
     return pairs;
   }
 
-  template <class Bound>
+  template <class ConcurrencyTag, class Bound>
   void check_lists(const Bound& bound)
   {
-    const CGAL::Neighbor_lists lists = CGAL::fixed_radius_neighbor_lists(ranges_.all, bound);
+    const CGAL::Neighbor_lists lists
+      = CGAL::fixed_radius_neighbor_lists<ConcurrencyTag>(ranges_.all, bound);
     Pairs found;
     for(std::size_t i = 0; i < lists.size(); ++i)
       for(const std::size_t j : lists[i])

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <mutex>
 #include <ostream>
 #include <utility>
 #include <vector>
@@ -26,6 +27,23 @@ struct Pair_collector
   Pairs& pairs;
 
   void operator()(std::size_t i, std::size_t j) const { pairs.emplace_back(i, j); }
+};
+
+// The same for pairs from several threads.
+class Locked_collector
+{
+public:
+  explicit Locked_collector(Pairs& pairs) : pairs_(pairs) {}
+
+  void operator()(std::size_t i, std::size_t j)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    pairs_.emplace_back(i, j);
+  }
+
+private:
+  Pairs& pairs_;
+  std::mutex mutex_;
 };
 
 inline Pairs sorted(Pairs pairs)
