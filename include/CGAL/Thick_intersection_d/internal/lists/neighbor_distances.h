@@ -72,7 +72,7 @@ template <class NamedParameters, class... Ranges>
 auto compute_neighbor_distances(const Neighbor_lists& lists, const NamedParameters& np,
                                 Ranges&... ranges)
 {
-  if constexpr((check_range_of_points<Sequential_tag, Ranges, NamedParameters>() && ...)) {
+  if constexpr((check_range_of_points<Ranges, NamedParameters>() && ...)) {
     const std::tuple all(make_elements(ranges, np)...);
     return squared_distances_in_lists(lists, std::get<0>(all),
                                       std::get<sizeof...(Ranges) - 1>(all));
