@@ -39,6 +39,8 @@
 
 #include <CGAL/assertions.h>
 
+#include <boost/config.hpp> // BOOST_NOINLINE
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -69,7 +71,7 @@ public:
     : minimum_(minimum), minima_(minimum, threads), max_count_(max_count), are_ties_(are_ties)
   {}
 
-  bool take(const Found_pair* pairs, std::size_t count) override
+  BOOST_NOINLINE bool take(const Found_pair* pairs, std::size_t count) override
   {
     Minimum& own = minima_.local();
     if(are_ties_)
