@@ -198,6 +198,32 @@ BOOST_AUTO_TEST_CASE(sites_that_are_close_to_the_pivot_are_not_cut)
   BOOST_CHECK_LE(calls.less, 12u);
 }
 
+// Wherever in the recursion the callback stops the search, no predicate is asked after it.
+BOOST_AUTO_TEST_CASE(searches_that_are_stopped_ask_nothing_more)
+{
+  Generator random(6);
+  std::vector<Site> sites; // enough for a few cuts one below another
+  for(int i = 0; i < 200; ++i)
+    sites.emplace_back(std::vector<long>{below(random, 60), below(random, 60)});
+  const std::size_t pair_count = pairs_of_sites(sites, 3).size();
+  BOOST_REQUIRE_GT(pair_count, 50u);
+  for(const Recursion_variant& variant : recursion_variants(6))
+    for(std::size_t last = 1; last <= pair_count; ++last) {
+      Calls calls;
+      const Lattice_traits traits(2, 3, 3, calls);
+      std::size_t reported = 0;
+      std::size_t asked = 0; // before the last report
+      const auto callback = [&](std::size_t, std::size_t) {
+        asked = calls.less + calls.is_close + calls.do_intersect;
+        return ++reported < last;
+      };
+      search_by_variant(sites, traits, variant, callback);
+      BOOST_REQUIRE_MESSAGE(reported == last, name(variant) << ", stopped by pair " << last);
+      BOOST_REQUIRE_MESSAGE(calls.less + calls.is_close + calls.do_intersect == asked,
+                            name(variant) << ", stopped by pair " << last);
+    }
+}
+
 // A random pivot is a function of the seed and of nothing else.
 BOOST_AUTO_TEST_CASE(order_of_reports_is_a_function_of_the_input)
 {
