@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// In sequence, the value is `first` itself. In parallel, each value is a copy of it. The layout is
-// the same with oneTBB and without.
+// In sequence there is one value, and in parallel one for each thread that asks. All are copies of
+// the first value. The layout is the same with oneTBB and without.
 template <class T>
 class Per_thread
 {
