@@ -4,22 +4,13 @@
 // The grid of doubles, and steps of it modulo 2^64, against rational numbers.
 
 #include "support/exact_points.h"
-#include "support/point_generators.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Double_grid.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <cstdint>
-#include <cstdlib>
-#include <limits>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Double_grid)
 
 using namespace test_support;
-namespace internal = CGAL::Thick_intersection_d::internal;
 
 // x / 2^e.
 Rational steps_of(double x, int e)

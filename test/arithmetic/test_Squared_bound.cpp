@@ -4,32 +4,19 @@
 // The squared bound in doubles and in steps of a grid, against rational numbers.
 
 #include "support/exact_points.h"
-#include "support/point_generators.h"
 #include "support/rounding_mode.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
-#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
-#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_tier.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <cstdint>
-#include <cstdlib>
-#include <limits>
-#include <optional>
 
 BOOST_AUTO_TEST_SUITE(Squared_bound)
 
 using namespace test_support;
-namespace internal = CGAL::Thick_intersection_d::internal;
-
-const double infinity = std::numeric_limits<double>::infinity();
 
 // The threshold of the certified tier is the square of the radius rounded down, to the last bit.
 BOOST_AUTO_TEST_CASE(thresholds_are_the_largest_doubles_within)
 {
-  using Bound = CGAL::Thick_intersection_d::internal::Squared_bound<CGAL::Exact_rational>;
+  using Bound = internal::Squared_bound<CGAL::Exact_rational>;
   BOOST_CHECK_EQUAL(Bound(CGAL::within_distance(5)).largest_double(), 25);
   BOOST_CHECK_EQUAL(Bound(CGAL::within_distance(5).open()).largest_double(),
                     std::nextafter(25., 0.));

@@ -3,22 +3,15 @@
 
 // Signs of determinants against integers of any length, up to the most bits that they take.
 
-#include "support/point_generators.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/determinant_signs.h>
-#include <CGAL/Thick_intersection_d/internal/arithmetic/wide_integers.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cstddef>
-#include <cstdint>
 
 BOOST_AUTO_TEST_SUITE(determinant_signs)
 
 using namespace test_support;
-namespace internal = CGAL::Thick_intersection_d::internal;
 using Integer = boost::multiprecision::cpp_int;
 using internal::Int128;
 

@@ -4,24 +4,18 @@
 // Numbers of many types in one exact type.
 
 #include "support/rounding_mode.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 
 #include <CGAL/Exact_integer.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <limits>
-#include <optional>
-#include <type_traits>
-#include <utility>
-
 BOOST_AUTO_TEST_SUITE(exact_number)
 
+using namespace test_support;
 BOOST_AUTO_TEST_CASE(numbers_are_converted_without_rounding)
 {
-  using CGAL::Thick_intersection_d::internal::to_exact_rational;
+  using internal::to_exact_rational;
   using Exact = CGAL::Exact_rational;
   const auto power_of_two = [](int e) { return Exact(std::ldexp(1., e)); };
   BOOST_CHECK(to_exact_rational(0.1) == Exact(0.1));
@@ -55,9 +49,9 @@ BOOST_AUTO_TEST_CASE(bounds_of_tiny_numbers_are_close_in_every_rounding_mode)
   const double step = 0x1p-1074;
   for(const double x : {step, 0x1.234p-1030, -0x1.23456789p-1025, 0x1p-1022, 0.})
     for(const double steps : {0., 0.375}) // the second number is no double
-      for(const int mode : test_support::rounding_modes) {
+      for(const int mode : rounding_modes) {
         const Exact number = Exact(x) + Exact(x) + Exact(steps) * Exact(step);
-        std::optional<test_support::Rounding_mode> in_mode(mode);
+        std::optional<Rounding_mode> in_mode(mode);
         const std::pair<double, double> enclosing = bounds(number);
         in_mode.reset();
         BOOST_CHECK(Exact(enclosing.first) <= number);

@@ -4,26 +4,16 @@
 // Doubles in steps of a grid against rational numbers, up to the ends of the range of doubles, in
 // every rounding mode.
 
-#include "support/point_generators.h"
 #include "support/rounding_mode.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Double_grid.h>
 
 #include <CGAL/Exact_rational.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-
 BOOST_AUTO_TEST_SUITE(grid_steps)
 
 using namespace test_support;
-namespace internal = CGAL::Thick_intersection_d::internal;
 using CGAL::Exact_rational;
 
 using Numbers = std::array<double, 4>;

@@ -4,21 +4,17 @@
 // Chunked lists against vectors, also when memory runs out.
 
 #include "support/counting_allocator.h"
-#include "support/point_generators.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/arrays/Chunked_lists.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <cstddef>
 #include <new>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Chunked_lists)
 
 using namespace test_support;
 
-using Lists = CGAL::Thick_intersection_d::internal::Chunked_lists<int, 4>;
+using Lists = internal::Chunked_lists<int, 4>;
 using Vectors = std::vector<std::vector<int>>;
 
 Vectors items_of(const Lists& lists, std::size_t list_count)

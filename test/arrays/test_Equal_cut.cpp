@@ -5,24 +5,13 @@
 // against rational numbers.
 
 #include "support/exact_points.h"
-#include "support/point_generators.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/arrays/Equal_cut.h>
-#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Equal_cut)
 
 using namespace test_support;
-namespace internal = CGAL::Thick_intersection_d::internal;
-
-const double infinity = std::numeric_limits<double>::infinity();
 
 // Ordinary, huge, tiny and denormal ones, some whose length overflows, one at 2^60 with few doubles
 // in it; single points, infinite and empty ones, which cannot be cut.

@@ -3,16 +3,13 @@
 
 // A hash table finds its entries, whatever their hashes are.
 
+#include "support/unit_test.h"
+
 #include <CGAL/Thick_intersection_d/internal/arrays/Hash_table.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cstddef>
-#include <cstdint>
 
 BOOST_AUTO_TEST_SUITE(Hash_table)
 
-namespace internal = CGAL::Thick_intersection_d::internal;
+using namespace test_support;
 
 using Table = internal::Hash_table<std::uint64_t, 0>;
 

@@ -3,22 +3,17 @@
 
 // Intervals that are longer by a reach, in every rounding mode, against sums of rational numbers.
 
-#include "support/point_generators.h"
 #include "support/rounding_mode.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 
 #include <boost/multiprecision/gmp.hpp>
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <limits>
 
 BOOST_AUTO_TEST_SUITE(Interval)
 
+using namespace test_support;
 using Rational = boost::multiprecision::mpq_rational;
-using test_support::Random;
-namespace internal = CGAL::Thick_intersection_d::internal;
 
 // Numbers of all sizes. Many are powers of two, next to which the steps of doubles change.
 double any_number(Random& random)
@@ -40,10 +35,10 @@ BOOST_AUTO_TEST_CASE(longer_intervals_hold_the_sum_in_every_rounding_mode)
     if(!std::isfinite(reach))
       continue;
     const Rational sum = Rational(x) + Rational(reach);
-    for(const int mode : test_support::rounding_modes) {
+    for(const int mode : rounding_modes) {
       internal::Interval interval;
       {
-        const test_support::Rounding_mode rounding(mode);
+        const Rounding_mode rounding(mode);
         interval = internal::longer({-1, x}, reach);
       }
       BOOST_REQUIRE_EQUAL(interval.low, -1);
@@ -57,7 +52,6 @@ BOOST_AUTO_TEST_CASE(longer_intervals_hold_the_sum_in_every_rounding_mode)
 
 BOOST_AUTO_TEST_CASE(infinite_reach)
 {
-  const double infinity = std::numeric_limits<double>::infinity();
   BOOST_CHECK_EQUAL(internal::longer({-1, 1}, infinity).high, infinity);
 }
 

@@ -3,18 +3,13 @@
 
 // Random numbers, against the standard library.
 
+#include "support/unit_test.h"
+
 #include <CGAL/Thick_intersection_d/internal/arrays/Random_numbers.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cstddef>
-#include <cstdint>
-#include <random>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Random_numbers)
 
-namespace internal = CGAL::Thick_intersection_d::internal;
+using namespace test_support;
 
 BOOST_AUTO_TEST_CASE(numbers_are_those_of_minstd_rand)
 {

@@ -3,17 +3,13 @@
 
 // Hashes of cells, and the sizes of hash tables.
 
+#include "support/unit_test.h"
+
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cstddef>
-#include <cstdint>
-#include <set>
 
 BOOST_AUTO_TEST_SUITE(hash)
 
-namespace internal = CGAL::Thick_intersection_d::internal;
+using namespace test_support;
 
 BOOST_AUTO_TEST_CASE(tables_are_powers_of_two_and_at_most_half_full)
 {

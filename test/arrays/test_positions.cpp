@@ -3,16 +3,13 @@
 
 // Positions of 32 bits, one of which stands for none.
 
+#include "support/unit_test.h"
+
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cstddef>
-#include <stdexcept>
 
 BOOST_AUTO_TEST_SUITE(positions)
 
-namespace internal = CGAL::Thick_intersection_d::internal;
+using namespace test_support;
 
 BOOST_AUTO_TEST_CASE(more_points_than_positions_are_refused)
 {

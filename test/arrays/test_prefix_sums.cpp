@@ -3,24 +3,16 @@
 
 // Prefix sums against sums that start anew.
 
-#include "support/point_generators.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/arrays/prefix_sums.h>
-#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cstddef>
-#include <cstdint>
-#include <numeric>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(prefix_sums)
 
 using namespace test_support;
-using CGAL::Thick_intersection_d::internal::Threads;
-using CGAL::Thick_intersection_d::internal::replace_by_prefix_sums;
-using CGAL::Thick_intersection_d::internal::replace_by_sums_over_blocks;
+using internal::Threads;
+using internal::replace_by_prefix_sums;
+using internal::replace_by_sums_over_blocks;
 
 BOOST_AUTO_TEST_CASE(each_count_becomes_the_sum_of_those_before)
 {

@@ -4,23 +4,13 @@
 // The radix sort against a stable sort of the standard library, and the keys of all kinds of
 // doubles against their order.
 
-#include "support/point_generators.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/arrays/radix_sort.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(radix_sort)
 
 using namespace test_support;
-namespace internal = CGAL::Thick_intersection_d::internal;
 
 // Zeros of both signs, denormal, normal and infinite numbers, and some of every magnitude.
 std::vector<double> all_kinds_of_doubles()

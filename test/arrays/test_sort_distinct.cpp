@@ -3,18 +3,9 @@
 
 // Distinct numbers, few and many, against the sort of the standard library.
 
-#include "support/point_generators.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/arrays/sort_distinct.h>
-#include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(sort_distinct)
 
@@ -26,12 +17,11 @@ class Sorter
 public:
   void operator()(std::vector<std::uint32_t>& numbers)
   {
-    CGAL::Thick_intersection_d::internal::sort_distinct(
-      numbers.data(), numbers.data() + numbers.size(), memory_);
+    internal::sort_distinct(numbers.data(), numbers.data() + numbers.size(), memory_);
   }
 
 private:
-  CGAL::Thick_intersection_d::internal::Buffer<std::uint32_t> memory_;
+  internal::Buffer<std::uint32_t> memory_;
 };
 
 BOOST_AUTO_TEST_CASE(distinct_numbers_are_sorted)

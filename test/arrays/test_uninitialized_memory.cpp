@@ -3,16 +3,14 @@
 
 // A buffer gives room for as much as is asked for, and uses its memory again.
 
+#include "support/unit_test.h"
+
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cstddef>
-#include <utility>
 
 BOOST_AUTO_TEST_SUITE(uninitialized_memory)
 
-using Buffer = CGAL::Thick_intersection_d::internal::Buffer<int>;
+using namespace test_support;
+using Buffer = internal::Buffer<int>;
 
 BOOST_AUTO_TEST_CASE(memory_is_used_again)
 {

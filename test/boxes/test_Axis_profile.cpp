@@ -4,17 +4,12 @@
 // Profiles of samples: the sizes of pieces against counting, outliers, and what cannot be cut.
 
 #include "support/number_boxes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
+#include "support/unit_test.h"
 
 BOOST_AUTO_TEST_SUITE(Axis_profile)
 
 using namespace test_support;
 using Box = internal::Piece_box<1>;
-
-const double infinity = std::numeric_limits<double>::infinity();
 
 std::vector<Box> boxes_of(const std::vector<internal::Interval>& intervals)
 {

@@ -5,10 +5,7 @@
 // buckets or sorted.
 
 #include "support/number_boxes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <map>
+#include "support/unit_test.h"
 
 BOOST_AUTO_TEST_SUITE(Box_order)
 

@@ -4,8 +4,7 @@
 // Plans: a sweep along the axis along which few boxes meet, and a cut where it saves time.
 
 #include "support/number_boxes.h"
-
-#include <boost/test/unit_test.hpp>
+#include "support/unit_test.h"
 
 BOOST_AUTO_TEST_SUITE(Box_planner)
 

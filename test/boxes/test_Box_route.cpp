@@ -6,14 +6,7 @@
 
 #include "support/number_boxes.h"
 #include "support/seeds.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <vector>
+#include "support/unit_test.h"
 
 BOOST_AUTO_TEST_SUITE(Box_route)
 

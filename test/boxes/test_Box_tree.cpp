@@ -5,19 +5,9 @@
 // looks at.
 
 #include "support/number_boxes.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/boxes/Box_tree.h>
-#include <CGAL/Thick_intersection_d/internal/machine/Stop_flag.h>
-#include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cmath>
-#include <optional>
-#include <string>
-#include <type_traits>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Box_tree)
 

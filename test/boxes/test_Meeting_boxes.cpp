@@ -3,17 +3,13 @@
 
 // Closed and half-open boxes, as intervals of doubles and by their exact ends.
 
+#include "support/unit_test.h"
+
 #include <CGAL/Thick_intersection_d/internal/boxes/Meeting_boxes.h>
-#include <CGAL/Thick_intersection_d/internal/boxes/Numbered_boxes.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <limits>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Meeting_boxes)
 
-namespace internal = CGAL::Thick_intersection_d::internal;
+using namespace test_support;
 
 namespace {
 

@@ -3,20 +3,15 @@
 
 // The boxes of two ranges in one numbering, as intervals of doubles.
 
-#include <CGAL/Exact_rational.h>
+#include "support/unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/boxes/Numbered_boxes.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <limits>
-#include <stdexcept>
-#include <utility>
-#include <vector>
+#include <CGAL/Exact_rational.h>
 
 BOOST_AUTO_TEST_SUITE(Numbered_boxes)
 
-namespace internal = CGAL::Thick_intersection_d::internal;
+using namespace test_support;
 
 namespace {
 

@@ -4,10 +4,7 @@
 // Each box is in one class: that of the axes along which it is long.
 
 #include "support/number_boxes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
+#include "support/unit_test.h"
 
 BOOST_AUTO_TEST_SUITE(divide_into_classes)
 
@@ -21,7 +18,6 @@ bool is_long(const Box& box, int axis, const std::array<double, 3>& lengths)
 
 BOOST_AUTO_TEST_CASE(classes_divide_the_boxes_by_the_axes_along_which_they_are_long)
 {
-  const double infinity = std::numeric_limits<double>::infinity();
   Generator random(1);
   std::vector<Box> boxes(500);
   for(std::size_t i = 0; i < boxes.size(); ++i) {

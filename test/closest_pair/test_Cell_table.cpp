@@ -5,23 +5,13 @@
 // library. The dictionary is a method of the benchmarks.
 
 #include "../../benchmark/methods/Bucket_dictionary.h"
-#include "support/point_generators.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Cell_table.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <map>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Cell_table)
 
 using namespace test_support;
-namespace internal = CGAL::Thick_intersection_d::internal;
 
 using Cell = std::vector<internal::Cell_number>;
 using Members = std::vector<std::uint32_t>;

@@ -4,26 +4,14 @@
 // The law of hashed cells: points within the width of a point are in the cells around it.
 
 #include "support/plain_points.h"
-#include "support/point_generators.h"
+#include "support/unit_test.h"
 
-#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Hashed_cells.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Join_task.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Hashed_cells)
 
 using namespace test_support;
-namespace internal = CGAL::Thick_intersection_d::internal;
 
 using Point = Plain_point<double>;
 

@@ -6,13 +6,9 @@
 #include "../../benchmark/methods/Incremental_cells.h"
 #include "support/check_closest_pair.h"
 #include "support/counted_points.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
-#include <cstdint>
-#include <numeric>
-#include <optional>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Incremental_cells)
 

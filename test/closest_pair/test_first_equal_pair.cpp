@@ -6,22 +6,16 @@
 #include "support/counted_points.h"
 #include "support/pairs.h"
 #include "support/plain_points.h"
-#include "support/point_generators.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/closest_pair/first_equal_pair.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <cstddef>
-#include <cstdint>
 #include <cstring>
-#include <optional>
 
 BOOST_AUTO_TEST_SUITE(first_equal_pair)
 
 using namespace test_support;
-namespace internal = CGAL::Thick_intersection_d::internal;
 
 std::optional<Pair> by_brute_force(const Points& points)
 {

@@ -3,21 +3,13 @@
 
 // Pairs that are known, against a set of the standard library.
 
-#include "support/point_generators.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/features/Known_pairs.h>
-#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cstddef>
-#include <set>
-#include <utility>
 
 BOOST_AUTO_TEST_SUITE(Known_pairs)
 
-namespace internal = CGAL::Thick_intersection_d::internal;
+using namespace test_support;
 using internal::Place;
 
 BOOST_AUTO_TEST_CASE(each_pair_is_added_once_in_either_order)
@@ -34,7 +26,7 @@ BOOST_AUTO_TEST_CASE(each_pair_is_added_once_in_either_order)
 // through all slots, not through every other one, which may all be taken.
 BOOST_AUTO_TEST_CASE(searches_in_full_sets_end)
 {
-  test_support::Random random(1);
+  Random random(1);
   const auto below = [&](Place end) { return static_cast<Place>(random.below(end)); };
   for(int k = 0; k < 3000; ++k) {
     internal::Known_pairs known{internal::Threads()};
@@ -49,7 +41,7 @@ BOOST_AUTO_TEST_CASE(many_pairs)
 {
   internal::Known_pairs known{internal::Threads()};
   std::set<std::pair<Place, Place>> expected;
-  test_support::Random random(1);
+  Random random(1);
   for(int k = 0; k < 20000; ++k) {
     const auto i = static_cast<Place>(random.below(200)), j = static_cast<Place>(random.below(200));
     if(i == j)

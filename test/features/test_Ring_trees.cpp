@@ -4,26 +4,17 @@
 // Whether points are inside rings of many vertices: by trees, and by the parity of a steep ray.
 
 #include "support/feature_oracle.h"
-#include "support/point_generators.h"
+#include "support/unit_test.h"
+
+#include <CGAL/Thick_intersection_d/internal/features/Ring_trees.h>
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
 
-#include <CGAL/Thick_intersection_d/internal/features/Ring_trees.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(Ring_trees)
 
 using namespace test_support;
-namespace internal = CGAL::Thick_intersection_d::internal;
 using internal::Place;
 
 using Doubles = CGAL::Simple_cartesian<double>;

@@ -3,17 +3,13 @@
 
 // The centers of balls as a range, and the radius that all balls have.
 
+#include "support/unit_test.h"
+
 #include <CGAL/Thick_intersection_d/internal/input/Ball_centers.h>
-#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Ball_centers)
 
-namespace internal = CGAL::Thick_intersection_d::internal;
+using namespace test_support;
 
 using Balls = std::vector<std::pair<int, double>>; // on the line
 

@@ -3,26 +3,22 @@
 
 // Elements of ranges of all kinds, by number: nothing is copied that can be referred to.
 
+#include "support/unit_test.h"
+
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 
 #include <boost/iterator/counting_iterator.hpp>
 #include <boost/iterator/indirect_iterator.hpp>
 #include <boost/iterator/iterator_facade.hpp>
 #include <boost/range/iterator_range.hpp>
-#include <boost/test/unit_test.hpp>
 
-#include <cstddef>
-#include <cstdlib>
 #include <forward_list>
 #include <iterator>
 #include <list>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Numbered_elements)
 
-namespace internal = CGAL::Thick_intersection_d::internal;
+using namespace test_support;
 
 template <class Elements>
 std::vector<int> numbers_of(const Elements& elements)

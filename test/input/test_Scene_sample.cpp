@@ -4,21 +4,15 @@
 // What a sample says about a scene is true of the points that it looks at.
 
 #include "support/plain_points.h"
-#include "support/point_generators.h"
-
-#include <CGAL/Exact_rational.h>
+#include "support/unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/input/Scene_sample.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <cstddef>
-#include <limits>
+#include <CGAL/Exact_rational.h>
 
 BOOST_AUTO_TEST_SUITE(Scene_sample)
 
 using namespace test_support;
-namespace internal = CGAL::Thick_intersection_d::internal;
 
 BOOST_AUTO_TEST_CASE(sample_has_the_grid_of_its_points)
 {
@@ -73,7 +67,6 @@ BOOST_AUTO_TEST_CASE(lattices_are_repetitive_and_random_points_are_not)
 BOOST_AUTO_TEST_CASE(bad_points_are_passed_over)
 {
   BOOST_CHECK_EQUAL(internal::Scene_sample(plain_points({})).extended_axis_count(), 0);
-  const double infinity = std::numeric_limits<double>::infinity();
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto points = plain_points(
     {{1, infinity}, {2, -infinity}, {4}, {6, infinity}, {nan, -infinity}, {8.5, 1, 3}});

@@ -3,21 +3,18 @@
 
 // What an object is, if it may be of several kinds: a variant, or one of two ranges.
 
-#include <CGAL/Simple_cartesian.h>
+#include "support/unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/input/kinds.h>
 
-#include <boost/test/unit_test.hpp>
+#include <CGAL/Simple_cartesian.h>
 
-#include <string>
 #include <tuple>
-#include <type_traits>
-#include <utility>
 #include <variant>
 
 BOOST_AUTO_TEST_SUITE(kinds)
 
-namespace internal = CGAL::Thick_intersection_d::internal;
+using namespace test_support;
 
 using Word_or_number = std::variant<std::string, double>;
 using One = internal::One_of_two<const Word_or_number&, int>;

@@ -5,21 +5,7 @@
 
 #include "support/instruction_sets.h"
 #include "support/number_boxes.h"
-#include "support/pairs.h"
-
-#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
-#include <CGAL/Thick_intersection_d/internal/boxes/Box_order.h>
-#include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
-#include <CGAL/Thick_intersection_d/internal/lanes/Near_pairs.h>
-#include <CGAL/Thick_intersection_d/internal/lanes/Run.h>
-#include <CGAL/Thick_intersection_d/internal/lanes/lanes_plain.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cstddef>
-#include <optional>
-#include <vector>
+#include "support/unit_test.h"
 
 BOOST_AUTO_TEST_SUITE(meeting_boxes)
 

@@ -4,25 +4,13 @@
 // Runs of positions, sorted and merged by the lanes of all processors, against std::sort.
 
 #include "support/instruction_sets.h"
-#include "support/point_generators.h"
+#include "support/unit_test.h"
 
-#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
-#include <CGAL/Thick_intersection_d/internal/arrays/sort_distinct.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/run_sorter.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <limits>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(run_sorter)
 
 using namespace test_support;
-namespace internal = CGAL::Thick_intersection_d::internal;
 
 using internal::Place;
 using Run = std::array<Place, internal::max_run_size>;

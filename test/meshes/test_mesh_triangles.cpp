@@ -4,26 +4,18 @@
 // Triangles that share a vertex or an edge, in all directions of a small lattice, on doubles and on
 // a kernel.
 
+#include "support/unit_test.h"
+
 #include <CGAL/Thick_intersection_d/internal/meshes/mesh_triangles.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Kernel_orientation.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Staged_orientation.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/intersections.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cstddef>
-#include <type_traits>
-#include <vector>
-
-namespace internal = CGAL::Thick_intersection_d::internal;
-
 BOOST_AUTO_TEST_SUITE(mesh_triangles)
 
+using namespace test_support;
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;

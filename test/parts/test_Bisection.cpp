@@ -3,24 +3,14 @@
 
 // The boxes of parts.
 
+#include "support/unit_test.h"
+
 #include <CGAL/Thick_intersection_d/internal/parts/Bisection.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_box.h>
-#include <CGAL/Thick_intersection_d/internal/parts/Point_sample.h>
-
-#include <CGAL/Thick_intersection_d/internal/arrays/Random_numbers.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Bisection)
 
-namespace internal = CGAL::Thick_intersection_d::internal;
+using namespace test_support;
 
 // Points of a box, each with the same pairs.
 internal::Point_sample random_points(std::size_t size, double width, double height)

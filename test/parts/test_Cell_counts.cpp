@@ -3,24 +3,14 @@
 
 // Samples of points, and samples by their pairs.
 
+#include "support/unit_test.h"
+
 #include <CGAL/Thick_intersection_d/internal/parts/Cell_counts.h>
-#include <CGAL/Thick_intersection_d/internal/parts/Part_points.h>
-#include <CGAL/Thick_intersection_d/internal/parts/Point_sample.h>
 #include <CGAL/Thick_intersection_d/internal/parts/spatial_order.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
-#include <numeric>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Cell_counts)
 
-namespace internal = CGAL::Thick_intersection_d::internal;
+using namespace test_support;
 
 struct Point
 {

@@ -3,23 +3,13 @@
 
 // The box of a part, the points near it, and which parts receive a point.
 
-#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
+#include "support/unit_test.h"
+
 #include <CGAL/Thick_intersection_d/internal/parts/Part_box.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Part_box)
 
-namespace internal = CGAL::Thick_intersection_d::internal;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using namespace test_support;
 
 struct Bounds
 {

@@ -3,17 +3,13 @@
 
 // How a sequence of points is divided into two groups.
 
-#include <CGAL/Thick_intersection_d/internal/parts/Point_sample.h>
+#include "support/unit_test.h"
+
 #include <CGAL/Thick_intersection_d/internal/parts/balanced_split.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cstddef>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(balanced_split)
 
-namespace internal = CGAL::Thick_intersection_d::internal;
+using namespace test_support;
 
 // The sums of loads that are the same at each place, with all pairs in [begin, end) of 100 places.
 std::vector<internal::Point_load> sums_of(std::size_t begin, std::size_t end, double pairs = 1)

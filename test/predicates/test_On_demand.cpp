@@ -3,18 +3,17 @@
 
 // A value is made once, when it is asked for.
 
-#include <CGAL/Thick_intersection_d/internal/predicates/Is_within_distance.h>
+#include "support/unit_test.h"
 
-#include <boost/test/unit_test.hpp>
+#include <CGAL/Thick_intersection_d/internal/predicates/Is_within_distance.h>
 
 #include <atomic>
 #include <chrono>
-#include <stdexcept>
 #include <thread>
 
 BOOST_AUTO_TEST_SUITE(On_demand)
 
-namespace internal = CGAL::Thick_intersection_d::internal;
+using namespace test_support;
 
 BOOST_AUTO_TEST_CASE(nothing_is_made_unless_it_is_asked_for)
 {

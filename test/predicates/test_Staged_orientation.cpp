@@ -4,24 +4,17 @@
 // The orientation of points against rational numbers: random, nearly degenerate and extreme points,
 // in every rounding mode, by every arithmetic.
 
-#include "support/point_generators.h"
 #include "support/rounding_mode.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/predicates/Staged_orientation.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-
 BOOST_AUTO_TEST_SUITE(Staged_orientation)
 
 using namespace test_support;
-namespace internal = CGAL::Thick_intersection_d::internal;
 using CGAL::Arithmetic_tier;
 
 using Space = internal::Staged_orientation<3>;

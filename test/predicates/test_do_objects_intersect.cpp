@@ -3,6 +3,8 @@
 
 // Which arithmetic decides about objects of a kernel, and that it gives the answer for each.
 
+#include "support/unit_test.h"
+
 #include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
 
 #include <CGAL/Exact_integer.h>
@@ -11,11 +13,10 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
-#include <boost/test/unit_test.hpp>
 
 BOOST_AUTO_TEST_SUITE(do_objects_intersect)
 
-namespace internal = CGAL::Thick_intersection_d::internal;
+using namespace test_support;
 using CGAL::Arithmetic_tier;
 using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
 

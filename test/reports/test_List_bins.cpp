@@ -2,22 +2,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "support/counting_allocator.h"
-#include "support/point_generators.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/lists/Neighbor_collector.h>
 #include <CGAL/Thick_intersection_d/internal/reports/List_bins.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cstddef>
-#include <utility>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(List_bins)
 
 using namespace test_support;
-using Bins = CGAL::Thick_intersection_d::internal::List_bins;
+using Bins = internal::List_bins;
 using Neighbor = std::pair<std::size_t, Bins::Position>;
 
 // Lists of 32 neighbors or fewer, and lists that fill several chunks.
@@ -86,7 +79,7 @@ BOOST_AUTO_TEST_CASE(bins_that_are_cleared_take_no_memory_of_lists)
 {
   const std::size_t before = current_bytes();
   Bins bins(Bins::bin_size);
-  CGAL::Thick_intersection_d::internal::Neighbor_bins neighbors(Bins::bin_size);
+  internal::Neighbor_bins neighbors(Bins::bin_size);
   for(Bins::Position i = 0; i < 10000; ++i) {
     bins.append_short(i % Bins::bin_size, 10);
     neighbors.add(i % Bins::bin_size, i);

@@ -4,24 +4,16 @@
 // Callbacks of positions and of elements, and output iterators of both.
 
 #include "support/pairs.h"
+#include "support/unit_test.h"
+
+#include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
 
 #include <CGAL/Element_callback.h>
 
-#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
-#include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cstddef>
 #include <iterator>
-#include <string>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Pair_output)
 
-namespace internal = CGAL::Thick_intersection_d::internal;
 using namespace test_support;
 
 // As Numbered_elements, with elements that exist and elements that are made.

@@ -3,16 +3,14 @@
 
 // A reporter hands pairs on until the callback, or the search, says stop.
 
+#include "support/unit_test.h"
+
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
 #include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <cstddef>
-
 BOOST_AUTO_TEST_SUITE(Pair_reporter)
 
-namespace internal = CGAL::Thick_intersection_d::internal;
+using namespace test_support;
 
 static_assert(!internal::One_set::are_two && internal::Two_sets::are_two);
 

@@ -3,17 +3,15 @@
 
 // What the functor of a watched search is told.
 
+#include "support/unit_test.h"
+
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 
-#include <boost/test/unit_test.hpp>
-
 #include <functional>
-#include <type_traits>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Progress)
 
-namespace internal = CGAL::Thick_intersection_d::internal;
+using namespace test_support;
 
 BOOST_AUTO_TEST_CASE(parts_of_a_search_share_what_is_left_of_the_progress)
 {

@@ -3,21 +3,14 @@
 
 // The sorts by buckets against the sort of the standard library.
 
+#include "support/unit_test.h"
+
 #include <CGAL/Thick_intersection_d/internal/slabs/Bucket_sorter.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <random>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(Bucket_sorter)
 
-namespace internal = CGAL::Thick_intersection_d::internal;
+using namespace test_support;
 
 using Generator = std::mt19937_64;
 using Point = internal::Slab_point<2, double>;

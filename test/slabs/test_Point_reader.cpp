@@ -4,16 +4,9 @@
 // Blocks have all points in their order, wherever their doubles are in memory.
 
 #include "support/point_source.h"
+#include "support/unit_test.h"
 
-#include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Near_task.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Point_reader.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cstddef>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Point_reader)
 

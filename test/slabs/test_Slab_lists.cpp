@@ -4,25 +4,15 @@
 // The lists of slabs in a window, against sets of neighbors.
 
 #include "support/counting_allocator.h"
-#include "support/point_generators.h"
+#include "support/unit_test.h"
 
-#include <CGAL/Thick_intersection_d/internal/lanes/Near_pairs.h>
-#include <CGAL/Thick_intersection_d/internal/reports/List_bins.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_lists.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cstddef>
 #include <deque>
-#include <map>
-#include <set>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Slab_lists)
 
 using namespace test_support;
-namespace internal = CGAL::Thick_intersection_d::internal;
 using internal::Place;
 
 using Lists = internal::Slab_lists;

@@ -4,19 +4,9 @@
 // The window over the slabs that are ready, against the list of all slabs of the stream.
 
 #include "support/point_source.h"
+#include "support/unit_test.h"
 
-#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Slab_column.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Slab_stream.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_window.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cstddef>
-#include <string>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Slab_window)
 

@@ -3,19 +3,10 @@
 
 // Slabs of points follow each other, and blocks of slabs share the points out.
 
-#include "support/point_generators.h"
 #include "support/point_source.h"
+#include "support/unit_test.h"
 
-#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slabs.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cstddef>
-#include <limits>
-#include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Slabs)
 

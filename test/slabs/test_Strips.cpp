@@ -5,21 +5,9 @@
 
 #include "support/instruction_sets.h"
 #include "support/point_source.h"
+#include "support/unit_test.h"
 
-#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
-#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
-#include <CGAL/Thick_intersection_d/internal/lanes/Run.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Strips.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Strips)
 

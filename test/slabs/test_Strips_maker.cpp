@@ -4,17 +4,9 @@
 // Strips have all points of a slab, follow each other along axis 1, and are sorted along axis 0.
 
 #include "support/point_source.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/slabs/Strips_maker.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cstddef>
-#include <limits>
-#include <string>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Strips_maker)
 
