@@ -3,20 +3,13 @@
 
 // The orders along the axes: divided, each side is in order; merged, they are as before.
 
-#include "support/point_generators.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Axis_orders.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cstddef>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Axis_orders)
 
 using namespace test_support;
-namespace internal = CGAL::Thick_intersection_d::internal;
 using internal::Rank;
 using internal::Ranks;
 
@@ -24,11 +17,7 @@ using internal::Ranks;
 Points random_points(int dimension, std::size_t size)
 {
   Random random(size);
-  Points points(size, Coordinates(static_cast<std::size_t>(dimension)));
-  for(Coordinates& c : points)
-    for(double& x : c)
-      x = static_cast<double>(random.below(6));
-  return points;
+  return integer_points(dimension, size, 6, random);
 }
 
 // The ranks [first, last) along an axis; those of equal coordinates are in their own order.

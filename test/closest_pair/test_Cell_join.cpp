@@ -5,17 +5,15 @@
 
 #include "support/check_closest_pair.h"
 #include "support/plain_points.h"
+#include "support/squared_distance.h"
+#include "support/unit_test.h"
+
+#include <CGAL/Thick_intersection_d/internal/closest_pair/Cell_join.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Thick_intersection_d/internal/closest_pair/Cell_join.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
 #include <mutex>
-#include <set>
 
 BOOST_AUTO_TEST_SUITE(Cell_join)
 
@@ -104,15 +102,11 @@ void check_join_of_many_lists()
   join_all<3, ConcurrencyTag>(elements, 3, 10, taker);
   std::size_t close = 0, missing = 0;
   for(std::size_t i = 0; i < points.size(); ++i)
-    for(std::size_t j = i + 1; j < points.size(); ++j) {
-      double square = 0;
-      for(std::size_t axis = 0; axis < 3; ++axis)
-        square += (points[i][axis] - points[j][axis]) * (points[i][axis] - points[j][axis]);
-      if(square <= 9) {
+    for(std::size_t j = i + 1; j < points.size(); ++j)
+      if(squared_distance<double>(points[i], points[j]) <= 9) {
         ++close;
         missing += taker.pairs.count({i, j}) == 0;
       }
-    }
   BOOST_CHECK_EQUAL(missing, 0u);
   BOOST_CHECK_GT(close, 1000u);
 }
@@ -154,10 +148,7 @@ BOOST_AUTO_TEST_CASE(joins_visit_close_pairs_of_coordinates_that_are_no_doubles)
     BOOST_CHECK(join_all<2>(points, 1, side, taker) == internal::Joined::ALL);
     for(std::size_t i = 0; i + 3 < points.size(); ++i)
       for(std::size_t j = i + 1; j <= i + 3; ++j)
-        if((Number(points[j].coordinates[0] - points[i].coordinates[0])
-            * Number(points[j].coordinates[0] - points[i].coordinates[0])
-            + Number(points[j].coordinates[1] - points[i].coordinates[1])
-              * Number(points[j].coordinates[1] - points[i].coordinates[1])) <= 1)
+        if(squared_distance<Number>(points[i].coordinates, points[j].coordinates) <= 1)
           BOOST_CHECK_EQUAL(taker.pairs.count({i, j}), 1u);
   }
 }

@@ -5,42 +5,23 @@
 // rounding mode.
 
 #include "support/exact_points.h"
-#include "support/point_generators.h"
 #include "support/rounding_mode.h"
-
-#include <CGAL/boost_mp.h>
+#include "support/squared_distance.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Twofold_distance.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <optional>
-#include <utility>
+#include <CGAL/boost_mp.h>
 
 BOOST_AUTO_TEST_SUITE(Twofold_distance)
 
 using namespace test_support;
-namespace internal = CGAL::Thick_intersection_d::internal;
 
 using Numbers = std::array<double, 3>; // integers
 struct Two_points
 {
   Numbers p, q;
 };
-
-Integer squared_distance(const Two_points& points)
-{
-  Integer sum = 0;
-  for(std::size_t i = 0; i < 3; ++i) {
-    const Integer gap = Integer(points.p[i]) - Integer(points.q[i]);
-    sum += gap * gap;
-  }
-  return sum;
-}
 
 internal::Twofold_distance distance(const Two_points& points, int exponent)
 {
@@ -89,7 +70,8 @@ std::pair<int, int> check_near_ties(const Make& make, int bits, int exponent)
   Random random(static_cast<unsigned int>(bits));
   for(int k = 0; k < 1000; ++k) {
     const auto [a, b] = make(bits, random);
-    const int expected = CGAL::compare(squared_distance(a), squared_distance(b));
+    const int expected = CGAL::compare(squared_distance<Integer>(a.p, a.q),
+                                       squared_distance<Integer>(b.p, b.q));
     for(const int mode : rounding_modes) {
       const Rounding_mode rounding(mode);
       const std::optional<int> found = distance(a, exponent).compare(distance(b, exponent));

@@ -7,27 +7,13 @@
 
 #include "support/instruction_sets.h"
 #include "support/pairs.h"
-#include "support/point_generators.h"
 #include "support/run_of_points.h"
-
-#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
-#include <CGAL/Thick_intersection_d/internal/lanes/Near_pairs.h>
-#include <CGAL/Thick_intersection_d/internal/lanes/Run.h>
-#include <CGAL/Thick_intersection_d/internal/lanes/instruction_set.h>
-#include <CGAL/Thick_intersection_d/internal/lanes/lanes_plain.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
+#include "support/squared_distance.h"
+#include "support/unit_test.h"
 
 BOOST_AUTO_TEST_SUITE(near_points)
 
 using namespace test_support;
-namespace internal = CGAL::Thick_intersection_d::internal;
 
 // This comes first, before another one has been forced.
 BOOST_AUTO_TEST_CASE(best_instruction_set_is_taken_unless_another_is_forced)
@@ -41,29 +27,12 @@ BOOST_AUTO_TEST_CASE(best_instruction_set_is_taken_unless_another_is_forced)
   BOOST_CHECK(internal::instruction_set() == best);
 }
 
-Points integer_points(int dimension, std::size_t size, std::size_t side, Random& random)
-{
-  Points points(size, Coordinates(static_cast<std::size_t>(dimension)));
-  for(Coordinates& c : points)
-    for(double& x : c)
-      x = static_cast<double>(random.below(side));
-  return points;
-}
-
 // Lanes decide all but the pairs at distance r.
 template <class Number>
 internal::Near_question<Number> question(double r)
 {
   using Real = internal::Real_of<Number>;
   return {static_cast<Number>(r), static_cast<Real>(r * r - 0.5), static_cast<Real>(r * r)};
-}
-
-double squared_distance(const Coordinates& p, const Coordinates& q)
-{
-  double sum = 0;
-  for(std::size_t axis = 0; axis < p.size(); ++axis)
-    sum += (p[axis] - q[axis]) * (p[axis] - q[axis]);
-  return sum;
 }
 
 // What lanes collect: the positions of points that are certainly near, and the places of others,
@@ -125,7 +94,7 @@ Collected by_brute_force(const Run_of& a, const Run_of& b, double r)
   Collected all;
   for(std::size_t i = 0; i < a.points().size(); ++i)
     for(std::size_t j = &a == &b ? i + 1 : 0; j < b.points().size(); ++j) {
-      const double square = squared_distance(a.points()[i], b.points()[j]);
+      const double square = squared_distance<double>(a.points()[i], b.points()[j]);
       const std::size_t p = a.run().positions[i], q = b.run().positions[j];
       if(square == r * r)
         all.undecided.emplace_back(i, j);
@@ -196,7 +165,6 @@ BOOST_AUTO_TEST_CASE(what_lanes_do_not_decide_is_left_once)
 {
   Random random(2);
   const Run_of_points<2> a(integer_points(2, 40, 30, random));
-  const double infinity = std::numeric_limits<double>::infinity();
   with_all_lanes([&](auto set) {
     const Collected found = within(set, a, {3, -1, infinity});
     const Pairs pairs = sorted(found.undecided);

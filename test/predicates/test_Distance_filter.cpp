@@ -5,47 +5,17 @@
 // mode, of coordinates that are doubles and of others that are near doubles.
 
 #include "support/exact_points.h"
-#include "support/point_generators.h"
 #include "support/rounding_mode.h"
+#include "support/squared_distance.h"
+#include "support/unit_test.h"
 
-#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Distance_filter)
 
 using namespace test_support;
-namespace internal = CGAL::Thick_intersection_d::internal;
 
 using Bound = internal::Squared_bound<internal::Exact_number_t<double>>;
-
-// In the present rounding mode.
-double computed_square(const Coordinates& p, const Coordinates& q)
-{
-  double sum = 0;
-  for(std::size_t axis = 0; axis < p.size(); ++axis)
-    sum += (p[axis] - q[axis]) * (p[axis] - q[axis]);
-  return sum;
-}
-
-Rational exact_square(const std::vector<Rational>& p, const std::vector<Rational>& q)
-{
-  Rational sum = 0;
-  for(std::size_t axis = 0; axis < p.size(); ++axis)
-    sum += (p[axis] - q[axis]) * (p[axis] - q[axis]);
-  return sum;
-}
-
-std::vector<Rational> rationals(const Coordinates& c)
-{
-  return std::vector<Rational>(c.begin(), c.end());
-}
 
 // What a filter says of a computed square must hold for the exact one, whether the bound is closed
 // or open. Returns whether it says anything.
@@ -91,9 +61,9 @@ BOOST_AUTO_TEST_CASE(filters_are_right_next_to_the_bound)
           {
             const Rounding_mode in_mode(mode);
             filter = internal::make_distance_filter(Bound(CGAL::within_distance(r)), dimension);
-            computed = computed_square(p, q);
+            computed = squared_distance<double>(p, q);
           }
-          check_filter(filter, computed, exact_square(rationals(p), rationals(q)), r);
+          check_filter(filter, computed, squared_distance<Rational>(p, q), r);
         }
       }
 }
@@ -107,8 +77,9 @@ BOOST_AUTO_TEST_CASE(filters_decide_nearly_all)
     const Coordinates p = {r, -r, r};
     const Coordinates q = point_near_sphere(p, r, 1e-10, random);
     const Bound bound(CGAL::within_distance(r));
-    decided += check_filter(internal::make_distance_filter(bound, 3), computed_square(p, q),
-                            exact_square(rationals(p), rationals(q)), r);
+    decided += check_filter(internal::make_distance_filter(bound, 3),
+                            squared_distance<double>(p, q),
+                            squared_distance<Rational>(p, q), r);
   }
   BOOST_CHECK_GE(decided, 990u);
 }
@@ -140,10 +111,11 @@ BOOST_AUTO_TEST_CASE(widened_filters_are_right_for_doubles_below_the_coordinates
         const Rounding_mode in_mode(mode);
         const Bound bound(CGAL::within_distance(r));
         wide = internal::widen(internal::make_distance_filter(bound, 3), bound, error);
-        computed = computed_square(p, q);
+        computed = squared_distance<double>(p, q);
       }
-      decided += check_filter(wide, computed, exact_square(moved_up(p, error, random),
-                                                           moved_up(q, error, random)), r);
+      const std::vector<Rational> exact_p = moved_up(p, error, random);
+      const std::vector<Rational> exact_q = moved_up(q, error, random);
+      decided += check_filter(wide, computed, squared_distance<Rational>(exact_p, exact_q), r);
     }
   BOOST_CHECK_GT(decided, 2000u);
 }
@@ -181,15 +153,15 @@ BOOST_AUTO_TEST_CASE(squares_that_are_nearly_lost_are_not_beyond_the_bound)
   const CGAL::Exact_rational exact_gap(gap);
   const internal::Squared_bound<CGAL::Exact_rational> bound(
     CGAL::within_squared_distance(CGAL::Exact_rational(3 * exact_gap * exact_gap)));
-  const double computed = computed_square({0, 0, 0}, {gap, gap, gap});
+  const Coordinates p = {0, 0, 0}, q = {gap, gap, gap};
+  const double computed = squared_distance<double>(p, q);
   BOOST_REQUIRE(Rational(computed) > Rational(bound.squared().second));
-  BOOST_CHECK(exact_square(rationals({0, 0, 0}), rationals({gap, gap, gap})) == square);
+  BOOST_CHECK(squared_distance<Rational>(p, q) == square);
   BOOST_CHECK_LE(computed, internal::make_distance_filter(bound, 3).outside);
 }
 
 BOOST_AUTO_TEST_CASE(nothing_is_beyond_an_infinite_bound)
 {
-  const double infinity = std::numeric_limits<double>::infinity();
   const Bound bound(CGAL::within_distance(infinity));
   const internal::Distance_filter filter = internal::make_distance_filter(bound, 2);
   BOOST_CHECK_EQUAL(filter.inside, infinity);

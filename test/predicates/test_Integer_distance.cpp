@@ -5,28 +5,21 @@
 // limits of each, far from the origin, on the grid and off it, in every rounding mode.
 
 #include "support/exact_points.h"
-#include "support/point_generators.h"
 #include "support/rounding_mode.h"
+#include "support/squared_distance.h"
+#include "support/unit_test.h"
+
+#include <CGAL/Thick_intersection_d/internal/predicates/Integer_distance.h>
 
 #include <CGAL/Arithmetic_tier.h>
 #include <CGAL/Distance_bound.h>
 
-#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
-#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_tier.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Integer_distance.h>
-
-#include <boost/test/unit_test.hpp>
-
 #include <cfenv>
-#include <cmath>
-#include <cstddef>
-#include <optional>
 
 BOOST_AUTO_TEST_SUITE(Integer_distance)
 
 using namespace test_support;
 using CGAL::Arithmetic_tier;
-namespace internal = CGAL::Thick_intersection_d::internal;
 
 using Bound = internal::Squared_bound<internal::Exact_number_t<double>>;
 
@@ -35,17 +28,6 @@ struct Pair_of_points
 {
   Coordinates p, q;
 };
-
-// Negative, zero or positive as the points are closer than U steps, at U steps or beyond.
-int compare(const Pair_of_points& pair, double units)
-{
-  Integer sum = -Integer(units) * Integer(units);
-  for(std::size_t axis = 0; axis < pair.p.size(); ++axis) {
-    const Integer difference = Integer(pair.p[axis]) - Integer(pair.q[axis]);
-    sum += difference * difference;
-  }
-  return sum.sign();
-}
 
 // The integer root of what is left of U^2, moved by -1, 0 or 1, and rounded to a double.
 double near_root(const Integer& rest, Random& random)
@@ -77,7 +59,8 @@ Pair_of_points near_tie(int dimension, double units, Random& random)
 void check_pair(const Pair_of_points& pair, double units, int exponent, int mode,
                 Arithmetic_tier tier)
 {
-  const int sign = compare(pair, units);
+  const Integer bound_square = Integer(units) * Integer(units);
+  const int sign = squared_distance<Integer>(pair.p, pair.q).compare(bound_square);
   const auto x = [&](int i) { return std::ldexp(pair.p[static_cast<std::size_t>(i)], exponent); };
   const auto y = [&](int i) { return std::ldexp(pair.q[static_cast<std::size_t>(i)], exponent); };
   const auto bound = CGAL::within_distance(std::ldexp(units, exponent));

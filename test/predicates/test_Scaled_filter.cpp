@@ -5,27 +5,15 @@
 // every rounding mode.
 
 #include "support/exact_points.h"
-#include "support/point_generators.h"
 #include "support/rounding_mode.h"
+#include "support/squared_distance.h"
+#include "support/unit_test.h"
 
-#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Scaled_filter.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
-#include <limits>
-#include <optional>
 
 BOOST_AUTO_TEST_SUITE(Scaled_filter)
 
 using namespace test_support;
-namespace internal = CGAL::Thick_intersection_d::internal;
 
 using Bound = internal::Squared_bound<internal::Exact_number_t<double>>;
 
@@ -70,21 +58,21 @@ double check_near_ties(int exponent, int closeness)
   Random random(static_cast<unsigned int>(closeness));
   for(int k = 0; k < count; ++k) {
     std::array<double, 3> p, q;
-    Integer squared_distance = 0;
-    double largest = 0;
     for(std::size_t i = 0; i < 3; ++i) {
       p[i] = static_cast<double>(random.below(std::uint64_t(1) << 40));
       q[i] = -static_cast<double>(random.below(std::uint64_t(1) << 40));
-      const Integer gap = Integer(p[i]) - Integer(q[i]);
-      squared_distance += gap * gap;
+    }
+    const Integer square = squared_distance<Integer>(p, q);
+    const double sign = random.below(2) == 0 ? 1 : -1;
+    const double steps = std::floor(std::sqrt(static_cast<double>(square))
+                                    * (1 + sign * std::ldexp(1., -closeness)));
+    const bool expected = square <= Integer(steps) * Integer(steps);
+    double largest = 0;
+    for(std::size_t i = 0; i < 3; ++i) {
       p[i] = std::ldexp(p[i], exponent);
       q[i] = std::ldexp(q[i], exponent);
       largest = (std::max)({largest, p[i], -q[i]});
     }
-    const double sign = random.below(2) == 0 ? 1 : -1;
-    const double steps = std::floor(std::sqrt(static_cast<double>(squared_distance))
-                                    * (1 + sign * std::ldexp(1., -closeness)));
-    const bool expected = squared_distance <= Integer(steps) * Integer(steps);
     const Filter filter = internal::scaled_filter(
       Bound(CGAL::within_distance(std::ldexp(steps, exponent))), scene_up_to(3, largest), none);
     for(const int mode : rounding_modes) {

@@ -4,30 +4,17 @@
 // What the lanes make of narrow coordinates is true of the points, which is checked with exact
 // numbers: no pair is certainly near or far that is not so, and few pairs are left.
 
-#include "support/point_generators.h"
 #include "support/rounding_mode.h"
+#include "support/squared_distance.h"
+#include "support/unit_test.h"
 
-#include <CGAL/Exact_rational.h>
-
-#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
-#include <CGAL/Thick_intersection_d/internal/lanes/Near_pairs.h>
-#include <CGAL/Thick_intersection_d/internal/lanes/Run.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Narrow_scale.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
+#include <CGAL/Exact_rational.h>
 
 BOOST_AUTO_TEST_SUITE(Narrow_scale)
 
 using namespace test_support;
-namespace internal = CGAL::Thick_intersection_d::internal;
 using Rational = CGAL::Exact_rational;
 
 template <int Dimension>
@@ -41,17 +28,6 @@ Box<Dimension> cube(double low, double high)
   Box<Dimension> box;
   box.fill({low, high});
   return box;
-}
-
-template <int Dimension>
-Rational squared_distance(const Coordinates_of<Dimension>& p, const Coordinates_of<Dimension>& q)
-{
-  Rational sum = 0;
-  for(std::size_t axis = 0; axis < Dimension; ++axis) {
-    const Rational difference = Rational(p[axis]) - Rational(q[axis]);
-    sum += difference * difference;
-  }
-  return sum;
 }
 
 // What lanes make of two points: certainly near, certainly not, or undecided.
@@ -129,7 +105,7 @@ void check_bound(double low, double extent, double r, Random& random)
       p[axis] = number_near(box[axis], unit, random);
     const double length = r + (random.uniform() - 0.5) * (random.below(2) ? 4 : 100) * unit;
     const Coordinates_of<Dimension> q = point_at<Dimension>(length, p, box, random);
-    const Rational square = squared_distance<Dimension>(p, q);
+    const Rational square = squared_distance<Rational>(p, q);
     const Answer answer = answer_of<Dimension>(scale, p, q);
     if(square <= bound * bound)
       BOOST_CHECK(answer != Answer::FAR);
@@ -177,7 +153,6 @@ BOOST_AUTO_TEST_CASE(rounded_coordinates_have_limits)
   BOOST_CHECK(!is_usable<2>(0x1p21, 1));
   BOOST_CHECK(is_usable<3>(0x1p21 * (1 - 0x1p-16) * 0x1p-470, 0x1p-940));
   BOOST_CHECK(!is_usable<3>(0x1p21 * 0x1p-470, 0x1p-940));
-  const double infinity = std::numeric_limits<double>::infinity();
   for(const double extent : {0., 5e-324, 1e-310, infinity}) // the scale is no normal number
     BOOST_CHECK(!is_usable<2>(extent, 1));
   BOOST_CHECK(is_usable<2>(0x1p-1022, 1)); // shorter than the bound

@@ -57,6 +57,16 @@ inline Points uniform_points(int dimension, std::size_t n, double low, double si
   return points;
 }
 
+// Integers from 0 to side - 1.
+inline Points integer_points(int dimension, std::size_t n, std::size_t side, Random& random)
+{
+  Points points(n, Coordinates(dimension));
+  for(Coordinates& p : points)
+    for(double& x : p)
+      x = static_cast<double>(random.below(side));
+  return points;
+}
+
 // Bells of standard deviation `spread` around centres that are uniform in the unit cube.
 inline Points clustered_points(int dimension, std::size_t n, std::size_t clusters, double spread,
                                std::uint64_t seed)
