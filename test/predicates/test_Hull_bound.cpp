@@ -5,30 +5,18 @@
 // against the oracle.
 
 #include "support/distance_oracle.h"
-#include "support/point_generators.h"
+#include "support/lattice_hulls.h"
 #include "support/rounding_mode.h"
+#include "support/unit_test.h"
+
+#include <CGAL/Thick_intersection_d/internal/predicates/Hull_bound.h>
 
 #include <CGAL/Distance_bound.h>
 #include <CGAL/Exact_rational.h>
 
-#include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
-#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Hull_bound.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(Hull_bound)
 
 using namespace test_support;
-namespace internal = CGAL::Thick_intersection_d::internal;
 
 // ---- bounds in doubles --------------------------------------------------------------------------
 
@@ -88,37 +76,20 @@ BOOST_AUTO_TEST_CASE(sums_are_enclosed_in_every_rounding_mode)
 
 // ---- integers -----------------------------------------------------------------------------------
 
-using Integers = Hull_vectors<std::int64_t>;
-
-template <int Dimension>
-std::vector<std::array<double, Dimension>> as_doubles(const Integers& vertices, double unit,
-                                                      double offset)
-{
-  std::vector<std::array<double, Dimension>> result(vertices.size());
-  for(std::size_t k = 0; k < vertices.size(); ++k)
-    for(std::size_t axis = 0; axis < Dimension; ++axis)
-      result[k][axis] = (static_cast<double>(vertices[k][axis]) + offset) * unit;
-  return result;
-}
-
-// Vertices on a lattice of few places, `step` apart.
-template <int Dimension>
-Integers lattice_hull(Random& random, std::size_t count, std::size_t side, std::int64_t step)
-{
-  Integers vertices(count, Hull_vector<std::int64_t>{});
-  for(auto& p : vertices)
-    for(std::size_t axis = 0; axis < Dimension; ++axis)
-      p[axis] = step * static_cast<std::int64_t>(random.below(side));
-  return vertices;
-}
-
 template <int Dimension>
 std::optional<bool> answer(const Integers& a, const Integers& b, const std::array<double, 3>& radii,
                            double unit, double offset, bool is_open)
 {
-  const auto doubles_a = as_doubles<Dimension>(a, unit, offset);
-  const auto doubles_b = as_doubles<Dimension>(b, unit, offset);
-  return internal::Integer_hulls<Dimension>(doubles_a, doubles_b, radii[0] * unit, radii[1] * unit,
+  const auto moved = [&](const Integers& vertices) {
+    std::vector<std::array<double, Dimension>> result;
+    for(const auto& p : vertices) {
+      result.push_back(as_doubles<Dimension>(p, unit));
+      for(double& x : result.back())
+        x += offset * unit;
+    }
+    return result;
+  };
+  return internal::Integer_hulls<Dimension>(moved(a), moved(b), radii[0] * unit, radii[1] * unit,
                                             radii[2] * unit)
     .are_near(is_open);
 }
@@ -130,10 +101,11 @@ void check_hulls(std::int64_t limit)
   Random random(Dimension);
   std::size_t wrong = 0, unknown = 0, ties = 0;
   for(int i = 0; i < 4000; ++i) {
-    const std::size_t side = 2 + random.below(8);
-    const std::int64_t step = random.below(2) == 0 ? (limit - 1) / static_cast<int>(side) : 1;
-    const Integers a = lattice_hull<Dimension>(random, 1 + random.below(3), side, step);
-    const Integers b = lattice_hull<Dimension>(random, 1 + random.below(3), side, step);
+    Lattice lattice = {Dimension, 2 + random.below(8)};
+    if(random.below(2) == 0) // its places are far apart
+      lattice.step = (limit - 1) / static_cast<int>(lattice.side);
+    const Integers a = lattice_hull(random, lattice, 1 + random.below(3));
+    const Integers b = lattice_hull(random, lattice, 1 + random.below(3));
     const Rational square = squared_distance_of_long_hulls(a, b);
     if(square == 0)
       continue;

@@ -5,25 +5,14 @@
 // itself is the bound, closed and open.
 
 #include "support/distance_oracle.h"
-#include "support/point_generators.h"
+#include "support/lattice_hulls.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/predicates/exact_hull_distance.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <type_traits>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(exact_hull_distance)
 
 using namespace test_support;
-namespace internal = CGAL::Thick_intersection_d::internal;
-
-using Integers = Hull_vectors<std::int64_t>;
 
 template <std::size_t Dimension>
 std::vector<std::array<std::int64_t, Dimension>> in_dimension(const Integers& vertices)
@@ -56,16 +45,6 @@ bool is_distance_right(const Integers& a, const Integers& b, const Rational& squ
             });
 }
 
-Integers lattice_vertices(Random& random, std::size_t count, std::size_t dimension,
-                          std::size_t side)
-{
-  Integers vertices(count, Hull_vector<std::int64_t>{});
-  for(Hull_vector<std::int64_t>& p : vertices)
-    for(std::size_t axis = 0; axis < dimension; ++axis)
-      p[axis] = static_cast<std::int64_t>(random.below(side));
-  return vertices;
-}
-
 // Vertices, edges and triangles are next to each other in all combinations.
 template <std::size_t Dimension>
 void check_hulls(std::size_t count_a, std::size_t count_b)
@@ -74,8 +53,8 @@ void check_hulls(std::size_t count_a, std::size_t count_b)
   std::size_t apart = 0, wrong = 0;
   for(const std::size_t side : {2, 3, 5, 9, 17})
     for(int i = 0; i < 500; ++i) {
-      const Integers a = lattice_vertices(random, count_a, Dimension, side);
-      const Integers b = lattice_vertices(random, count_b, Dimension, side);
+      const Integers a = lattice_hull(random, {Dimension, side}, count_a);
+      const Integers b = lattice_hull(random, {Dimension, side}, count_b);
       const Rational square = squared_distance_of_hulls(a, b);
       if(square == 0)
         continue;
@@ -89,18 +68,16 @@ void check_hulls(std::size_t count_a, std::size_t count_b)
   }
 }
 
-BOOST_AUTO_TEST_CASE(hulls_in_the_plane)
+// In dimension d, of up to d + 1 vertices each.
+template <std::size_t Dimension>
+void check_all_hulls()
 {
-  for(std::size_t a = 1; a <= 3; ++a)
-    for(std::size_t b = 1; b <= 3; ++b)
-      check_hulls<2>(a, b);
+  for(std::size_t a = 1; a <= Dimension + 1; ++a)
+    for(std::size_t b = 1; b <= Dimension + 1; ++b)
+      check_hulls<Dimension>(a, b);
 }
 
-BOOST_AUTO_TEST_CASE(hulls_in_space)
-{
-  for(std::size_t a = 1; a <= 4; ++a)
-    for(std::size_t b = 1; b <= 4; ++b)
-      check_hulls<3>(a, b);
-}
+BOOST_AUTO_TEST_CASE(hulls_in_the_plane) { check_all_hulls<2>(); }
+BOOST_AUTO_TEST_CASE(hulls_in_space) { check_all_hulls<3>(); }
 
 BOOST_AUTO_TEST_SUITE_END()

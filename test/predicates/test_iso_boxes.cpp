@@ -3,26 +3,15 @@
 
 // Iso-boxes and segments, triangles, tetrahedra and each other, flat or not, against the oracle.
 
-#include "support/hull_oracle.h"
-#include "support/point_generators.h"
+#include "support/lattice_hulls.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/predicates/Staged_orientation.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/iso_boxes.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-
 BOOST_AUTO_TEST_SUITE(iso_boxes)
 
 using namespace test_support;
-namespace internal = CGAL::Thick_intersection_d::internal;
-
-using Integers = Hull_vectors<std::int64_t>;
 
 // The vertices that a question is about, for the package.
 template <int Dimension, std::size_t Size>
@@ -30,25 +19,16 @@ auto vertices_of(const Integers& vertices, int exponent)
 {
   typename internal::Staged_orientation<Dimension>::template Vertices<Size> result;
   for(std::size_t k = 0; k < Size; ++k)
-    for(std::size_t axis = 0; axis < Dimension; ++axis)
-      result[k].x[axis] = std::ldexp(static_cast<double>(vertices[k][axis]), exponent);
+    result[k].x = as_doubles<Dimension>(vertices[k], std::ldexp(1., exponent));
   return result;
-}
-
-template <int Dimension>
-Hull_vector<std::int64_t> lattice_point(Random& random, std::size_t side)
-{
-  Hull_vector<std::int64_t> p = {};
-  for(std::size_t axis = 0; axis < Dimension; ++axis)
-    p[axis] = static_cast<std::int64_t>(random.below(side));
-  return p;
 }
 
 // All corners of a box, or the lower one and the upper one.
 template <int Dimension>
 Integers box(Random& random, std::size_t side, bool has_all_corners)
 {
-  const auto p = lattice_point<Dimension>(random, side), q = lattice_point<Dimension>(random, side);
+  const Lattice lattice = {Dimension, side};
+  const auto p = lattice_point(random, lattice), q = lattice_point(random, lattice);
   const auto corner = [&](std::size_t bits) {
     Hull_vector<std::int64_t> x = {};
     for(std::size_t axis = 0; axis < Dimension; ++axis) {
@@ -92,9 +72,7 @@ void check_objects()
   std::size_t wrong = 0, intersecting = 0, asked = 0;
   for(const std::size_t side : {2, 3, 5, 9, 14})
     for(int i = 0; i < 4000; ++i) {
-      Integers object;
-      for(std::size_t k = 0; k < Count; ++k)
-        object.push_back(lattice_point<Dimension>(random, side));
+      const Integers object = lattice_hull(random, {Dimension, side}, Count);
       const Integers corners = box<Dimension>(random, side, true);
       const bool truth = do_hulls_intersect(object, corners);
       wrong += is_found<Dimension, Count>(object, corners, random.below(2) == 0 ? 0 : -1074)

@@ -1,14 +1,10 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Asks the predicates of points, segments, triangles and tetrahedra about random vertices, and
-// compares the answers with those of the oracle. Degenerate objects are asked about as well.
+// Segments, triangles and tetrahedra of random vertices, degenerate or not, against the oracle.
 
-#ifndef THICK_INTERSECTION_TEST_SUPPORT_CHECK_SIMPLICES_H
-#define THICK_INTERSECTION_TEST_SUPPORT_CHECK_SIMPLICES_H
-
-#include "hull_oracle.h"
-#include "point_generators.h"
+#include "support/hull_oracle.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/predicates/Kernel_orientation.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Staged_orientation.h>
@@ -20,18 +16,12 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
-#include <boost/test/unit_test.hpp>
 
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <functional>
-#include <string>
 
-namespace test_support {
+BOOST_AUTO_TEST_SUITE(simplices)
 
-namespace internal = CGAL::Thick_intersection_d::internal;
+using namespace test_support;
 
 // Where vertices are: integers, along each axis in units of a power of two of its own. They are
 // doubles without rounding.
@@ -43,7 +33,7 @@ struct Vertex_source
 };
 
 // Integers below `range`.
-inline Vertex_source small_integers(std::size_t range, std::array<int, 3> exponents = {})
+Vertex_source small_integers(std::size_t range, std::array<int, 3> exponents = {})
 {
   return {"integers below " + std::to_string(range),
           [=](Random& random) { return static_cast<std::int64_t>(random.below(range)); },
@@ -51,7 +41,7 @@ inline Vertex_source small_integers(std::size_t range, std::array<int, 3> expone
 }
 
 // Multiples of .1, rounded to doubles, and some of them moved by a last bit. The unit is 2^-58.
-inline Vertex_source decimals(std::size_t range)
+Vertex_source decimals(std::size_t range)
 {
   return {"decimals",
           [=](Random& random) {
@@ -184,6 +174,39 @@ void check_simplices(std::size_t count)
   check(source, count_answers<std::int64_t, Rationals, Dimension, A, B>(source, count / 50));
 }
 
-} // namespace test_support
+BOOST_AUTO_TEST_CASE(segments_in_the_plane) { check_simplices<2, 2, 2>(60000); }
+BOOST_AUTO_TEST_CASE(segment_and_triangle_in_the_plane) { check_simplices<2, 2, 3>(60000); }
+BOOST_AUTO_TEST_CASE(triangles_in_the_plane) { check_simplices<2, 3, 3>(60000); }
+BOOST_AUTO_TEST_CASE(segments_in_space) { check_simplices<3, 2, 2>(60000); }
+BOOST_AUTO_TEST_CASE(segment_and_triangle_in_space) { check_simplices<3, 2, 3>(60000); }
+BOOST_AUTO_TEST_CASE(triangles_in_space) { check_simplices<3, 3, 3>(60000); }
+BOOST_AUTO_TEST_CASE(triangle_and_tetrahedron) { check_simplices<3, 3, 4>(20000); }
+BOOST_AUTO_TEST_CASE(tetrahedra) { check_simplices<3, 4, 4>(20000); }
 
-#endif // THICK_INTERSECTION_TEST_SUPPORT_CHECK_SIMPLICES_H
+// Objects within a tetrahedron meet no face of it.
+template <std::size_t Count>
+bool is_found_within(const std::array<std::array<double, 3>, Count>& object)
+{
+  using Orientation = internal::Staged_orientation<3>;
+  const std::array<double, 3> corners[] = {{0, 0, 0}, {99, 0, 0}, {0, 99, 0}, {0, 0, 99}};
+  Orientation::Vertices<Count + 4> vertices;
+  internal::Simplex<Orientation, Count> inner;
+  internal::Simplex<Orientation, 4> outer;
+  for(std::size_t k = 0; k < Count + 4; ++k) {
+    vertices[k].x = k < Count ? object[k] : corners[k - Count];
+    (k < Count ? inner[k % Count] : outer[(k + 4 - Count) % 4])
+      = Orientation::Point(vertices[k]);
+  }
+  Orientation orientation(vertices);
+  return internal::do_intersect_in_space(orientation, inner, outer);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_within_a_tetrahedron_intersects_it)
+{
+  BOOST_CHECK(is_found_within<3>({{{20, 20, 20}, {21, 20, 20}, {20, 22, 25}}}));
+  BOOST_CHECK(is_found_within<3>({{{20, 20, 20}, {20, 20, 20}, {20, 20, 20}}}));
+  BOOST_CHECK(is_found_within<4>({{{20, 20, 20}, {21, 20, 20}, {20, 21, 20}, {22, 22, 20}}}));
+  BOOST_CHECK(is_found_within<4>({{{20, 20, 20}, {21, 20, 20}, {20, 21, 20}, {22, 22, 25}}}));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
