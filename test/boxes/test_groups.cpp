@@ -4,21 +4,10 @@
 // Boxes in groups: each pair of groups is found once, and pairs of boxes that cannot tell another
 // one are not looked at, but for a few per box.
 
-#include "support/grouped_boxes.h"
 #include "support/number_boxes.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/boxes/Group_scan.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <map>
-#include <optional>
-#include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(groups)
 
@@ -59,6 +48,82 @@ BOOST_AUTO_TEST_CASE(groups_are_in_the_order_of_their_first_boxes)
       BOOST_REQUIRE(groups_of(list) == groups);
     }
   }
+}
+
+// Of the boxes of two groups that meet, one of `rarity` pairs makes the groups a pair. If `rarity`
+// is zero, none does. What is asked is counted. Unwanted pairs are not to be asked about.
+class Grouped_objects : public Number_objects
+{
+public:
+  static constexpr bool have_groups = true;
+
+  Grouped_objects(const Number_boxes& boxes, int dimension, const std::vector<std::size_t>& groups,
+                  std::size_t rarity)
+    : Number_objects(boxes, dimension, false), groups_(groups), rarity_(rarity)
+  {}
+
+  std::size_t group_of(std::size_t i) const { return groups_[i]; }
+
+  bool is_wanted(std::size_t i, std::size_t j) const
+  {
+    ++looks;
+    return is_open(i, j);
+  }
+
+  bool do_intersect(std::size_t i, std::size_t j) const
+  {
+    ++tests;
+    wrong += !is_open(i, j);
+    if(!Number_objects::do_intersect(i, j) || !is_pair(i, j))
+      return false;
+    known_.insert(groups_of(i, j));
+    return true;
+  }
+
+  Pair groups_of(std::size_t i, std::size_t j) const
+  {
+    return std::minmax({groups_[i], groups_[j]});
+  }
+
+  // The pairs of groups, in ascending order.
+  Pairs all_pairs(const Pairs& meeting_boxes) const
+  {
+    std::set<Pair> pairs;
+    for(const auto& [i, j] : meeting_boxes)
+      if(groups_[i] != groups_[j] && is_pair(i, j))
+        pairs.insert(groups_of(i, j));
+    return Pairs(pairs.begin(), pairs.end());
+  }
+
+  mutable std::size_t looks = 0; // at pairs of boxes, to see whether they are wanted
+  mutable std::size_t tests = 0;
+  mutable std::size_t wrong = 0; // tests
+
+private:
+  bool is_open(std::size_t i, std::size_t j) const
+  {
+    return groups_[i] != groups_[j] && known_.count(groups_of(i, j)) == 0;
+  }
+
+  bool is_pair(std::size_t i, std::size_t j) const
+  {
+    return rarity_ != 0 && ((std::min)(i, j) * 7 + (std::max)(i, j) * 31) % rarity_ == 0;
+  }
+
+  const std::vector<std::size_t> groups_;
+  const std::size_t rarity_;
+  mutable std::set<Pair> known_;
+};
+
+// The pairs of groups by the box route.
+template <int Axes>
+Pairs pairs_of_groups(const Grouped_objects& objects, const Box_tuning& tuning = Box_tuning(),
+                      std::optional<std::size_t> first_set_size = std::nullopt)
+{
+  Pairs pairs;
+  for(const auto& [i, j] : pairs_by_boxes<Axes>(objects, tuning, first_set_size))
+    pairs.push_back(objects.groups_of(i, j));
+  return sorted(pairs);
 }
 
 // Tuned so that small scenes are cut, called crowded, swept for a while, and given to the tree.
@@ -123,6 +188,15 @@ Number_boxes boxes_of_kind(int kind, std::size_t size)
   return boxes;
 }
 
+// Groups of which each of `size` boxes is in the next one.
+std::vector<std::size_t> groups_in_turn(std::size_t size, std::size_t count)
+{
+  std::vector<std::size_t> groups(size);
+  for(std::size_t i = 0; i < size; ++i)
+    groups[i] = i % count;
+  return groups;
+}
+
 // Few of the boxes that meet tell a pair of groups, so the tree is to find each of them.
 BOOST_AUTO_TEST_CASE(rare_pairs_of_crowded_boxes_are_found)
 {
@@ -133,10 +207,7 @@ BOOST_AUTO_TEST_CASE(rare_pairs_of_crowded_boxes_are_found)
   for(int kind = 0; kind < 3; ++kind)
     for(const std::size_t rarity : {97, 997, 4001}) {
       const Number_boxes boxes = boxes_of_kind(kind, 400);
-      std::vector<std::size_t> groups(boxes.size());
-      for(std::size_t i = 0; i < groups.size(); ++i)
-        groups[i] = i % 40;
-      const Grouped_objects objects(boxes, 2, groups, rarity);
+      const Grouped_objects objects(boxes, 2, groups_in_turn(boxes.size(), 40), rarity);
       const Pairs expected = objects.all_pairs(all_meeting_pairs(boxes, 2));
       BOOST_CHECK(!expected.empty());
       BOOST_CHECK(pairs_of_groups<2>(objects, tuning) == expected);
@@ -166,12 +237,7 @@ void check_work_of_groups()
     for(int kind = 0; kind < 3; ++kind) {
       const Number_boxes boxes = boxes_of_kind(kind, n);
       const std::string name = "kind " + std::to_string(kind);
-      const auto groups = [&](std::size_t count) {
-        std::vector<std::size_t> groups(n);
-        for(std::size_t i = 0; i < n; ++i)
-          groups[i] = i % count;
-        return groups;
-      };
+      const auto groups = [&](std::size_t count) { return groups_in_turn(n, count); };
       check_looks<Axes>({boxes, Axes, groups(1), 0}, {}, name + ", one group");
       check_looks<Axes>({boxes, Axes, groups(1), 0}, {}, name + ", one group in two sets", n / 3);
       check_looks<Axes>({boxes, Axes, groups(2), 1}, {{0, 1}}, name + ", two groups");
@@ -212,11 +278,8 @@ BOOST_AUTO_TEST_CASE(each_wanted_pair_is_tested_at_most_three_times)
 BOOST_AUTO_TEST_CASE(progress_counts_boxes_once_when_a_sweep_is_given_up)
 {
   const std::size_t n = 4000;
-  std::vector<std::size_t> groups(n);
-  for(std::size_t i = 0; i < n; ++i)
-    groups[i] = i % 2;
   const Number_boxes boxes = boxes_of_kind(0, n);
-  const Grouped_objects objects(boxes, 2, groups, 1);
+  const Grouped_objects objects(boxes, 2, groups_in_turn(n, 2), 1);
   struct Counted_progress
   {
     std::size_t done = 0, steps = 0;
