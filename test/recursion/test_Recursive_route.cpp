@@ -5,18 +5,15 @@
 // coordinates and reach round.
 
 #define BOOST_TEST_MODULE recursive_route
-#include "support/recursion_variants.h"
 #include "support/brute_force.h"
 #include "support/lattice_traits.h"
+#include "support/recursion_variants.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Thick_point_traits_d.h>
 
-#include <boost/test/unit_test.hpp>
-
 #include <pthread.h>
-
-#include <random>
 
 using namespace test_support;
 
@@ -45,17 +42,27 @@ std::vector<Site> random_sites(Generator& random, int dimension, long n)
   return sites;
 }
 
-void check_sites(const std::vector<Site>& sites, long distance, long reach, unsigned int seed)
+// Checks the pairs of one set, or of two sets if the size of the first one is given.
+template <class Range, class Traits>
+void check_variants(const Pairs& expected, const Range& objects, const Traits& traits,
+                    unsigned int seed, std::optional<std::size_t> first_set_size = std::nullopt)
 {
-  const int dimension = sites.empty() ? 2 : sites.front().dimension();
-  const Pairs expected = pairs_of_sites(sites, distance);
-  Calls calls;
-  const Lattice_traits traits(dimension, distance, reach, calls);
   for(const Recursion_variant& variant : recursion_variants(seed)) {
-    const Pairs_difference difference = compare(expected, pairs_by_variant(sites, traits, variant));
+    const Pairs_difference difference
+      = compare(expected, pairs_by_variant(objects, traits, variant, first_set_size));
     BOOST_CHECK_MESSAGE(difference.empty(), name(variant) << ", seed " << seed << ": "
                                                           << difference);
   }
+}
+
+// Those of a set and another one, whose elements are numbered anew.
+Pairs between_sets(const Pairs& pairs, std::size_t first_set_size)
+{
+  Pairs between;
+  for(const Pair& p : pairs)
+    if(p.first < first_set_size && p.second >= first_set_size)
+      between.emplace_back(p.first, p.second - first_set_size);
+  return between;
 }
 
 } // namespace
@@ -67,7 +74,9 @@ BOOST_AUTO_TEST_CASE(sites_at_random)
     const int dimension = 1 + static_cast<int>(below(random, 4));
     const std::vector<Site> sites = random_sites(random, dimension, below(random, 60));
     const long distance = below(random, 8);
-    check_sites(sites, distance, distance + below(random, 3), seed);
+    Calls calls;
+    const Lattice_traits traits(dimension, distance, distance + below(random, 3), calls);
+    check_variants(pairs_of_sites(sites, distance), sites, traits, seed);
   }
 }
 
@@ -80,18 +89,10 @@ BOOST_AUTO_TEST_CASE(two_sets_of_sites_at_random)
     const std::size_t first = sites.empty() ? 0 : random() % (sites.size() + 1);
     const long distance = below(random, 8);
 
-    Pairs expected;
-    for(const Pair& p : pairs_of_sites(sites, distance))
-      if(p.first < first && p.second >= first)
-        expected.emplace_back(p.first, p.second - first);
     Calls calls;
     const Lattice_traits traits(dimension, distance, distance, calls);
-    for(const Recursion_variant& variant : recursion_variants(seed)) {
-      const Pairs_difference difference
-        = compare(expected, pairs_by_variant(sites, traits, variant, first));
-      BOOST_CHECK_MESSAGE(difference.empty(), name(variant) << ", seed " << seed << ": "
-                                                            << difference);
-    }
+    check_variants(between_sets(pairs_of_sites(sites, distance), first), sites, traits, seed,
+                   first);
   }
 }
 
@@ -116,12 +117,7 @@ BOOST_AUTO_TEST_CASE(coordinates_and_reaches_that_round)
     const double r = unit * static_cast<double>(below(random, 12));
     const Truth truth = brute_force(coordinates, Radius::of_length(r));
     const CGAL::Thick_point_traits_d<Point> traits(CGAL::within_distance(r));
-    for(const Recursion_variant& variant : recursion_variants(seed)) {
-      const Pairs_difference difference
-        = compare(truth.pairs, pairs_by_variant(points, traits, variant));
-      BOOST_CHECK_MESSAGE(difference.empty(), name(variant) << ", seed " << seed << ": "
-                                                            << difference);
-    }
+    check_variants(truth.pairs, points, traits, seed);
   }
 }
 
@@ -151,17 +147,8 @@ BOOST_AUTO_TEST_CASE(closeness_that_is_true_too_often)
     Calls calls;
     const Careless_traits traits(2, 3, 3, calls);
     const Pairs expected = pairs_of_sites(sites, 3);
-    Pairs between_sets;
-    for(const Pair& p : expected)
-      if(p.first < first && p.second >= first)
-        between_sets.emplace_back(p.first, p.second - first);
-    for(const Recursion_variant& variant : recursion_variants(seed)) {
-      const auto one_set = compare(expected, pairs_by_variant(sites, traits, variant));
-      BOOST_CHECK_MESSAGE(one_set.empty(), name(variant) << ", seed " << seed << ": " << one_set);
-      const auto two_sets = compare(between_sets, pairs_by_variant(sites, traits, variant, first));
-      BOOST_CHECK_MESSAGE(two_sets.empty(),
-                          name(variant) << ", seed " << seed << ", two sets: " << two_sets);
-    }
+    check_variants(expected, sites, traits, seed);
+    check_variants(between_sets(expected, first), sites, traits, seed, first);
   }
 }
 
