@@ -6,35 +6,18 @@
 
 #define BOOST_TEST_MODULE list_route
 #include "support/kernels.h"
-#include "support/point_generators.h"
 #include "support/slab_variants.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Simple_cartesian.h>
 
-#include <boost/test/unit_test.hpp>
-
 #include <tbb/global_control.h>
-
-#include <mutex>
 
 using namespace test_support;
 
 using Kernel = CGAL::Simple_cartesian<double>;
 
 namespace {
-
-// Many slabs and strips of few points, cut again and again.
-Slab_tuning small_tuning(Random& random)
-{
-  Slab_tuning tuning;
-  tuning.candidates_per_block = 1 + static_cast<double>(random.below(64));
-  tuning.points_per_slab = static_cast<internal::Place>(1 + random.below(8));
-  tuning.points_per_strip = static_cast<internal::Place>(1 + random.below(3));
-  tuning.points_per_sorted_strip = static_cast<internal::Place>(1 + random.below(4));
-  tuning.points_per_column = static_cast<internal::Place>(1 + random.below(8));
-  tuning.max_slab_size = static_cast<internal::Place>(4 << random.below(8));
-  return tuning;
-}
 
 // One slab, or a few, in many columns.
 Slab_tuning few_slabs()
@@ -55,27 +38,6 @@ Pairs pairs_of(const CGAL::Neighbor_lists& lists)
   return pairs;
 }
 
-// The pairs by slabs that threads sweep, and that are cut into columns if they are few.
-template <int Dimension, class Point>
-void check_pairs(const std::vector<Point>& points, const CGAL::Distance_bound<double>& bound,
-                 const Slab_tuning& tuning, const Pairs& expected)
-{
-  const auto check = [&](auto number, auto& near, internal::Near_task<Dimension> task) {
-    std::mutex mutex;
-    Pairs found;
-    auto callback = [&](std::size_t i, std::size_t j) {
-      const std::lock_guard<std::mutex> lock(mutex);
-      found.emplace_back(i, j);
-    };
-    internal::Callback_taker<internal::One_set, decltype(callback)> taker({}, callback);
-    task.threads = internal::Threads(CGAL::Parallel_tag());
-    using Slab_point = internal::Slab_point<Dimension, decltype(number)>;
-    internal::Slab_route<Slab_point>(near, task, tuning).search(taker);
-    BOOST_CHECK(sorted(found) == sorted(expected));
-  };
-  with_near_tasks<Dimension>(points, bound, check);
-}
-
 template <int Dimension>
 void check_lists(const Points& points, double r, Random& random)
 {
@@ -88,8 +50,12 @@ void check_lists(const Points& points, double r, Random& random)
     expected.emplace_back(p.second, p.first);
   }
   expected = sorted(expected);
-  for(const Slab_tuning& tuning : {Slab_tuning(), few_slabs(), small_tuning(random)}) {
-    check_pairs<Dimension>(made, bound, tuning, pairs);
+  Slab_tuning small = small_tuning(random);
+  small.points_per_column = static_cast<internal::Place>(1 + random.below(8));
+  small.max_slab_size = static_cast<internal::Place>(4 << random.below(8));
+  for(const Slab_tuning& tuning : {Slab_tuning(), few_slabs(), small}) { // threads share all
+    BOOST_CHECK(sorted(slab_pairs<Dimension, CGAL::Parallel_tag>(made, bound, tuning))
+                == sorted(pairs));
     BOOST_CHECK(
       pairs_of(slab_lists<CGAL::Sequential_tag, Dimension>(made, bound, tuning)) == expected);
     BOOST_CHECK(

@@ -5,28 +5,14 @@
 // its share.
 
 #include "support/pairs.h"
-#include "support/point_generators.h"
 #include "support/point_source.h"
 #include "support/run_of_points.h"
+#include "support/unit_test.h"
+
+#include <CGAL/Thick_intersection_d/internal/near_points/Callback_taker.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Near_sweep.h>
 
 #include <CGAL/Arithmetic_tier.h>
-
-#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
-#include <CGAL/Thick_intersection_d/internal/lanes/Near_pairs.h>
-#include <CGAL/Thick_intersection_d/internal/lanes/Run.h>
-#include <CGAL/Thick_intersection_d/internal/machine/Stop_flag.h>
-#include <CGAL/Thick_intersection_d/internal/near_points/Callback_taker.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
-#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Near_sweep.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Near_task.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 
 BOOST_AUTO_TEST_SUITE(Near_sweep)
 
@@ -60,10 +46,7 @@ const internal::Near_question<double> undecided = {1, -1, 1};
 
 Points points_on_line(std::size_t size, std::size_t side, Random& random)
 {
-  Points points;
-  for(std::size_t i = 0; i < size; ++i)
-    points.push_back({static_cast<double>(random.below(side)), 0});
-  return points;
+  return embedded(integer_points(1, size, side, random), 2);
 }
 
 // The runs are of one set if `b` is null. Positions of b may be the smaller ones.
@@ -81,25 +64,33 @@ Pairs by_brute_force(const Run_of_points<2>& a, const Run_of_points<2>* b, bool 
   return sorted(pairs);
 }
 
+// Calls use(sweep) with a sweep that reports to the callback.
+template <class Callback, class Use>
+void with_sweep(const internal::Near_question<double>& question, Callback callback, const Use& use)
+{
+  internal::Callback_taker<internal::One_set, Callback> taker({}, callback);
+  const Near_along_axis_0 near;
+  const internal::Near_task<2> task = undecided_task();
+  internal::Stop_flag stop;
+  internal::Near_sweep<Point> sweep(question, near, task, taker, stop);
+  use(sweep);
+}
+
 // Sweeps all blocks. The blocks have no pair in common.
 Pairs by_sweeps(const Run_of_points<2>& a, const Run_of_points<2>* b,
                 const internal::Near_question<double>& question, internal::Place block_count)
 {
   Pairs pairs;
-  auto callback = [&](std::size_t i, std::size_t j) { pairs.emplace_back(i, j); };
-  internal::Callback_taker<internal::One_set, decltype(callback)> taker({}, callback);
-  const Near_along_axis_0 near;
-  const internal::Near_task<2> task = undecided_task();
-  internal::Stop_flag stop;
-  internal::Near_sweep<Point> sweep(question, near, task, taker, stop);
-  for(internal::Place block = 0; block < block_count; ++block) {
-    sweep.take_block(block, block_count);
-    if(b)
-      sweep.between(a.run(), b->run());
-    else
-      sweep.within(a.run());
-  }
-  BOOST_CHECK(!sweep.is_stopped());
+  with_sweep(question, Pair_collector{pairs}, [&](auto& sweep) {
+    for(internal::Place block = 0; block < block_count; ++block) {
+      sweep.take_block(block, block_count);
+      if(b)
+        sweep.between(a.run(), b->run());
+      else
+        sweep.within(a.run());
+    }
+    BOOST_CHECK(!sweep.is_stopped());
+  });
   return sorted(pairs);
 }
 
@@ -126,32 +117,25 @@ BOOST_AUTO_TEST_CASE(all_blocks_together_report_each_pair_once)
 BOOST_AUTO_TEST_CASE(each_candidate_is_counted_once)
 {
   const Run_of_points<2> a(identical_points(2, 100, 1));
-  for(const internal::Near_question<double>& question : {decided, undecided}) {
-    auto ignore = [](std::size_t, std::size_t) {};
-    internal::Callback_taker<internal::One_set, decltype(ignore)> taker({}, ignore);
-    const Near_along_axis_0 near;
-    const internal::Near_task<2> task = undecided_task();
-    internal::Stop_flag stop_flag;
-    internal::Near_sweep<Point> sweep(question, near, task, taker, stop_flag);
-    sweep.within(a.run());
-    const bool by_lanes = question.inside == 1;
-    BOOST_CHECK_EQUAL(sweep.counts()[CGAL::Arithmetic_tier::DOUBLE], by_lanes ? 4950u : 0u);
-    BOOST_CHECK_EQUAL(sweep.counts()[CGAL::Arithmetic_tier::INT64], by_lanes ? 0u : 4950u);
-  }
+  const auto ignore = [](std::size_t, std::size_t) {};
+  for(const internal::Near_question<double>& question : {decided, undecided})
+    with_sweep(question, ignore, [&](auto& sweep) {
+      sweep.within(a.run());
+      const bool by_lanes = question.inside == 1;
+      BOOST_CHECK_EQUAL(sweep.counts()[CGAL::Arithmetic_tier::DOUBLE], by_lanes ? 4950u : 0u);
+      BOOST_CHECK_EQUAL(sweep.counts()[CGAL::Arithmetic_tier::INT64], by_lanes ? 0u : 4950u);
+    });
 }
 
 BOOST_AUTO_TEST_CASE(a_sweep_stops_when_the_report_says_so)
 {
   const Run_of_points<2> a(identical_points(2, 200, 1));
   int calls = 0;
-  auto stop = [&](std::size_t, std::size_t) { return ++calls < 10; };
-  internal::Callback_taker<internal::One_set, decltype(stop)> taker({}, stop);
-  const Near_along_axis_0 near;
-  const internal::Near_task<2> task = undecided_task();
-  internal::Stop_flag stop_flag;
-  internal::Near_sweep<Point> sweep(decided, near, task, taker, stop_flag);
-  sweep.within(a.run());
-  BOOST_CHECK(sweep.is_stopped());
+  const auto stop = [&](std::size_t, std::size_t) { return ++calls < 10; };
+  with_sweep(decided, stop, [&](auto& sweep) {
+    sweep.within(a.run());
+    BOOST_CHECK(sweep.is_stopped());
+  });
   BOOST_CHECK_EQUAL(calls, 10);
 }
 

@@ -6,20 +6,12 @@
 
 #define BOOST_TEST_MODULE slab_route
 #include "support/kernels.h"
-#include "support/point_generators.h"
+#include "support/point_source.h"
 #include "support/seeds.h"
 #include "support/slab_variants.h"
-#include "support/undecided_points.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Simple_cartesian.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <random>
-#include <string>
 
 using namespace test_support;
 
@@ -29,46 +21,33 @@ using Space = Cartesian_points<Kernel, 3>;
 
 namespace {
 
-using Generator = std::mt19937_64;
-
-double below(Generator& random, std::uint64_t n) { return static_cast<double>(random() % n); }
+double below(Random& random, std::uint64_t n) { return static_cast<double>(random.below(n)); }
 
 // Few points on a coarse lattice whose unit is no binary fraction, moved to either side, and some
 // of them by a single bit: ties at the reach, at the limits of slabs, and next to both.
-Points structured_scene(Generator& random, int dimension, double unit)
+Points structured_scene(Random& random, int dimension, double unit)
 {
   const double offset = (below(random, 3) - 1) * 0.368;
-  const std::uint64_t side = 1 + random() % 30;
+  const std::uint64_t side = 1 + random.below(30);
   Points points;
   for(double n = below(random, 40); n > 0; --n) {
     Coordinates c;
     for(int axis = 0; axis < dimension; ++axis) {
-      const double x = offset + unit * below(random, axis == 0 ? side : 1 + random() % side);
-      const double infinity = std::numeric_limits<double>::infinity();
-      c.push_back(random() % 8 == 0 ? std::nextafter(x, random() % 2 ? infinity : -infinity) : x);
+      double x = offset + unit * below(random, axis == 0 ? side : 1 + random.below(side));
+      if(random.below(8) == 0)
+        x = std::nextafter(x, random.below(2) != 0 ? infinity : -infinity);
+      c.push_back(x);
     }
     points.push_back(c);
   }
   return points;
 }
 
-// Many slabs and strips of few points, cut again and again.
-Slab_tuning small_tuning(Generator& random)
-{
-  Slab_tuning tuning;
-  tuning.candidates_per_block = below(random, 64) + 1;
-  tuning.points_per_slab = static_cast<internal::Place>(1 + random() % 8);
-  tuning.points_per_strip = static_cast<internal::Place>(1 + random() % 3);
-  tuning.points_per_sorted_strip = static_cast<internal::Place>(1 + random() % 4);
-  tuning.max_slab_size = static_cast<internal::Place>(4 << random() % 4);
-  return tuning;
-}
-
 template <int Dimension>
 void check_structured_scene(std::uint64_t seed)
 {
   const double units[] = {1, 0.1, 1 / 3., 0.7, 49, 1e-3};
-  Generator random(seed);
+  Random random(seed);
   const double unit = units[seed % 6];
   const auto points = make_points<Cartesian_points<Kernel, Dimension>>(
     structured_scene(random, Dimension, unit));
@@ -131,52 +110,75 @@ BOOST_AUTO_TEST_CASE(many_structured_scenes)
   check_seeds(80000, check_structured_scene<3>);
 }
 
-BOOST_AUTO_TEST_CASE(skewed_scenes_2)
+namespace {
+
+// Reaches for which points in the unit cube, or of such clusters, have few pairs or many.
+struct Skewed_scenes
 {
-  const Points uniform = uniform_points(2, 20000, 0, 1, 1);
-  check_large_scene<Plane>("uniform", uniform, 0.01);
-  check_large_scene<Plane>("sparse", uniform, 0.001);
-  for(int axis = 0; axis < 2; ++axis) {
+  double reach, short_reach, flat_reach;
+  double cluster_size, cluster_reach;
+};
+
+template <class Maker>
+void check_skewed_scenes(int dimension, const Skewed_scenes& scenes)
+{
+  const Points uniform = uniform_points(dimension, 20000, 0, 1, 1);
+  check_large_scene<Maker>("uniform", uniform, scenes.reach);
+  check_large_scene<Maker>("sparse", uniform, scenes.short_reach);
+  for(int axis = 0; axis < dimension; ++axis) {
     Points outlier = uniform;
     outlier[77][axis] = 1e15;
-    check_large_scene<Plane>("outlier", outlier, 0.01);
+    check_large_scene<Maker>("outlier", outlier, scenes.reach);
     Points flat = uniform;
     for(Coordinates& c : flat)
       c[axis] *= 1e-6;
-    check_large_scene<Plane>("flat", flat, 1e-5);
+    check_large_scene<Maker>("flat", flat, scenes.flat_reach);
   }
-  check_large_scene<Plane>("clusters", clustered_points(2, 20000, 40, 1. / 256, 3), 1. / 2048);
-  check_large_scene<Plane>("flight", flight_points(2, 20000), 1);
-  check_large_scene<Plane>("geometric", geometric(2), 1e-9);
+  check_large_scene<Maker>("clusters",
+                           clustered_points(dimension, 20000, 40, scenes.cluster_size, 3),
+                           scenes.cluster_reach);
+  check_large_scene<Maker>("flight", flight_points(dimension, 20000), 1);
+  check_large_scene<Maker>("geometric", geometric(dimension), 1e-9);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(skewed_scenes_2)
+{
+  check_skewed_scenes<Plane>(2, {0.01, 0.001, 1e-5, 1. / 256, 1. / 2048});
+}
+BOOST_AUTO_TEST_CASE(skewed_scenes_3)
+{
+  check_skewed_scenes<Space>(3, {0.05, 0.01, 0.01, 1. / 64, 1. / 256});
+}
+
+BOOST_AUTO_TEST_CASE(half_of_the_points_at_one_place)
+{
   Points crowd = uniform_points(2, 2000, 0, 1, 4);
   for(std::size_t i = 0; i < crowd.size(); i += 2)
     crowd[i] = {0.25, 0.75};
   check_large_scene<Plane>("half of them at one place", crowd, 0.001);
 }
 
-BOOST_AUTO_TEST_CASE(skewed_scenes_3)
-{
-  const Points uniform = uniform_points(3, 20000, 0, 1, 1);
-  check_large_scene<Space>("uniform", uniform, 0.05);
-  check_large_scene<Space>("sparse", uniform, 0.01);
-  for(int axis = 0; axis < 3; ++axis) {
-    Points outlier = uniform;
-    outlier[77][axis] = 1e15;
-    check_large_scene<Space>("outlier", outlier, 0.05);
-    Points flat = uniform;
-    for(Coordinates& c : flat)
-      c[axis] *= 1e-6;
-    check_large_scene<Space>("flat", flat, 0.01);
-  }
-  check_large_scene<Space>("clusters", clustered_points(3, 20000, 40, 1. / 64, 3), 1. / 256);
-  check_large_scene<Space>("flight", flight_points(3, 20000), 1);
-  check_large_scene<Space>("geometric", geometric(3), 1e-9);
-}
-
 namespace {
 
 // The limit of the points looked at for borders, per n + k.
 const double max_border_points = 16;
+
+// Points whose pairs in reach are left undecided and counted.
+template <int Dimension>
+struct Undecided_points : Point_source<Dimension>
+{
+  using Point_source<Dimension>::Point_source;
+
+  bool is_pair(std::size_t, std::size_t, internal::Decision_counts&) const override
+  {
+    ++count;
+    return false;
+  }
+
+  mutable std::size_t count = 0;
+};
 
 // What a sweep looks at: pairs of places, and points of strips, to find the borders. Each of the
 // blocks that a slab is swept in looks at all of its points.

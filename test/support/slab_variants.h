@@ -7,6 +7,7 @@
 #define THICK_INTERSECTION_TEST_SUPPORT_SLAB_VARIANTS_H
 
 #include "pairs.h"
+#include "point_generators.h"
 
 #include <CGAL/fixed_radius_near_neighbors.h>
 
@@ -68,9 +69,21 @@ void with_near_tasks(const std::vector<Point>& points,
                       is_within.first_square_beyond(profile.grid_exponent())));
 }
 
+// Many slabs and strips of few points, cut again and again.
+inline Slab_tuning small_tuning(Random& random)
+{
+  Slab_tuning tuning;
+  tuning.candidates_per_block = static_cast<double>(random.below(64)) + 1;
+  tuning.points_per_slab = static_cast<internal::Place>(1 + random.below(8));
+  tuning.points_per_strip = static_cast<internal::Place>(1 + random.below(3));
+  tuning.points_per_sorted_strip = static_cast<internal::Place>(1 + random.below(4));
+  tuning.max_slab_size = static_cast<internal::Place>(4 << random.below(4));
+  return tuning;
+}
+
 // The pairs of points by slabs that are cut as `tuning` says: the same ones in whatever way the
 // slab route sees the points.
-template <int Dimension, class Point, class NT>
+template <int Dimension, class ConcurrencyTag = CGAL::Sequential_tag, class Point, class NT>
 Pairs slab_pairs(const std::vector<Point>& points, const CGAL::Distance_bound<NT>& distance_bound,
                  const Slab_tuning& tuning,
                  std::optional<std::size_t> first_set_size = std::nullopt)
@@ -78,8 +91,9 @@ Pairs slab_pairs(const std::vector<Point>& points, const CGAL::Distance_bound<NT
   std::optional<Pairs> pairs;
   const auto check = [&](auto number, auto& near, internal::Near_task<Dimension> task) {
     Pairs found;
-    auto callback = [&](std::size_t i, std::size_t j) { found.emplace_back(i, j); };
-    internal::Callback_taker<internal::One_set, decltype(callback)> taker({}, callback);
+    Locked_collector callback(found);
+    internal::Callback_taker<internal::One_set, Locked_collector> taker({}, callback);
+    task.threads = internal::Threads(ConcurrencyTag());
     if(first_set_size)
       task.sets.first_size = static_cast<internal::Place>(*first_set_size);
     using Slab_point = internal::Slab_point<Dimension, decltype(number)>;
