@@ -3,26 +3,21 @@
 
 // The segments and parts of features of each kind, and what is wrong with some.
 
+#include "support/error_messages.h"
+#include "support/unit_test.h"
+
+#include <CGAL/Thick_intersection_d/internal/features/Feature_segments.h>
+
 #include <CGAL/Polygon_2.h>
 #include <CGAL/Polygon_with_holes_2.h>
 #include <CGAL/Simple_cartesian.h>
 
-#include <CGAL/Thick_intersection_d/internal/features/Feature_segments.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cstddef>
-#include <limits>
 #include <list>
-#include <stdexcept>
-#include <string>
-#include <utility>
 #include <variant>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Feature_segments)
 
-namespace internal = CGAL::Thick_intersection_d::internal;
+using namespace test_support;
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_2;
@@ -124,17 +119,11 @@ BOOST_AUTO_TEST_CASE(many_holes)
   }
 }
 
-template <class Feature>
-std::string message_of(const std::vector<Feature>& features)
+template <class Error = std::invalid_argument, class Feature, class... Limit>
+std::string message_of(const std::vector<Feature>& features, Limit... limit)
 {
-  Segments segments;
-  try {
-    segments.add_features(features);
-  }
-  catch(const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  Segments segments{limit...};
+  return error_message<Error>([&] { segments.add_features(features); });
 }
 
 BOOST_AUTO_TEST_CASE(errors_name_the_feature)
@@ -153,30 +142,23 @@ BOOST_AUTO_TEST_CASE(errors_name_the_feature)
 // Before the numbers of 32 bits run out: a small limit stands for theirs.
 BOOST_AUTO_TEST_CASE(too_many_features_or_segments_are_refused)
 {
-  const auto message_of = [](std::size_t limit, const std::vector<Feature>& features) {
-    Segments segments(limit);
-    try {
-      segments.add_features(features);
-    }
-    catch(const std::length_error& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+  const auto message = [](std::size_t limit, const std::vector<Feature>& features) {
+    return message_of<std::length_error>(features, limit);
   };
   const Point p(0, 0);
-  BOOST_CHECK_EQUAL(message_of(5, {p, p, p, p}), "");
-  BOOST_CHECK_EQUAL(message_of(4, {Polyline(), Polyline(), p, Polyline()}),
+  BOOST_CHECK_EQUAL(message(5, {p, p, p, p}), "");
+  BOOST_CHECK_EQUAL(message(4, {Polyline(), Polyline(), p, Polyline()}),
                     "There are too many features: 4 or more.");
-  BOOST_CHECK_EQUAL(message_of(5, {square(0, 1)}), "");
-  BOOST_CHECK_EQUAL(message_of(4, {square(0, 1)}),
+  BOOST_CHECK_EQUAL(message(5, {square(0, 1)}), "");
+  BOOST_CHECK_EQUAL(message(4, {square(0, 1)}),
                     "There are too many segments of features: 4 or more.");
 
   // A polygon of one vertex is a part, a polygon, and one segment.
   const Polygon point(&p, &p + 1);
   const std::string parts = "There are too many parts of features and polygons: 4 or more.";
-  BOOST_CHECK_EQUAL(message_of(5, {point, point}), "");
-  BOOST_CHECK_EQUAL(message_of(4, {point, point}), parts);
-  BOOST_CHECK_EQUAL(message_of(4, {point, p, p}), parts);
+  BOOST_CHECK_EQUAL(message(5, {point, point}), "");
+  BOOST_CHECK_EQUAL(message(4, {point, point}), parts);
+  BOOST_CHECK_EQUAL(message(4, {point, p, p}), parts);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -4,46 +4,32 @@
 // Points are checked one by one, so a check costs nothing but comparisons unless it fails.
 
 #include "support/counting_allocator.h"
+#include "support/error_messages.h"
+#include "support/unit_test.h"
 
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <limits>
-#include <stdexcept>
-#include <string>
-
-using namespace CGAL::Thick_intersection_d::internal;
+#include <CGAL/Simple_cartesian.h>
 
 BOOST_AUTO_TEST_SUITE(coordinates)
 
+using namespace test_support;
 using Point = CGAL::Simple_cartesian<double>::Point_2;
 
 constexpr const char* name = "vertex of object"; // with a position, too long for a small string
 
-// Returns what the error says.
-std::string message_about(const Point& point, int dimension)
-{
-  try {
-    check_point(point, dimension, name, 7);
-  }
-  catch(const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
-}
-
 BOOST_AUTO_TEST_CASE(checking_a_good_point_takes_no_memory)
 {
   const Point point(1, 2);
-  const test_support::Memory_that_runs_out memory(0);
-  BOOST_CHECK_NO_THROW(check_point(point, 2, name, 7));
+  const Memory_that_runs_out memory(0);
+  BOOST_CHECK_NO_THROW(internal::check_point(point, 2, name, 7));
 }
 
 BOOST_AUTO_TEST_CASE(error_names_the_point_and_the_axis)
 {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto message_about = [](const Point& point, int dimension) {
+    return error_message([&] { internal::check_point(point, dimension, name, 7); });
+  };
   BOOST_CHECK_EQUAL(message_about(Point(0, infinity), 2),
                     "Coordinate 1 of vertex of object 7 is NaN or infinite.");
   BOOST_CHECK_EQUAL(message_about(Point(0, 0), 3),

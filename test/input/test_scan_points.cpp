@@ -3,29 +3,20 @@
 
 // What one scan finds of points: box, error, grid, and the first bad point.
 
+#include "support/error_messages.h"
 #include "support/plain_points.h"
-#include "support/point_generators.h"
+#include "support/unit_test.h"
+
+#include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
 
-#include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <stdexcept>
-#include <string>
 #include <tuple>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(scan_points)
 
 using namespace test_support;
-namespace internal = CGAL::Thick_intersection_d::internal;
 
 template <class Number>
 internal::Scene scene_of(const Plain_points<Number>& points)
@@ -135,28 +126,17 @@ BOOST_AUTO_TEST_CASE(other_numbers_have_no_grid)
   }
 }
 
-std::string refusal(const Plain_points<double>& points)
-{
-  try {
-    scene_of(points);
-  }
-  catch(const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
-}
-
 BOOST_AUTO_TEST_CASE(the_first_bad_point_is_named)
 {
-  const double infinity = std::numeric_limits<double>::infinity();
   auto points = plain_points(uniform_points(2, 20, 0, 1, 2));
-  BOOST_CHECK_EQUAL(refusal(points), "");
+  const auto refusal = [&] { return error_message([&] { scene_of(points); }); };
+  BOOST_CHECK_EQUAL(refusal(), "");
   points[17].coordinates[0] = -infinity;
-  BOOST_CHECK_EQUAL(refusal(points), "Coordinate 0 of point 17 is NaN or infinite.");
+  BOOST_CHECK_EQUAL(refusal(), "Coordinate 0 of point 17 is NaN or infinite.");
   points[9].coordinates.push_back(0);
-  BOOST_CHECK_EQUAL(refusal(points), "point 9 has dimension 3 instead of 2.");
+  BOOST_CHECK_EQUAL(refusal(), "point 9 has dimension 3 instead of 2.");
   points[4].coordinates[1] = std::nan("");
-  BOOST_CHECK_EQUAL(refusal(points), "Coordinate 1 of point 4 is NaN or infinite.");
+  BOOST_CHECK_EQUAL(refusal(), "Coordinate 1 of point 4 is NaN or infinite.");
 }
 
 // The type of the points tells a dimension that the scene does not have.

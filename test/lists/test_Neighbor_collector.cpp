@@ -4,22 +4,13 @@
 // Lists made from pairs in any order, against a plain sort of the pairs.
 
 #include "support/pairs.h"
-#include "support/point_generators.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/lists/Neighbor_collector.h>
-#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cstddef>
-#include <set>
 
 BOOST_AUTO_TEST_SUITE(Neighbor_collector)
 
 using namespace test_support;
-
-namespace internal = CGAL::Thick_intersection_d::internal;
 
 // Distinct pairs; every tenth one has the first point, which so gets a long list.
 Pairs random_pairs(std::size_t size, std::size_t count, Random& random)
@@ -57,7 +48,7 @@ void check_lists(std::size_t size, std::size_t count)
   BOOST_CHECK(found == sorted(both_ways));
 }
 
-// Points fill no bin, one bin, two bins, and some of a third one.
+// Points fill no bin, one bin, two bins, and some of a third one; or have positions of 17 bits.
 BOOST_AUTO_TEST_CASE(lists_are_the_sorted_pairs)
 {
   check_lists(0, 0);
@@ -68,6 +59,7 @@ BOOST_AUTO_TEST_CASE(lists_are_the_sorted_pairs)
   check_lists(16385, 1000);
   check_lists(32768, 1000);
   check_lists(40000, 50000);
+  check_lists(100000, 50000);
 }
 
 BOOST_AUTO_TEST_CASE(lists_in_any_order_are_put_in_the_order_of_points)
@@ -86,6 +78,14 @@ BOOST_AUTO_TEST_CASE(lists_in_any_order_are_put_in_the_order_of_points)
                                        expected[of].begin(), expected[of].end());
   }
   BOOST_CHECK(collect_lists.lists() == expected);
+}
+
+BOOST_AUTO_TEST_CASE(pairs_in_one_of_their_lists_are_left_out_of_mutual_neighbors)
+{
+  const CGAL::Neighbor_lists lists({0, 3, 4, 5, 7}, {1, 2, 3, 0, 3, 0, 1});
+  const CGAL::Neighbor_lists mutual({0, 2, 3, 3, 4}, {1, 3, 0, 0});
+  BOOST_CHECK(internal::mutual_neighbors(lists) == mutual);
+  BOOST_CHECK(internal::mutual_neighbors(mutual) == mutual);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
