@@ -4,59 +4,20 @@
 // The certificates: the first tier that is exact, up to its very limits.
 
 #include "support/exact_points.h"
-
-#include <CGAL/Scene_profile.h>
+#include "support/unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_tier.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <optional>
-#include <utility>
-#include <vector>
+#include <CGAL/Scene_profile.h>
 
 BOOST_AUTO_TEST_SUITE(exact_tier)
 
-namespace internal = CGAL::Thick_intersection_d::internal;
+using namespace test_support;
 
 CGAL::Scene_profile profile_of_units(int dimension, double reach, int exponent)
 {
   return CGAL::Scene_profile(2, std::vector<std::pair<double, double>>(dimension, {0, reach}),
                              reach, exponent);
-}
-
-// d U^2 <= 2^53: the largest U is 67,108,864 in the plane and 54,794,158 in space.
-// For 64 bits, d U^2 is below 2^63, and for 128 bits U itself: the double before it is 1024 less.
-BOOST_AUTO_TEST_CASE(tiers_are_certified_up_to_their_limits)
-{
-  using Tier = CGAL::Arithmetic_tier;
-  const double two_to_63 = std::ldexp(1., 63);
-  for(const int exponent : {0, -20, 30}) {
-    const auto tier = [&](int dimension, double units) {
-      return profile_of_units(dimension, std::ldexp(units, exponent), exponent).tier();
-    };
-    BOOST_CHECK(tier(1, 67108864) == Tier::DOUBLE);
-    BOOST_CHECK(tier(2, 67108864) == Tier::DOUBLE);
-    BOOST_CHECK(tier(2, 67108865) == Tier::INT64);
-    BOOST_CHECK(tier(3, 54794158) == Tier::DOUBLE);
-    BOOST_CHECK(tier(3, 54794159) == Tier::INT64);
-    BOOST_CHECK(tier(1, 3037000499) == Tier::INT64);
-    BOOST_CHECK(tier(1, 3037000500) == Tier::INT128);
-    BOOST_CHECK(tier(2, 2147483647) == Tier::INT64);
-    BOOST_CHECK(tier(2, 2147483648) == Tier::INT128);
-    BOOST_CHECK(tier(3, 1753413056) == Tier::INT64);
-    BOOST_CHECK(tier(3, 1753413057) == Tier::INT128);
-    for(const int dimension : {1, 2, 3, 4}) {
-      BOOST_CHECK(tier(dimension, two_to_63 - 1024) == Tier::INT128);
-      BOOST_CHECK(tier(dimension, two_to_63) == Tier::FILTERED_EXACT);
-    }
-    BOOST_CHECK(tier(5, two_to_63 - 1024) == Tier::FILTERED_EXACT);
-    BOOST_CHECK(tier(5, std::floor(two_to_63 * 0.894)) == Tier::INT128); // sqrt(4/5) = 0.8944...
-    BOOST_CHECK(tier(5, std::floor(two_to_63 * 0.895)) == Tier::FILTERED_EXACT);
-  }
 }
 
 BOOST_AUTO_TEST_CASE(doubles_are_not_certified_where_squares_vanish_or_overflow)
@@ -84,9 +45,8 @@ BOOST_AUTO_TEST_CASE(no_finer_grid_fits_128_bits)
 }
 
 // The first tier that holds d U^2, in integers of any length.
-CGAL::Arithmetic_tier tier_of(const test_support::Integer& units, int axis_count)
+CGAL::Arithmetic_tier tier_of(const Integer& units, int axis_count)
 {
-  using test_support::Integer;
   const Integer square = units * units;
   if(Integer(square * (std::max)(axis_count, 2)) <= Integer(1) << 53)
     return CGAL::Arithmetic_tier::DOUBLE;
@@ -100,21 +60,21 @@ CGAL::Arithmetic_tier tier_of(const test_support::Integer& units, int axis_count
 
 void check_tier(double units, int axis_count)
 {
-  using CGAL::Thick_intersection_d::internal::first_exact_tier;
-  const CGAL::Arithmetic_tier expected = tier_of(test_support::Integer(units), axis_count);
+  const CGAL::Arithmetic_tier expected = tier_of(Integer(units), axis_count);
   for(const int exponent : {0, -500, 400}) {
     const double reach = std::ldexp(units, exponent);
-    BOOST_CHECK_EQUAL(first_exact_tier(reach, exponent, axis_count), expected);
-    if(units < 0x1p52) // just below the next step
-      BOOST_CHECK_EQUAL(first_exact_tier(std::nextafter(std::ldexp(units + 1, exponent), 0),
-                                         exponent, axis_count), expected);
+    BOOST_CHECK_EQUAL(internal::first_exact_tier(reach, exponent, axis_count), expected);
+    BOOST_CHECK_EQUAL(profile_of_units(axis_count, reach, exponent).tier(), expected);
+    const double below_next_step = std::nextafter(std::ldexp(units + 1, exponent), 0);
+    if(units < 0x1p52)
+      BOOST_CHECK_EQUAL(internal::first_exact_tier(below_next_step, exponent, axis_count),
+                        expected);
   }
 }
 
 // The last U at which d U^2 is within each limit, and its neighbors, in up to 12 dimensions.
 BOOST_AUTO_TEST_CASE(tiers_hold_the_sums_of_squares)
 {
-  using test_support::Integer;
   for(int axis_count = 0; axis_count <= 12; ++axis_count)
     for(const Integer& limit : {Integer(Integer(1) << 53), Integer((Integer(1) << 63) - 1),
                                 Integer((Integer(1) << 128) - 1), Integer(Integer(1) << 126)})
@@ -131,11 +91,10 @@ BOOST_AUTO_TEST_CASE(tiers_hold_the_sums_of_squares)
 
 BOOST_AUTO_TEST_CASE(without_a_grid_or_beyond_all_integers_only_exact_numbers_serve)
 {
-  using CGAL::Thick_intersection_d::internal::first_exact_tier;
   const auto last = CGAL::Arithmetic_tier::FILTERED_EXACT;
-  BOOST_CHECK_EQUAL(first_exact_tier(1, std::nullopt, 2), last);
-  BOOST_CHECK_EQUAL(first_exact_tier(1e300, -1000, 2), last); // the steps are no double
-  BOOST_CHECK_EQUAL(first_exact_tier(std::numeric_limits<double>::infinity(), 0, 2), last);
+  BOOST_CHECK_EQUAL(internal::first_exact_tier(1, std::nullopt, 2), last);
+  BOOST_CHECK_EQUAL(internal::first_exact_tier(1e300, -1000, 2), last); // the steps are no double
+  BOOST_CHECK_EQUAL(internal::first_exact_tier(infinity, 0, 2), last);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -4,8 +4,8 @@
 // The work of the divide and conquer: comparisons, and the candidates of a point of a strip.
 
 #include "support/check_closest_pair.h"
-#include "support/counting_minimum.h"
 #include "support/plain_points.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -17,15 +17,67 @@ using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 template <int Dimension>
 using Maker = Cartesian_points<Epick, Dimension>;
 
+struct Work_of_division
+{
+  std::size_t comparisons = 0;         // of coordinates and of distances
+  std::size_t max_candidates = 0;      // of a point in a strip
+  std::map<std::size_t, std::size_t> candidates; // by point, in the strip that is scanned
+};
+
+template <class Elements>
+class Counting_minimum : public internal::Pair_minimum<Elements>
+{
+  using Base = internal::Pair_minimum<Elements>;
+
+public:
+  Counting_minimum(const Elements& points, const internal::Scene& scene,
+                   Work_of_division& work)
+    : Base(points, scene), work_(work)
+  {}
+
+  bool less(std::size_t i, std::size_t j, int axis) const
+  {
+    ++work_.comparisons;
+    return Base::less(i, j, axis);
+  }
+
+  // A new strip begins when points are compared along axis 0.
+  bool is_beyond(std::size_t i, std::size_t j, int axis) const
+  {
+    ++work_.comparisons;
+    if(axis == 0)
+      work_.candidates.clear();
+    return Base::is_beyond(i, j, axis);
+  }
+
+  // The first point is the one that others are candidates of.
+  void offer(std::size_t i, std::size_t j)
+  {
+    ++work_.comparisons;
+    work_.max_candidates = (std::max)(work_.max_candidates, ++work_.candidates[i]);
+    Base::offer(i, j);
+  }
+
+private:
+  Work_of_division& work_;
+};
+
+template <class Elements>
+Work_of_division work_of(const Elements& elements, int dimension)
+{
+  Work_of_division work;
+  Counting_minimum<Elements> minimum(elements, scene_of(elements), work);
+  internal::Unwatched_progress progress;
+  internal::divide_and_conquer(elements.size(), dimension, internal::Threads(), minimum, progress);
+  return work;
+}
+
 template <int Dimension>
 void check_work(const std::string& name, const Points& scene, double max_comparisons)
 {
   const auto points = make_points<Maker<Dimension>>(scene);
-  const Elements_of<typename Maker<Dimension>::Point> elements(points);
-  Work_of_division work;
-  Counting_minimum<std::decay_t<decltype(elements)>> minimum(elements, scene_of(elements), work);
-  internal::Unwatched_progress progress;
-  internal::divide_and_conquer(points.size(), Dimension, internal::Threads(), minimum, progress);
+  const Work_of_division work
+    = work_of(Elements_of<typename Maker<Dimension>::Point>(points), Dimension);
   const double n = static_cast<double>(points.size());
   const double comparisons = static_cast<double>(work.comparisons) / (n * std::log2(n));
   BOOST_TEST_MESSAGE(name << ' ' << Dimension << "D: " << comparisons
@@ -76,16 +128,6 @@ BOOST_AUTO_TEST_CASE(division_makes_n_log_n_comparisons_in_space)
     check_work<3>("line", axis_points(3, 20000, axis, 0, 1), 20);
 }
 
-double comparisons_in_dimension_5(const Points& scene)
-{
-  const Plain_points<double> elements = plain_points(scene);
-  Work_of_division work;
-  Counting_minimum<Plain_points<double>> minimum(elements, scene_of(elements), work);
-  internal::Unwatched_progress progress;
-  internal::divide_and_conquer(elements.size(), 5, internal::Threads(), minimum, progress);
-  return static_cast<double>(work.comparisons);
-}
-
 // All points are in each strip, and the same along the axis of the scan.
 BOOST_AUTO_TEST_CASE(flat_points_in_dimension_5_take_the_work_of_uniform_points)
 {
@@ -94,7 +136,10 @@ BOOST_AUTO_TEST_CASE(flat_points_in_dimension_5_take_the_work_of_uniform_points)
     Points flat = uniform;
     for(Coordinates& c : flat)
       c.front() = c.back() = 0;
-    const double factor = comparisons_in_dimension_5(flat) / comparisons_in_dimension_5(uniform);
+    const auto comparisons = [](const Points& points) {
+      return static_cast<double>(work_of(plain_points(points), 5).comparisons);
+    };
+    const double factor = comparisons(flat) / comparisons(uniform);
     BOOST_TEST_MESSAGE("flat points in dimension 5, " << n << " points: " << factor);
     BOOST_CHECK_LE(factor, 8);
   }

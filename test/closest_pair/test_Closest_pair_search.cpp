@@ -5,13 +5,9 @@
 
 #include "support/check_closest_pair.h"
 #include "support/counted_points.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Thick_intersection_d/internal/closest_pair/Some_positions.h>
-#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
-
-#include <cmath>
-#include <limits>
 
 BOOST_AUTO_TEST_SUITE(Closest_pair_search)
 
@@ -77,6 +73,12 @@ std::size_t near_searches_of_closest_pair(const Points& scene)
   return progress.near_searches();
 }
 
+std::size_t near_searches_of_closest_pair(const Points& scene)
+{
+  return scene.front().size() == 2 ? near_searches_of_closest_pair<2>(scene)
+                                   : near_searches_of_closest_pair<3>(scene);
+}
+
 // A lattice whose points have moved by up to a share of its step.
 Points moved_lattice(int dimension, double share)
 {
@@ -90,13 +92,12 @@ Points moved_lattice(int dimension, double share)
 
 BOOST_AUTO_TEST_CASE(near_pairs_of_crowded_points_are_reported)
 {
-  for(const double share : {1e-300, 1e-15, 1e-3, 0.1}) {
-    BOOST_CHECK_GT(near_searches_of_closest_pair<2>(moved_lattice(2, share)), 0u);
-    BOOST_CHECK_GT(near_searches_of_closest_pair<3>(moved_lattice(3, share)), 0u);
-  }
-  for(const double scale : {0.1, 1e-318, 1e-165, 1e170, 1e300}) {
-    BOOST_CHECK_GT(near_searches_of_closest_pair<2>(moved(moved_lattice(2, 0), scale, 0)), 0u);
-    BOOST_CHECK_GT(near_searches_of_closest_pair<3>(moved(moved_lattice(3, 0), scale, 0)), 0u);
+  for(const int dimension : {2, 3}) {
+    for(const double share : {1e-300, 1e-15, 1e-3, 0.1})
+      BOOST_CHECK_GT(near_searches_of_closest_pair(moved_lattice(dimension, share)), 0u);
+    const Points lattice = moved_lattice(dimension, 0);
+    for(const double scale : {0.1, 1e-318, 1e-165, 1e170, 1e300})
+      BOOST_CHECK_GT(near_searches_of_closest_pair(moved(lattice, scale, 0)), 0u);
   }
 }
 
@@ -106,9 +107,9 @@ BOOST_AUTO_TEST_CASE(wide_scenes_of_ties_are_searched_once)
   for(const double shift : {0., 0.5}) {
     Points points = shuffled(lattice_points(2, 60, 1), 3);
     points[1000][0] += shift;
-    const std::size_t searches = near_searches_of_closest_pair<2>(points);
+    const std::size_t searches = near_searches_of_closest_pair(points);
     points.push_back({0x1p40, 0});
-    BOOST_CHECK_EQUAL(near_searches_of_closest_pair<2>(points), 1u);
+    BOOST_CHECK_EQUAL(near_searches_of_closest_pair(points), 1u);
     BOOST_CHECK_EQUAL(searches, shift == 0 ? 2u : 1u);
   }
 }
@@ -128,11 +129,10 @@ Points made_for_a_seed(int dimension, std::size_t size, std::uint64_t seed, doub
 BOOST_AUTO_TEST_CASE(points_that_are_made_for_a_seed_take_a_few_searches)
 {
   for(const double scale : {1e-3, 1e-20, 1e-200, 1e-310}) {
-    const std::size_t searches
-      = near_searches_of_closest_pair<2>(made_for_a_seed(2, 4000, 1, scale));
+    const std::size_t searches = near_searches_of_closest_pair(made_for_a_seed(2, 4000, 1, scale));
     BOOST_CHECK_GT(searches, 0u);
     BOOST_CHECK_LE(searches, 13u);
-    BOOST_CHECK_GT(near_searches_of_closest_pair<3>(made_for_a_seed(3, 4000, 1, scale)), 0u);
+    BOOST_CHECK_GT(near_searches_of_closest_pair(made_for_a_seed(3, 4000, 1, scale)), 0u);
   }
 }
 
@@ -148,8 +148,7 @@ BOOST_AUTO_TEST_CASE(crowded_sample_is_drawn_from_again)
     Points points = moved(uniform_points(static_cast<int>(dimension), 32000, 0, 1, 8), 1e-3, 0);
     for(std::size_t i = 0; i < drawn.size(); ++i)
       points[drawn[i]] = Coordinates(dimension, 1 + static_cast<double>(i) / 100);
-    BOOST_CHECK_EQUAL(dimension == 2 ? near_searches_of_closest_pair<2>(points)
-                                     : near_searches_of_closest_pair<3>(points), 0u);
+    BOOST_CHECK_EQUAL(near_searches_of_closest_pair(points), 0u);
   }
 }
 
@@ -168,8 +167,7 @@ Points two_crowds()
 BOOST_AUTO_TEST_CASE(closest_pairs_of_crowds_are_found_at_all_scales)
 {
   for(const double scale : {1., 1e-298, 1e-18, 1e300}) {
-    const std::size_t searches
-      = near_searches_of_closest_pair<2>(moved(two_crowds(), scale, 0));
+    const std::size_t searches = near_searches_of_closest_pair(moved(two_crowds(), scale, 0));
     BOOST_CHECK_GT(searches, 2u);
     BOOST_CHECK_LE(searches, 13u);
   }
@@ -183,19 +181,19 @@ BOOST_AUTO_TEST_CASE(points_that_are_as_far_apart_as_doubles_are_compared)
     if(std::fmod(c[0] + c[1] + c[2], 2) == 0)
       points.push_back(c);
   points = moved(moved(points, 0.4, -1), std::numeric_limits<double>::max(), 0);
-  BOOST_CHECK_GT(near_searches_of_closest_pair<3>(points), 1u);
+  BOOST_CHECK_GT(near_searches_of_closest_pair(points), 1u);
   points.back() = points.front();
   points.back()[0] /= 2;
-  near_searches_of_closest_pair<3>(points);
+  near_searches_of_closest_pair(points);
 }
 
 // Neither are their samples crowded, nor samples of these.
 BOOST_AUTO_TEST_CASE(uniform_points_are_not_crowded)
 {
-  for(const std::size_t size : {4000, 20000, 100000}) {
-    BOOST_CHECK_EQUAL(near_searches_of_closest_pair<2>(uniform_points(2, size, 0, 1, 5)), 0u);
-    BOOST_CHECK_EQUAL(near_searches_of_closest_pair<3>(uniform_points(3, size, 0, 1, 5)), 0u);
-  }
+  for(const std::size_t size : {4000, 20000, 100000})
+    for(const int dimension : {2, 3})
+      BOOST_CHECK_EQUAL(near_searches_of_closest_pair(uniform_points(dimension, size, 0, 1, 5)),
+                        0u);
 }
 
 // Once for each coordinate, and for few others in the same place of the hash table.

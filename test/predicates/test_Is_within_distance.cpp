@@ -7,35 +7,24 @@
 #include "support/exact_points.h"
 #include "support/large_ties.h"
 #include "support/plain_points.h"
+#include "support/rounding_mode.h"
+#include "support/unit_test.h"
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
 #include <CGAL/Scene_profile.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Thick_point_traits_d.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cfenv>
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <optional>
-#include <random>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Is_within_distance)
 
 using namespace test_support;
 using CGAL::Arithmetic_tier;
-namespace internal = CGAL::Thick_intersection_d::internal;
 
 using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point_2 = Epick::Point_2;
 using Point_3 = Epick::Point_3;
-
-const double infinity = std::numeric_limits<double>::infinity();
 
 template <class Point, class NT>
 bool is_within(const CGAL::Distance_bound<NT>& bound, const Point& p, const Point& q)
@@ -43,18 +32,35 @@ bool is_within(const CGAL::Distance_bound<NT>& bound, const Point& p, const Poin
   return CGAL::Thick_point_traits_d<Point>(bound).do_intersect_d_object()(p, q);
 }
 
+// Asks in a rounding mode with r as a closed bound and as an open one. The sign is that of the
+// distance minus r.
+template <class Point>
+void check_distance(double r, const Point& p, const Point& q, int sign, int mode = FE_TONEAREST)
+{
+  std::optional<Rounding_mode> in_mode(mode);
+  const bool closed = is_within(CGAL::within_distance(r), p, q);
+  const bool open = is_within(CGAL::within_distance(r).open(), p, q);
+  in_mode.reset();
+  BOOST_REQUIRE_EQUAL(closed, sign <= 0);
+  BOOST_REQUIRE_EQUAL(open, sign < 0);
+}
+
+// That of the point and the origin minus r.
+int exact_sign(const Point_2& p, double r)
+{
+  return Exact_points({{0, 0}, {p.x(), p.y()}}, Radius::of_length(r))
+    .compare_distance_with_radius(0, 1);
+}
+
 BOOST_AUTO_TEST_CASE(exact_ties_are_decided_right)
 {
   std::size_t rounded_apart = 0; // so the test tests something
   for(const Tie& tie : large_ties()) {
     const Point_2 p(0, 0), q(tie.a, tie.b);
-    BOOST_REQUIRE(is_within(CGAL::within_distance(tie.c), p, q));
-    BOOST_REQUIRE(!is_within(CGAL::within_distance(tie.c).open(), p, q));
-    BOOST_REQUIRE(!is_within(CGAL::within_distance(std::nextafter(tie.c, 0.)), p, q));
-    BOOST_REQUIRE(is_within(CGAL::within_distance(std::nextafter(tie.c, infinity)).open(), p, q));
-    const Point_3 s(0, tie.a, tie.b);
-    BOOST_REQUIRE(is_within(CGAL::within_distance(tie.c), Point_3(0, 0, 0), s));
-    BOOST_REQUIRE(!is_within(CGAL::within_distance(tie.c).open(), Point_3(0, 0, 0), s));
+    check_distance(tie.c, p, q, 0);
+    check_distance(std::nextafter(tie.c, 0.), p, q, 1);
+    check_distance(std::nextafter(tie.c, infinity), p, q, -1);
+    check_distance(tie.c, Point_3(0, 0, 0), Point_3(0, tie.a, tie.b), 0);
     rounded_apart += tie.a * tie.a + tie.b * tie.b != tie.c * tie.c;
   }
   BOOST_CHECK_GT(rounded_apart, 100u);
@@ -80,10 +86,8 @@ BOOST_AUTO_TEST_CASE(squares_that_overflow_or_vanish)
     const Point_2 p(0, 0), q(3 * scale, 4 * scale);
     const double r = 5 * scale;
     const bool is_tie = r == scale * 5 && q.x() / 3 == scale && q.y() / 4 == scale;
-    const Exact_points exact({{0, 0}, {q.x(), q.y()}}, Radius::of_length(r));
-    const int sign = exact.compare_distance_with_radius(0, 1);
-    BOOST_CHECK_EQUAL(is_within(CGAL::within_distance(r), p, q), sign <= 0);
-    BOOST_CHECK_EQUAL(is_within(CGAL::within_distance(r).open(), p, q), sign < 0);
+    const int sign = exact_sign(q, r);
+    check_distance(r, p, q, sign);
     BOOST_CHECK_MESSAGE(is_tie || sign != 0, scale);
     BOOST_CHECK(is_within(CGAL::within_distance(1.01 * r), p, q));
     BOOST_CHECK(!is_within(CGAL::within_distance(0.75 * r), p, q));
@@ -96,20 +100,12 @@ BOOST_AUTO_TEST_CASE(near_the_circle_in_every_rounding_mode)
 {
   std::mt19937_64 random(11);
   const auto uniform = [&] { return std::ldexp(static_cast<double>(random() >> 11), -53) - 0.5; };
-  for(const int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO})
+  for(const int mode : rounding_modes)
     for(int i = 0; i < 5000; ++i) {
       const int exponent = static_cast<int>(random() % 2000) - 1040;
-      const double x = std::ldexp(uniform(), exponent), y = std::ldexp(uniform(), exponent);
-      const double r = std::hypot(x, y);
-      const Exact_points exact({{0, 0}, {x, y}}, Radius::of_length(r));
-      const int sign = exact.compare_distance_with_radius(0, 1);
-
-      std::fesetround(mode);
-      const bool closed = is_within(CGAL::within_distance(r), Point_2(0, 0), Point_2(x, y));
-      const bool open = is_within(CGAL::within_distance(r).open(), Point_2(0, 0), Point_2(x, y));
-      std::fesetround(FE_TONEAREST);
-      BOOST_REQUIRE_EQUAL(closed, sign <= 0);
-      BOOST_REQUIRE_EQUAL(open, sign < 0);
+      const Point_2 q(std::ldexp(uniform(), exponent), std::ldexp(uniform(), exponent));
+      const double r = std::hypot(q.x(), q.y());
+      check_distance(r, Point_2(0, 0), q, exact_sign(q, r), mode);
     }
 }
 
@@ -120,28 +116,26 @@ BOOST_AUTO_TEST_CASE(near_ties_of_inexact_differences)
   using Rational = CGAL::Exact_rational;
   std::mt19937_64 random(12);
   const auto uniform = [&] { return std::ldexp(static_cast<double>(random() >> 11), -53) - 0.5; };
-  for(const int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO})
+  for(const int mode : rounding_modes)
     for(int i = 0; i < 2000; ++i) {
       const double scale = std::ldexp(1., -static_cast<int>(random() % 60));
       const Point_3 p(scale * uniform(), scale * uniform(), scale * uniform());
       const Point_3 q(uniform(), uniform(), uniform());
       Rational d2 = 0;
-      for(int axis = 0; axis < 3; ++axis) {
-        const Rational difference = Rational(p[axis]) - Rational(q[axis]);
-        d2 += difference * difference;
-      }
+      for(int axis = 0; axis < 3; ++axis)
+        d2 += CGAL::square(Rational(p[axis]) - Rational(q[axis]));
       const double r = std::sqrt(CGAL::to_double(d2));
       const bool is_within_r = d2 <= Rational(r) * Rational(r);
       const Rational part = d2 * Rational(std::ldexp(1., -110));
       const Rational above = d2 + part, below = d2 - part;
 
-      std::fesetround(mode);
+      std::optional<Rounding_mode> in_mode(mode);
       const bool rounded = is_within(CGAL::within_distance(r), p, q);
       const bool greater = is_within(CGAL::within_squared_distance(above), p, q);
       const bool less = is_within(CGAL::within_squared_distance(below), p, q);
       const bool equal = is_within(CGAL::within_squared_distance(d2), p, q);
       const bool open = is_within(CGAL::within_squared_distance(d2).open(), p, q);
-      std::fesetround(FE_TONEAREST);
+      in_mode.reset();
       BOOST_REQUIRE_EQUAL(rounded, is_within_r);
       BOOST_REQUIRE(greater && !less && equal && !open);
     }

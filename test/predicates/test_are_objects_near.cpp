@@ -3,29 +3,23 @@
 
 // Which arithmetic decides about the distance of two objects, and that its answers are right.
 
+#include "support/unit_test.h"
+
+#include <CGAL/Thick_intersection_d/internal/predicates/are_objects_near.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
+
 #include <CGAL/Arithmetic_tier.h>
 #include <CGAL/Distance_bound.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
 
-#include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Hull.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Hull_bound.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/are_objects_near.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
 #include <tuple>
-#include <type_traits>
-#include <utility>
 #include <variant>
 
 BOOST_AUTO_TEST_SUITE(are_objects_near)
 
-namespace internal = CGAL::Thick_intersection_d::internal;
+using namespace test_support;
 using CGAL::Arithmetic_tier;
 using Doubles = CGAL::Simple_cartesian<double>;
 using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
@@ -181,33 +175,28 @@ BOOST_AUTO_TEST_CASE(balls_that_touch_intersect)
   BOOST_CHECK(do_intersect(Ball(Doubles::Point_2(3, 7), 3), Ball(Doubles::Point_2(3, 0), 4)));
 }
 
+template <class A, class B>
+constexpr int distance_degree = internal::degree_of<internal::Distance_degree, A, B>();
+template <class A, class B>
+constexpr int intersection_degree = internal::degree_of<internal::Intersection_degree, A, B>();
+
 BOOST_AUTO_TEST_CASE(degrees)
 {
-  using Object_3 = std::variant<Doubles::Point_3, Doubles::Segment_3>;
-  const auto distances = [](auto* a, auto* b) {
-    return internal::degree_of<internal::Distance_degree, std::decay_t<decltype(*a)>,
-                               std::decay_t<decltype(*b)>>();
-  };
-  const auto intersections = [](auto* a, auto* b) {
-    return internal::degree_of<internal::Intersection_degree, std::decay_t<decltype(*a)>,
-                               std::decay_t<decltype(*b)>>();
-  };
-  const Doubles::Point_2* const point = nullptr;
-  const Doubles::Segment_2* const segment = nullptr;
-  const Doubles::Iso_cuboid_3* const box = nullptr;
-  const Doubles::Point_3* const point_3 = nullptr;
-  const Object_3* const object_3 = nullptr;
-  const Ball* const ball = nullptr;
-  BOOST_CHECK_EQUAL(distances(point, ball), 2);
-  BOOST_CHECK_EQUAL(distances(point, segment), 4);
-  BOOST_CHECK_EQUAL(distances(point_3, point_3), 2);
-  BOOST_CHECK_EQUAL(distances(object_3, point_3), 6);
-  BOOST_CHECK_EQUAL(intersections(ball, ball), 2);
-  BOOST_CHECK_EQUAL(intersections(ball, segment), 4);
-  BOOST_CHECK_EQUAL(intersections(point, segment), 2);
-  BOOST_CHECK_EQUAL(intersections(box, box), 1);
-  BOOST_CHECK_EQUAL(intersections(point_3, box), 1);
-  BOOST_CHECK_EQUAL(intersections(box, object_3), 3);
+  using Point_2 = Doubles::Point_2;
+  using Point_3 = Doubles::Point_3;
+  using Segment = Doubles::Segment_2;
+  using Box = Doubles::Iso_cuboid_3;
+  using Object_3 = std::variant<Point_3, Doubles::Segment_3>;
+  BOOST_CHECK_EQUAL((distance_degree<Point_2, Ball>), 2);
+  BOOST_CHECK_EQUAL((distance_degree<Point_2, Segment>), 4);
+  BOOST_CHECK_EQUAL((distance_degree<Point_3, Point_3>), 2);
+  BOOST_CHECK_EQUAL((distance_degree<Object_3, Point_3>), 6);
+  BOOST_CHECK_EQUAL((intersection_degree<Ball, Ball>), 2);
+  BOOST_CHECK_EQUAL((intersection_degree<Ball, Segment>), 4);
+  BOOST_CHECK_EQUAL((intersection_degree<Point_2, Segment>), 2);
+  BOOST_CHECK_EQUAL((intersection_degree<Box, Box>), 1);
+  BOOST_CHECK_EQUAL((intersection_degree<Point_3, Box>), 1);
+  BOOST_CHECK_EQUAL((intersection_degree<Box, Object_3>), 3);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
