@@ -89,6 +89,8 @@ BOOST_AUTO_TEST_CASE(lower_bounds_are_stored_once_each)
     points, "point", false,
     [&](std::size_t position, int axis, double x) { stored.emplace_back(position, axis, x); },
     internal::Threads());
+  BOOST_CHECK(!scene.grid_exponent);
+  BOOST_CHECK_GT(scene.error, 0);
   BOOST_REQUIRE_EQUAL(stored.size(), 6u);
   for(std::size_t i = 0; i < stored.size(); ++i) {
     const auto [position, axis, x] = stored[i];
@@ -113,19 +115,6 @@ BOOST_AUTO_TEST_CASE(the_grid_is_found_if_it_is_asked_for)
   }
 }
 
-BOOST_AUTO_TEST_CASE(other_numbers_have_no_grid)
-{
-  using Rational = CGAL::Exact_rational;
-  Plain_points<Rational> points = plain_points<Rational>({{1, 2}, {0.5, 4}});
-  points[1].coordinates[0] /= 3;
-  for(const bool finds_grid : {true, false}) {
-    const internal::Scene scene
-      = internal::scan_points(points, "point", finds_grid);
-    BOOST_CHECK(!scene.grid_exponent);
-    BOOST_CHECK_GT(scene.error, 0);
-  }
-}
-
 BOOST_AUTO_TEST_CASE(the_first_bad_point_is_named)
 {
   auto points = plain_points(uniform_points(2, 20, 0, 1, 2));
@@ -139,21 +128,16 @@ BOOST_AUTO_TEST_CASE(the_first_bad_point_is_named)
   BOOST_CHECK_EQUAL(refusal(), "Coordinate 1 of point 4 is NaN or infinite.");
 }
 
-// The type of the points tells a dimension that the scene does not have.
-BOOST_AUTO_TEST_CASE(no_points_of_the_plane_make_an_empty_scene)
-{
-  const std::vector<CGAL::Simple_cartesian<double>::Point_2> none;
-  const internal::Scene scene = internal::scan_points(none, "point");
-  BOOST_CHECK_EQUAL(scene.size, 0u);
-  BOOST_CHECK_EQUAL(scene.dimension(), 0);
-}
-
+// The type of points of the plane tells a dimension that the scene does not have.
 BOOST_AUTO_TEST_CASE(no_points_make_an_empty_scene)
 {
-  const internal::Scene scene = scene_of(Plain_points<double>());
-  BOOST_CHECK_EQUAL(scene.size, 0u);
-  BOOST_CHECK_EQUAL(scene.dimension(), 0);
-  BOOST_CHECK_EQUAL(scene.error, 0);
+  const std::vector<CGAL::Simple_cartesian<double>::Point_2> none;
+  for(const internal::Scene& scene :
+      {scene_of(Plain_points<double>()), internal::scan_points(none, "point")}) {
+    BOOST_CHECK_EQUAL(scene.size, 0u);
+    BOOST_CHECK_EQUAL(scene.dimension(), 0);
+    BOOST_CHECK_EQUAL(scene.error, 0);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()
