@@ -5,16 +5,8 @@
 // rational equations, and the formula for two segments.
 
 #include "distance_oracle.h"
-#include "point_generators.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <utility>
-#include <vector>
+#include "lattice_hulls.h"
+#include "unit_test.h"
 
 using namespace test_support;
 
@@ -138,15 +130,6 @@ Rational squared_distance_of_segments(const Vectors& a, const Vectors& b)
   return s != clamped(s) || t != clamped(t) ? least : squared_distance(a, s, b, t);
 }
 
-Vectors random_vertices(Random& random, std::size_t count, std::size_t side, bool is_plane)
-{
-  Vectors vertices(count);
-  for(auto& p : vertices)
-    for(std::size_t axis = 0; axis < 3; ++axis)
-      p[axis] = is_plane && axis == 2 ? 0 : static_cast<std::int64_t>(random.below(side));
-  return vertices;
-}
-
 Vectors vertices_of_box(const Vectors& ends)
 {
   Vectors vertices;
@@ -176,9 +159,9 @@ BOOST_AUTO_TEST_CASE(distances_are_the_least_ones_of_simplices)
   std::size_t zeros = 0, count = 0;
   for(const std::size_t side : {3, 5, 12})
     for(int i = 0; i < 300; ++i) {
-      const bool is_plane = i % 4 == 0;
-      const Vectors a = random_vertices(random, 1 + random.below(4), side, is_plane);
-      const Vectors b = random_vertices(random, 1 + random.below(4), side, is_plane);
+      const Lattice lattice = {i % 4 == 0 ? 2u : 3u, side};
+      const Vectors a = lattice_hull(random, lattice, 1 + random.below(4));
+      const Vectors b = lattice_hull(random, lattice, 1 + random.below(4));
       const Rational square = squared_distance_of_hulls(a, b);
       BOOST_REQUIRE_EQUAL(square, least_squared_distance(a, b));
       zeros += square == 0;
@@ -192,8 +175,9 @@ BOOST_AUTO_TEST_CASE(distances_of_segments_are_those_of_the_formula)
 {
   Random random(2);
   for(int i = 0; i < 4000; ++i) {
-    const Vectors a = random_vertices(random, 2, 2 + random.below(8), i % 4 == 0);
-    const Vectors b = random_vertices(random, 2, 2 + random.below(8), i % 4 == 0);
+    const std::size_t dimension = i % 4 == 0 ? 2 : 3;
+    const Vectors a = lattice_hull(random, {dimension, 2 + random.below(8)}, 2);
+    const Vectors b = lattice_hull(random, {dimension, 2 + random.below(8)}, 2);
     BOOST_REQUIRE_EQUAL(squared_distance_of_hulls(a, b), squared_distance_of_segments(a, b));
   }
 }
@@ -202,8 +186,8 @@ BOOST_AUTO_TEST_CASE(distances_of_boxes_are_those_of_their_gaps)
 {
   Random random(3);
   for(int i = 0; i < 300; ++i) {
-    const Vectors a = random_vertices(random, 2, 2 + random.below(8), false);
-    const Vectors b = random_vertices(random, 2, 2 + random.below(8), false);
+    const Vectors a = lattice_hull(random, {3, 2 + random.below(8)}, 2);
+    const Vectors b = lattice_hull(random, {3, 2 + random.below(8)}, 2);
     BOOST_REQUIRE_EQUAL(squared_distance_of_hulls(vertices_of_box(a), vertices_of_box(b)),
                         squared_distance_of_boxes(a, b));
   }

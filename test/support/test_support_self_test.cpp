@@ -16,22 +16,12 @@
 #include "pairs.h"
 #include "robustness_families.h"
 #include "scenes.h"
+#include "unit_test.h"
 
 #include <CGAL/Simple_cartesian.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <map>
 #include <new>
-#include <set>
 #include <sstream>
-#include <string>
-#include <vector>
 
 using namespace test_support;
 
@@ -408,7 +398,6 @@ BOOST_AUTO_TEST_CASE(mpfr_numbers_make_a_kernel)
 BOOST_AUTO_TEST_CASE(mpfr_intervals_enclose)
 {
   using Number = Mpfr_number<30>;
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   const double largest = std::numeric_limits<double>::max();
   BOOST_CHECK(CGAL::to_interval(Number(0.1)) == std::make_pair(0.1, 0.1));
   const Number third = Number(1) / 3;
