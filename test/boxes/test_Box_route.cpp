@@ -149,23 +149,6 @@ BOOST_AUTO_TEST_CASE(order_of_reports_is_a_function_of_the_input)
   BOOST_CHECK(pairs_by_boxes<3>(objects) == pairs_by_boxes<3>(objects));
 }
 
-namespace {
-
-// Adds up the boxes that are finished, and cancels when there are `limit`.
-struct Counting_progress
-{
-  std::size_t limit;
-  std::size_t finished = 0;
-
-  bool advance(std::size_t count)
-  {
-    finished += count;
-    return finished < limit;
-  }
-};
-
-} // namespace
-
 BOOST_AUTO_TEST_CASE(callback_stops_each_part_of_the_search)
 {
   for(unsigned int seed = 0; seed < 300; ++seed) {
@@ -179,7 +162,7 @@ BOOST_AUTO_TEST_CASE(callback_stops_each_part_of_the_search)
     const std::size_t all = pairs_by_boxes<2>(objects, tuning, first_set_size).size();
     for(std::size_t limit = 1; limit <= all; limit += 1 + all / 10) {
       std::size_t calls = 0;
-      Counting_progress progress = {std::size_t(-1)};
+      Box_progress progress;
       std::size_t finished = 0;
       const auto callback = [&](std::size_t, std::size_t) {
         finished = progress.finished;
@@ -203,10 +186,10 @@ BOOST_AUTO_TEST_CASE(progress_counts_each_box_once_and_cancels)
     std::optional<std::size_t> first_set_size;
     if(seed % 2)
       first_set_size = random() % (boxes.size() + 1);
-    Counting_progress to_the_end = {std::size_t(-1)};
+    Box_progress to_the_end;
     BOOST_CHECK(search_boxes<3>(objects, tuning, first_set_size, ignore, to_the_end));
     BOOST_CHECK_EQUAL(to_the_end.finished, boxes.size());
-    Counting_progress cancelled = {boxes.size() / 2 + 1};
+    Box_progress cancelled = {boxes.size() / 2 + 1};
     const bool is_complete = search_boxes<3>(objects, tuning, first_set_size, ignore, cancelled);
     BOOST_CHECK_EQUAL(is_complete, cancelled.finished < cancelled.limit);
   }

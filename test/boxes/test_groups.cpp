@@ -280,21 +280,12 @@ BOOST_AUTO_TEST_CASE(progress_counts_boxes_once_when_a_sweep_is_given_up)
   const std::size_t n = 4000;
   const Number_boxes boxes = boxes_of_kind(0, n);
   const Grouped_objects objects(boxes, 2, groups_in_turn(n, 2), 1);
-  struct Counted_progress
-  {
-    std::size_t done = 0, steps = 0;
-    bool advance(std::size_t finished)
-    {
-      done += finished;
-      steps += finished != 0;
-      return true;
-    }
-  } progress;
+  Box_progress progress;
   std::size_t pairs = 0;
   const auto callback = [&](std::size_t, std::size_t) { ++pairs; };
   BOOST_CHECK(search_boxes<2>(objects, Box_tuning(), std::nullopt, callback, progress));
   BOOST_CHECK_EQUAL(pairs, 1u);
-  BOOST_CHECK_EQUAL(progress.done, n);
+  BOOST_CHECK_EQUAL(progress.finished, n);
   BOOST_CHECK_GT(progress.steps, 1u);
 }
 

@@ -107,6 +107,20 @@ inline std::vector<bool> sampled_of_three(std::size_t size)
   return sampled;
 }
 
+// Adds up the boxes that are finished, and cancels when there are `limit`.
+struct Box_progress
+{
+  bool advance(std::size_t count)
+  {
+    finished += count;
+    steps += count != 0;
+    return finished < limit;
+  }
+
+  std::size_t limit = std::size_t(-1);
+  std::size_t finished = 0, steps = 0;
+};
+
 // Calls search(client, piece) with the boxes of objects, of one set or of two. In either case, the
 // callback gets positions in one numbering.
 template <int Axes, class Objects, class Callback, class Progress, class Search>
