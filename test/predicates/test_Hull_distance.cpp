@@ -38,16 +38,6 @@ double square_of(const Vector& p)
 
 bool is_nearly(double x, double y) { return std::fabs(x - y) <= 1e-11 * (1 + std::fabs(y)); }
 
-// Whether no vertex, edge or face is of length zero.
-bool is_proper(const Integers& p)
-{
-  const auto from_first = [&](std::size_t k) { return difference(p[k], p[0]); };
-  return p.size() == 1   ? true
-         : p.size() == 2 ? !is_null(from_first(1))
-         : p.size() == 3 ? !is_null(cross(from_first(1), from_first(2)))
-                         : dot(cross(from_first(1), from_first(2)), from_first(3)) != 0;
-}
-
 // The nearest point is right, and that of the vertices that are kept.
 template <int Dimension>
 void check_simplices(std::size_t count)
@@ -62,7 +52,7 @@ void check_simplices(std::size_t count)
         vertices.push_back(lattice_point(random, lattice_around_origin(Dimension, side)));
         simplex.add(as_doubles<Dimension>(vertices.back()));
       }
-      if(!is_proper(vertices))
+      if(is_flat(vertices))
         continue;
       ++proper;
       const double square = true_square(vertices);

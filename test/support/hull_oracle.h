@@ -51,6 +51,18 @@ bool is_null(const Hull_vector<Integer>& a)
   return a[0] == 0 && a[1] == 0 && a[2] == 0;
 }
 
+// Whether all points are in a hyperplane of the objects that as many points span: two are equal,
+// three are on a line, and four are in a plane.
+template <class Integer>
+bool is_flat(const Hull_vectors<Integer>& points)
+{
+  const auto from_first = [&](std::size_t k) { return difference(points[k], points[0]); };
+  return points.size() == 2   ? is_null(from_first(1))
+         : points.size() == 3 ? is_null(cross(from_first(1), from_first(2)))
+         : points.size() == 4 ? dot(cross(from_first(1), from_first(2)), from_first(3)) == 0
+                              : false;
+}
+
 // Whether vectors that are not null are in an open half-plane at the origin. They are in the plane
 // with the given normal. Then one of them has all others less than half a turn to its left.
 template <class Integer>
