@@ -106,11 +106,7 @@ void check_scenes()
     for(const double reach : {1e-12, 1e-4, 1e-2, 0.3, 10.}) {
       BOOST_TEST_CONTEXT(name << ", reach " << reach)
       {
-        const Point_source<Dimension> source(points);
-        const internal::Slabs<Point<Dimension>> slabs(source.reader(), reach,
-                                                      internal::Point_sets(), internal::Threads(),
-                                                      tuning_for_few_points());
-        check_window<Dimension>(slabs, reach);
+        check_window<Dimension>(slabs_of<Dimension>(points, reach), reach);
       }
     }
 }
@@ -120,10 +116,7 @@ BOOST_AUTO_TEST_CASE(slabs_within_reach_are_those_of_the_list_3) { check_scenes<
 
 BOOST_AUTO_TEST_CASE(a_window_may_start_at_any_slab)
 {
-  const Points points = uniform_points(2, 1500, 0, 1, 1);
-  const Point_source<2> source(points);
-  const internal::Slabs<Point<2>> slabs(source.reader(), 1e-3, internal::Point_sets(),
-                                        internal::Threads(), tuning_for_few_points());
+  const auto slabs = slabs_of<2>(uniform_points(2, 1500, 0, 1, 1), 1e-3);
   const internal::Slab_column<Point<2>> column(slabs, 0, 1e-3, false);
   BOOST_REQUIRE_GT(slabs.count(), 50u);
   for(internal::Place first = 0; first <= slabs.count(); first += 7) {

@@ -16,9 +16,7 @@ using namespace test_support;
 // points than its part of all and one slab.
 void check_blocks(const Points& points, double reach)
 {
-  const Point_source<2> source(points);
-  const internal::Slabs<internal::Slab_point<2, double>> slabs(
-    source.reader(), reach, internal::Point_sets(), internal::Threads(), internal::Slab_tuning());
+  const auto slabs = slabs_of<2>(points, reach, internal::Slab_tuning());
   internal::Place largest = 0;
   std::vector<internal::Place> begins = {0};
   for(internal::Place s = 0; s < slabs.count(); ++s) {
@@ -49,14 +47,6 @@ BOOST_AUTO_TEST_CASE(blocks_of_slabs_share_the_points)
 
 template <int Dimension>
 using Slabs_of = internal::Slabs<internal::Slab_point<Dimension, double>>;
-
-template <int Dimension>
-Slabs_of<Dimension> slabs_of(const Points& points, double reach)
-{
-  const Point_source<Dimension> source(points);
-  return Slabs_of<Dimension>(source.reader(), reach, internal::Point_sets(), internal::Threads(),
-                             tuning_for_few_points());
-}
 
 // Each point is in one slab, with its coordinates, and slabs follow each other.
 template <int Dimension>

@@ -15,6 +15,7 @@
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_task.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Point_reader.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Slabs.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/tuning.h>
 
 #include <algorithm>
@@ -127,6 +128,16 @@ inline internal::Slab_tuning tuning_for_few_points()
   tuning.points_per_sorted_strip = 3;
   tuning.max_slab_size = 64;
   return tuning;
+}
+
+// The slabs of points that are searched for near ones.
+template <int Dimension>
+internal::Slabs<internal::Slab_point<Dimension, double>>
+slabs_of(const Points& points, double reach,
+         const internal::Slab_tuning& tuning = tuning_for_few_points())
+{
+  return {Point_source<Dimension>(points).reader(), reach, internal::Point_sets(),
+          internal::Threads(), tuning};
 }
 
 } // namespace test_support
