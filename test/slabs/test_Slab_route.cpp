@@ -152,6 +152,18 @@ BOOST_AUTO_TEST_CASE(skewed_scenes_3)
   check_skewed_scenes<Space>(3, {0.05, 0.01, 0.01, 1. / 64, 1. / 256});
 }
 
+// Integers are counted from the lowest coordinate along each axis.
+BOOST_AUTO_TEST_CASE(points_that_are_far_out_along_one_axis)
+{
+  Points points = uniform_points(2, 500, 0, 1, 5);
+  for(Coordinates& c : points)
+    c[1] += 1e6;
+  const auto made = make_points<Plane>(points);
+  const auto bound = CGAL::within_distance(0.1);
+  BOOST_CHECK(sorted(slab_pairs<2>(made, bound, Slab_tuning()))
+              == sorted(near_pairs_by_recursion(made, bound, 2)));
+}
+
 BOOST_AUTO_TEST_CASE(half_of_the_points_at_one_place)
 {
   Points crowd = uniform_points(2, 2000, 0, 1, 4);
