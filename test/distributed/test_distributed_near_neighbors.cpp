@@ -221,10 +221,8 @@ BOOST_AUTO_TEST_CASE(pairs_of_two_sets_are_those_of_one_process)
                                    points.begin() + static_cast<std::ptrdiff_t>(size_a));
       const std::vector<Point_3> b(points.begin() + static_cast<std::ptrdiff_t>(size_a),
                                    points.end());
-      Pairs expected, mine;
-      for(const Pair& pair : truth_of(scene).pairs)
-        if(pair.first < size_a && pair.second >= size_a)
-          expected.emplace_back(pair.first, pair.second - size_a);
+      const Pairs expected = of_two_sets(truth_of(scene).pairs, size_a);
+      Pairs mine;
       const On_pair add = [&](std::uint64_t i, std::uint64_t j) {
         mine.emplace_back(i, j);
         return true;
@@ -265,14 +263,6 @@ BOOST_AUTO_TEST_CASE(the_same_pairs_are_found_on_the_same_process_again)
 
 // ---- the lists ----------------------------------------------------------------------------------
 
-Pairs both_ways(const Pairs& pairs)
-{
-  Pairs both = pairs;
-  for(const Pair& pair : pairs)
-    both.emplace_back(pair.second, pair.first);
-  return both;
-}
-
 // The ids of the points of this process, each with the ids in its list.
 Pairs pairs_in(const CGAL::Distributed_neighbor_lists& lists)
 {
@@ -296,7 +286,7 @@ void check_lists(const Pairs& expected, const std::vector<Point>& mine,
   const auto lists = CGAL::distributed_fixed_radius_neighbor_lists<ConcurrencyTag>(
     MPI_COMM_WORLD, mine, bound, profile);
   BOOST_CHECK_EQUAL(lists.size(), mine.size());
-  check_equal(both_ways(expected), pairs_in(lists));
+  check_equal(in_both_orders(expected), pairs_in(lists));
 }
 
 BOOST_AUTO_TEST_CASE(lists_are_those_of_one_process_however_points_are_distributed)
@@ -317,10 +307,7 @@ BOOST_AUTO_TEST_CASE(lists_of_two_sets_have_the_ids_of_the_second)
       const auto middle = points.begin() + static_cast<std::ptrdiff_t>(size_a);
       const auto mine_a = my_share_of(std::vector<Point_3>(points.begin(), middle), Shares::EVEN);
       const auto mine_b = my_share_of(std::vector<Point_3>(middle, points.end()), Shares::SKEWED);
-      Pairs expected;
-      for(const Pair& pair : truth_of(scene).pairs)
-        if(pair.first < size_a && pair.second >= size_a)
-          expected.emplace_back(pair.first, pair.second - size_a);
+      const Pairs expected = of_two_sets(truth_of(scene).pairs, size_a);
       const auto lists = CGAL::distributed_fixed_radius_neighbor_lists(
         MPI_COMM_WORLD, mine_a, mine_b, CGAL::within_distance(*scene.radius.length()));
       BOOST_CHECK_EQUAL(lists.size(), mine_a.size());

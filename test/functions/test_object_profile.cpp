@@ -207,11 +207,7 @@ BOOST_AUTO_TEST_CASE(two_ranges_are_one_scene)
     CGAL::thick_intersection_d(
       a, b, [&](std::size_t i, std::size_t j) { callback(i, 10 + j); }, two);
   });
-  Pairs expected;
-  for(const Pair& p : pairs)
-    if(p.first < 10 && p.second >= 10)
-      expected.push_back(p);
-  BOOST_CHECK(sorted(found) == expected);
+  BOOST_CHECK(sorted(found) == between_sets(pairs, 10));
   BOOST_CHECK_EQUAL(two.size(), 40u);
   BOOST_CHECK_EQUAL(two.bits(), all.bits());
 }

@@ -61,14 +61,11 @@ BOOST_AUTO_TEST_CASE(same_pairs_of_rectangles)
   const std::size_t half = objects.size() / 2;
   const std::vector<Epick::Iso_rectangle_2> a(objects.begin(), objects.begin() + half);
   const std::vector<Epick::Iso_rectangle_2> b(objects.begin() + half, objects.end());
-  Pairs between;
-  for(const Pair& p : expected)
-    if(p.first < half && p.second >= half)
-      between.emplace_back(p.first, p.second - half);
   const tbb::global_control control(tbb::global_control::max_allowed_parallelism, thread_count);
-  const Pairs_difference two_sets = compare(between, collected([&](const auto& callback) {
+  const Pairs found = collected([&](const auto& callback) {
     CGAL::thick_intersection_d<CGAL::Parallel_tag>(a, b, callback);
-  }));
+  });
+  const Pairs_difference two_sets = compare(of_two_sets(expected, half), found);
   BOOST_CHECK_MESSAGE(two_sets.empty(), two_sets);
 }
 

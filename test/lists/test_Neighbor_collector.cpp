@@ -32,20 +32,13 @@ void check_lists(std::size_t size, std::size_t count)
 {
   Random random(size);
   internal::Neighbor_collector collect(size, internal::Threads());
-  Pairs both_ways;
-  for(const Pair& p : random_pairs(size, count, random)) {
+  const Pairs pairs = random_pairs(size, count, random);
+  for(const Pair& p : pairs)
     collect(p.first, p.second);
-    both_ways.push_back(p);
-    both_ways.emplace_back(p.second, p.first);
-  }
   const CGAL::Neighbor_lists lists = collect.lists();
-  Pairs found; // in the order of the lists
-  for(std::size_t i = 0; i < lists.size(); ++i)
-    for(const std::size_t neighbor : lists[i])
-      found.emplace_back(i, neighbor);
   BOOST_CHECK_EQUAL(lists.size(), size);
   BOOST_CHECK_EQUAL(lists.number_of_pairs(), count);
-  BOOST_CHECK(found == sorted(both_ways));
+  BOOST_CHECK(pairs_in_lists(lists) == in_both_orders(pairs));
 }
 
 // Points fill no bin, one bin, two bins, and some of a third one; or have positions of 17 bits.

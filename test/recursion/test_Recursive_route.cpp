@@ -56,7 +56,7 @@ void check_variants(const Pairs& expected, const Range& objects, const Traits& t
 }
 
 // Those of a set and another one, whose elements are numbered anew.
-Pairs between_sets(const Pairs& pairs, std::size_t first_set_size)
+Pairs of_two_sets(const Pairs& pairs, std::size_t first_set_size)
 {
   Pairs between;
   for(const Pair& p : pairs)
@@ -91,7 +91,7 @@ BOOST_AUTO_TEST_CASE(two_sets_of_sites_at_random)
 
     Calls calls;
     const Lattice_traits traits(dimension, distance, distance, calls);
-    check_variants(between_sets(pairs_of_sites(sites, distance), first), sites, traits, seed,
+    check_variants(of_two_sets(pairs_of_sites(sites, distance), first), sites, traits, seed,
                    first);
   }
 }
@@ -148,7 +148,7 @@ BOOST_AUTO_TEST_CASE(closeness_that_is_true_too_often)
     const Careless_traits traits(2, 3, 3, calls);
     const Pairs expected = pairs_of_sites(sites, 3);
     check_variants(expected, sites, traits, seed);
-    check_variants(between_sets(expected, first), sites, traits, seed, first);
+    check_variants(of_two_sets(expected, first), sites, traits, seed, first);
   }
 }
 

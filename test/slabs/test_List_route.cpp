@@ -27,29 +27,13 @@ Slab_tuning few_slabs()
   return tuning;
 }
 
-Pairs pairs_of(const CGAL::Neighbor_lists& lists)
-{
-  Pairs pairs;
-  for(std::size_t i = 0; i < lists.size(); ++i) {
-    BOOST_CHECK(std::is_sorted(lists[i].begin(), lists[i].end()));
-    for(const std::size_t j : lists[i])
-      pairs.emplace_back(i, j);
-  }
-  return pairs;
-}
-
 template <int Dimension>
 void check_lists(const Points& points, double r, Random& random)
 {
   const auto made = make_points<Cartesian_points<Kernel, Dimension>>(points);
   const auto bound = CGAL::within_distance(r);
-  Pairs expected;
   const Pairs pairs = near_pairs_by_recursion(made, bound, Dimension);
-  for(const Pair& p : pairs) {
-    expected.push_back(p);
-    expected.emplace_back(p.second, p.first);
-  }
-  expected = sorted(expected);
+  const Pairs expected = in_both_orders(pairs);
   Slab_tuning small = small_tuning(random);
   small.points_per_column = static_cast<internal::Place>(1 + random.below(8));
   small.max_slab_size = static_cast<internal::Place>(4 << random.below(8));
@@ -57,9 +41,9 @@ void check_lists(const Points& points, double r, Random& random)
     BOOST_CHECK(sorted(slab_pairs<Dimension, CGAL::Parallel_tag>(made, bound, tuning))
                 == sorted(pairs));
     BOOST_CHECK(
-      pairs_of(slab_lists<CGAL::Sequential_tag, Dimension>(made, bound, tuning)) == expected);
+      pairs_in_lists(slab_lists<CGAL::Sequential_tag, Dimension>(made, bound, tuning)) == expected);
     BOOST_CHECK(
-      pairs_of(slab_lists<CGAL::Parallel_tag, Dimension>(made, bound, tuning)) == expected);
+      pairs_in_lists(slab_lists<CGAL::Parallel_tag, Dimension>(made, bound, tuning)) == expected);
   }
 }
 

@@ -165,11 +165,7 @@ void check_ball_pairs(const std::vector<Ball>& balls, const Pairs& expected)
   });
   for(Pair& p : found)
     p.second += half;
-  Pairs between;
-  for(const Pair& p : expected)
-    if(p.first < half && p.second >= half)
-      between.push_back(p);
-  const Pairs_difference two_sets = compare(between, found);
+  const Pairs_difference two_sets = compare(between_sets(expected, half), found);
   BOOST_CHECK_MESSAGE(two_sets.empty(), "two sets: " << two_sets);
 }
 

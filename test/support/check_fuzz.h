@@ -121,19 +121,10 @@ private:
   {
     Pairs found;
     with_bound([&](const auto& bound) {
-      const CGAL::Neighbor_lists lists
-        = CGAL::fixed_radius_neighbor_lists<ConcurrencyTag>(points_, bound);
-      for(std::size_t i = 0; i < lists.size(); ++i)
-        for(const std::size_t j : lists[i])
-          found.emplace_back(i, j);
+      found = pairs_in_lists(CGAL::fixed_radius_neighbor_lists<ConcurrencyTag>(points_, bound));
     });
-    Pairs expected;
-    for(const Pair& pair : near_places(scene_, bound_)) {
-      expected.push_back(pair);
-      expected.emplace_back(pair.second, pair.first);
-    }
     BOOST_CHECK(std::is_sorted(found.begin(), found.end()));
-    compare_pairs("lists", expected, found);
+    compare_pairs("lists", in_both_orders(near_places(scene_, bound_)), found);
   }
 
   void check_recursion()

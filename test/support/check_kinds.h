@@ -187,41 +187,18 @@ private:
     }
     const Pairs expected = truth_.pairs(bound);
     compare_pairs(what, expected, one_set);
-    compare_pairs(what, between_sets(expected), in_one_numbering(two_sets));
-  }
-
-  Pairs between_sets(const Pairs& pairs) const
-  {
-    Pairs result;
-    for(const Pair& pair : pairs)
-      if(pair.first < middle_ && pair.second >= middle_)
-        result.push_back(pair);
-    return result;
-  }
-
-  Pairs in_one_numbering(Pairs pairs) const
-  {
-    for(Pair& pair : pairs)
+    for(Pair& pair : two_sets)
       pair.second += middle_;
-    return pairs;
+    compare_pairs(what, between_sets(expected, middle_), two_sets);
   }
 
   template <class ConcurrencyTag, class Bound>
   void check_lists(const Bound& bound)
   {
-    const CGAL::Neighbor_lists lists
-      = CGAL::fixed_radius_neighbor_lists<ConcurrencyTag>(ranges_.all, bound);
-    Pairs found;
-    for(std::size_t i = 0; i < lists.size(); ++i)
-      for(const std::size_t j : lists[i])
-        found.emplace_back(i, j);
-    Pairs expected;
-    for(const Pair& pair : truth_.pairs(scene_.bound)) {
-      expected.push_back(pair);
-      expected.emplace_back(pair.second, pair.first);
-    }
+    const Pairs found
+      = pairs_in_lists(CGAL::fixed_radius_neighbor_lists<ConcurrencyTag>(ranges_.all, bound));
     BOOST_CHECK(std::is_sorted(found.begin(), found.end()));
-    compare_pairs("lists", expected, found);
+    compare_pairs("lists", in_both_orders(truth_.pairs(scene_.bound)), found);
   }
 
   // Calls f with the bound in the unit of the scene, as a double if it is one.

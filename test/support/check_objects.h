@@ -186,15 +186,6 @@ Object_truth truth_of(const std::vector<Numbers>& numbers)
 // The first set of two, of one object in three.
 inline std::size_t first_set_size(std::size_t size) { return size / 3; }
 
-inline Pairs between_sets(const Pairs& pairs, std::size_t first_size)
-{
-  Pairs result;
-  for(const Pair& p : pairs)
-    if(p.first < first_size && p.second >= first_size)
-      result.push_back(p);
-  return result;
-}
-
 // Compares the pairs of one set and those between two sets, in one numbering.
 inline void check_found(const Object_truth& truth, std::size_t size, const Pairs& one_set,
                         const Pairs& two_sets, const char* how)

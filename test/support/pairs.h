@@ -52,6 +52,45 @@ inline Pairs sorted(Pairs pairs)
   return pairs;
 }
 
+// Of the pairs of one set, those of one of the first elements and one of the others.
+inline Pairs between_sets(const Pairs& pairs, std::size_t first_size)
+{
+  Pairs between;
+  for(const Pair& p : pairs)
+    if(p.first < first_size && p.second >= first_size)
+      between.push_back(p);
+  return between;
+}
+
+// The same in the numbers of two sets.
+inline Pairs of_two_sets(const Pairs& pairs, std::size_t first_size)
+{
+  Pairs between = between_sets(pairs, first_size);
+  for(Pair& p : between)
+    p.second -= first_size;
+  return between;
+}
+
+// Lists of neighbors have each pair in both orders.
+inline Pairs in_both_orders(const Pairs& pairs)
+{
+  Pairs both = pairs;
+  for(const Pair& p : pairs)
+    both.emplace_back(p.second, p.first);
+  return sorted(both);
+}
+
+// The pairs of all lists, in their order.
+template <class Lists>
+Pairs pairs_in_lists(const Lists& lists)
+{
+  Pairs pairs;
+  for(std::size_t i = 0; i < lists.size(); ++i)
+    for(const std::size_t j : lists[i])
+      pairs.emplace_back(i, j);
+  return pairs;
+}
+
 // What `found` lacks and what it has too much of; a pair found three times instead of once is
 // listed twice as extra. Both lists are sorted.
 struct Pairs_difference
