@@ -71,7 +71,7 @@ internal::Joined join_all(const Elements& elements, double distance, double cell
 BOOST_AUTO_TEST_CASE(joins_visit_all_close_pairs)
 {
   std::size_t joined = 0;
-  for(const Point_scene& scene : closest_pair_scenes(2)) {
+  for(const Point_scene& scene : all_scenes(2)) {
     const double reach = upper_bound(scene.radius);
     if(scene.points.empty() || !internal::do_cells_fit(reach, 0))
       continue;

@@ -33,7 +33,7 @@ template <int Dimension>
 void check_cells()
 {
   std::size_t found = 0;
-  for(const Point_scene& scene : closest_pair_scenes(Dimension)) {
+  for(const Point_scene& scene : all_scenes(Dimension)) {
     const auto points = make_points<Maker<Dimension>>(scene.points);
     const Elements_of<typename Maker<Dimension>::Point> elements(points);
     if(points.size() >= 2)

@@ -1,15 +1,14 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The closest pair and a close pair on the kernels of doubles: every scene, larger ones with ties,
-// crowds and extremes, the bounds on the work, bad input, and real data.
+// The closest pair and a close pair of doubles: larger scenes with ties, crowds and extremes, bad
+// input, and real data. The scenes of all kernels are in test_kernels_*.
 
 #define BOOST_TEST_MODULE closest_pair
 #include "support/check_closest_pair.h"
 #include "support/data_facts.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Simple_cartesian.h>
 
 #include <list>
 #include <random>
@@ -18,8 +17,6 @@
 using namespace test_support;
 
 using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Double_kernel = CGAL::Simple_cartesian<double>;
-using Float_kernel = CGAL::Simple_cartesian<float>;
 template <int Dimension>
 using Maker = Cartesian_points<Epick, Dimension>;
 using Point = Epick::Point_2;
@@ -42,29 +39,7 @@ std::string refusal(const Function& f)
   return "";
 }
 
-template <class Maker>
-void check_float_scenes(int dimension)
-{
-  for(Point_scene scene : closest_pair_scenes(dimension)) {
-    bool is_finite = true;
-    for(Coordinates& c : scene.points)
-      for(double& x : c) {
-        x = static_cast<float>(x);
-        is_finite = is_finite && std::isfinite(x);
-      }
-    if(is_finite)
-      check_closest_scene<Maker>(scene);
-  }
-}
-
 } // namespace
-
-BOOST_AUTO_TEST_CASE(epick_2) { check_closest_scenes<Maker<2>>(2); }
-BOOST_AUTO_TEST_CASE(epick_3) { check_closest_scenes<Maker<3>>(3); }
-BOOST_AUTO_TEST_CASE(double_2) { check_closest_scenes<Cartesian_points<Double_kernel, 2>>(2); }
-BOOST_AUTO_TEST_CASE(double_3) { check_closest_scenes<Cartesian_points<Double_kernel, 3>>(3); }
-BOOST_AUTO_TEST_CASE(float_2) { check_float_scenes<Cartesian_points<Float_kernel, 2>>(2); }
-BOOST_AUTO_TEST_CASE(float_3) { check_float_scenes<Cartesian_points<Float_kernel, 3>>(3); }
 
 // ---- scenes that are large enough for a join ----------------------------------------------------
 

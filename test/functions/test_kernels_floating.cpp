@@ -25,12 +25,10 @@ BOOST_AUTO_TEST_CASE(mpfr_3) { check_kernel<Cartesian_points<Mpfr_kernel, 3>>(3)
 
 BOOST_AUTO_TEST_CASE(float_2)
 {
-  for(const Point_scene& scene : float_scenes(2))
-    check_scene<Cartesian_points<Float_kernel, 2>>(scene);
+  check_scenes<Cartesian_points<Float_kernel, 2>>(float_scenes(2));
 }
 
 BOOST_AUTO_TEST_CASE(float_3)
 {
-  for(const Point_scene& scene : float_scenes(3))
-    check_scene<Cartesian_points<Float_kernel, 3>>(scene);
+  check_scenes<Cartesian_points<Float_kernel, 3>>(float_scenes(3));
 }

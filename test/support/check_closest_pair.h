@@ -9,7 +9,6 @@
 #include "brute_force.h"
 #include "closest_pair_oracle.h"
 #include "kernels.h"
-#include "robustness_families.h"
 #include "scenes.h"
 
 #include <CGAL/closest_pair.h>
@@ -184,22 +183,6 @@ inline Points moved(Points points, double scale, double offset)
     for(double& x : c)
       x = x * scale + offset;
   return points;
-}
-
-inline Scenes closest_pair_scenes(int dimension)
-{
-  Scenes scenes = small_scenes(dimension);
-  if(dimension == 2 || dimension == 3)
-    for(const Point_scene& family : robustness_families(dimension))
-      scenes.push_back(family);
-  return scenes;
-}
-
-template <class Maker>
-void check_closest_scenes(int dimension)
-{
-  for(const Point_scene& scene : closest_pair_scenes(dimension))
-    check_closest_scene<Maker>(scene);
 }
 
 // Notes the progress, and cancels at a share of it.

@@ -23,7 +23,6 @@
 #include <cstdint>
 #include <initializer_list>
 #include <iterator>
-#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -156,8 +155,7 @@ void check_features_on_kernel(const Feature_scene& scene, const Pairs& all_pairs
   std::copy_if(all_pairs.begin(), all_pairs.end(), std::back_inserter(expected),
                [&](const Pair& pair) { return pair.second < size; });
   check_features<CGAL::Sequential_tag, Features>(make(), expected, "in sequence");
-  if constexpr(std::is_same_v<Kernel, Epeck> || std::is_same_v<Kernel, Double_kernel>)
-    check_features<CGAL::Parallel_tag, Features>(make(), expected, "in parallel");
+  check_features<CGAL::Parallel_tag, Features>(make(), expected, "in parallel");
 }
 
 // Every scene on each of the kernels, and on each of the scales.

@@ -1,15 +1,15 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The matrix of kernels and scenes: every scene, closed and open, one set and two, by the default
-// route and by recursion, on one kernel.
+// The matrix of kernels and scenes, on one kernel: the near pairs of every scene, closed and open,
+// one set and two, by the default route and by recursion; and its closest and close pairs.
 
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_CHECK_KERNEL_H
 #define THICK_INTERSECTION_TEST_SUPPORT_CHECK_KERNEL_H
 
 #include "brute_force.h"
+#include "check_closest_pair.h"
 #include "kernels.h"
-#include "robustness_families.h"
 #include "scenes.h"
 
 #include <boost/test/unit_test.hpp>
@@ -68,20 +68,19 @@ void check_scene(const Point_scene& scene)
   with_bound(scene.radius, [&](const auto& bound) { check_scene<Maker>(scene, bound); });
 }
 
-inline Scenes all_scenes(int dimension)
+template <class Maker>
+void check_scenes(const Scenes& scenes)
 {
-  Scenes scenes = small_scenes(dimension);
-  if(dimension == 2 || dimension == 3)
-    for(const Point_scene& family : robustness_families(dimension))
-      scenes.push_back(family);
-  return scenes;
+  for(const Point_scene& scene : scenes) {
+    check_scene<Maker>(scene);
+    check_closest_scene<Maker>(scene);
+  }
 }
 
 template <class Maker>
 void check_kernel(int dimension)
 {
-  for(const Point_scene& scene : all_scenes(dimension))
-    check_scene<Maker>(scene);
+  check_scenes<Maker>(all_scenes(dimension));
 }
 
 // The scenes as they are after rounding to floats, without those that a float cannot hold.

@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 // Small scenes for any dimension: the empty and the tiny, uniform and clustered points, ties,
-// duplicates, flat and stretched scenes. `small_scenes(d)` is all of them.
+// duplicates, flat and stretched scenes. `small_scenes(d)` is all of them;
+// `all_scenes(d)` has the families as well on which distances are computed wrongly.
 
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_SCENES_H
 #define THICK_INTERSECTION_TEST_SUPPORT_SCENES_H
 
 #include "point_generators.h"
 #include "point_scene.h"
+#include "robustness_families.h"
 
 #include <cmath>
 #include <cstdint>
@@ -146,6 +148,15 @@ inline Scenes small_scenes(int dimension)
   append_lattice_scenes(dimension, scenes);
   append_duplicate_scenes(dimension, scenes);
   append_flat_scenes(dimension, scenes);
+  return scenes;
+}
+
+inline Scenes all_scenes(int dimension)
+{
+  Scenes scenes = small_scenes(dimension);
+  if(dimension == 2 || dimension == 3)
+    for(const Point_scene& family : robustness_families(dimension))
+      scenes.push_back(family);
   return scenes;
 }
 
