@@ -39,6 +39,16 @@ BOOST_AUTO_TEST_CASE(rationals_2) { fuzz_thirds<Rationals, 2>(); }
 BOOST_AUTO_TEST_CASE(rationals_2_by_threads) { fuzz_thirds<Rationals, 2, CGAL::Parallel_tag>(); }
 BOOST_AUTO_TEST_CASE(rationals_3) { fuzz_thirds<Rationals, 3>(); }
 BOOST_AUTO_TEST_CASE(rationals_3_by_threads) { fuzz_thirds<Rationals, 3, CGAL::Parallel_tag>(); }
+
+// Many near pairs, which take less time than the other searches.
+BOOST_AUTO_TEST_CASE(near_pairs_of_epeck_3)
+{
+  fuzz<Fuzz_cartesian<Epeck, 3, true>, NEAR_PAIRS | BALLS>(20000);
+}
+BOOST_AUTO_TEST_CASE(near_pairs_of_rationals_2)
+{
+  fuzz<Fuzz_cartesian<Rationals, 2, true>, NEAR_PAIRS | CLOSEST_PAIRS>(20000);
+}
 BOOST_AUTO_TEST_CASE(homogeneous_2)
 {
   fuzz<Fuzz_homogeneous<Integers, 2>, NEAR_PAIRS | CLOSEST_PAIRS>(2000);
