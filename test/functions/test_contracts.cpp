@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 // What the public functions promise beyond the right pairs: which ranges and traits they take, what
-// a callback may do, what happens to bad input, and that the input is left alone.
+// a callback is, and what happens to bad input. What callbacks and progress may do, and the order
+// of reports, is in test_faults and test_progress.
 
 #include "support/brute_force.h"
 #include "support/kernels.h"
@@ -270,24 +271,6 @@ BOOST_AUTO_TEST_CASE(bad_objects_are_refused_by_position)
   BOOST_CHECK_MESSAGE(contains(of_segment, "object 1"), of_segment);
 }
 
-BOOST_AUTO_TEST_CASE(callback_stops_the_search_by_returning_false)
-{
-  const Point_scene scene = some_scene();
-  const auto points = make_points<Maker>(scene.points);
-  const std::size_t k = truth_of(scene).pairs.size();
-  for(const std::size_t limit : {std::size_t(1), std::size_t(10), k - 1, k}) {
-    std::size_t calls = 0;
-    const bool is_complete = CGAL::fixed_radius_near_neighbors(
-      points, CGAL::within_distance(0.1),
-      [&](std::size_t, std::size_t) { return ++calls < limit; });
-    BOOST_CHECK(!is_complete);
-    BOOST_CHECK_EQUAL(calls, limit);
-  }
-  const bool is_complete = CGAL::fixed_radius_near_neighbors(
-    points, CGAL::within_distance(0.1), [](std::size_t, std::size_t) { return true; });
-  BOOST_CHECK(is_complete);
-}
-
 BOOST_AUTO_TEST_CASE(callback_is_used_and_not_copied)
 {
   struct Counter
@@ -302,26 +285,6 @@ BOOST_AUTO_TEST_CASE(callback_is_used_and_not_copied)
   CGAL::fixed_radius_near_neighbors(make_points<Maker>(scene.points), CGAL::within_distance(0.1),
                                     counter);
   BOOST_CHECK_EQUAL(counter.calls, truth_of(scene).pairs.size());
-}
-
-BOOST_AUTO_TEST_CASE(exceptions_of_the_callback_pass_through)
-{
-  const Point_scene scene = some_scene();
-  const auto points = make_points<Maker>(scene.points);
-  const auto before = points;
-  const std::size_t k = truth_of(scene).pairs.size();
-  for(std::size_t last = 1; last <= k; last += k / 7) {
-    std::size_t calls = 0;
-    BOOST_CHECK_THROW(CGAL::fixed_radius_near_neighbors(
-                        points, CGAL::within_distance(0.1),
-                        [&](std::size_t, std::size_t) {
-                          if(++calls == last)
-                            throw std::runtime_error("enough");
-                        }),
-                      std::runtime_error);
-    BOOST_CHECK_EQUAL(calls, last);
-  }
-  BOOST_CHECK(points == before);
 }
 
 BOOST_AUTO_TEST_CASE(exceptions_of_a_predicate_pass_through)
@@ -358,52 +321,6 @@ BOOST_AUTO_TEST_CASE(exceptions_of_a_predicate_pass_through)
   }
 }
 
-BOOST_AUTO_TEST_CASE(progress_grows_to_one_and_cancels)
-{
-  const auto points = make_points<Maker>(uniform_points(2, 5000, 0, 1, 6));
-  std::size_t pairs = 0;
-  const auto count = [&](std::size_t, std::size_t) { ++pairs; };
-  double last = 0;
-  std::size_t calls = 0;
-  const auto watch = [&](double done) {
-    BOOST_CHECK_GE(done, last);
-    last = done;
-    ++calls;
-    return true;
-  };
-  BOOST_CHECK(CGAL::fixed_radius_near_neighbors(points, CGAL::within_distance(0.01), count,
-                                                CGAL::parameters::callback(watch)));
-  BOOST_CHECK_EQUAL(last, 1);
-  BOOST_CHECK_GT(calls, 20u);
-  BOOST_CHECK_LE(calls, 1001u);
-
-  const std::size_t all = pairs;
-  pairs = 0;
-  const auto cancel = [](double done) { return done < 0.5; };
-  BOOST_CHECK(!CGAL::fixed_radius_near_neighbors(points, CGAL::within_distance(0.01), count,
-                                                 CGAL::parameters::callback(cancel)));
-  BOOST_CHECK_GT(pairs, 0u);
-  BOOST_CHECK_LT(pairs, all);
-}
-
-// All but one of the points are in one slab.
-BOOST_AUTO_TEST_CASE(progress_of_a_crowd_grows_and_cancels)
-{
-  std::vector<Maker::Point> points(10000, Maker::Point(1, 2));
-  points.emplace_back(1000, 1000);
-  std::size_t pairs = 0, calls = 0;
-  const auto count = [&](std::size_t, std::size_t) { ++pairs; };
-  const auto cancel = [&](double done) {
-    ++calls;
-    return done < 0.5;
-  };
-  BOOST_CHECK(!CGAL::fixed_radius_near_neighbors(points, CGAL::within_distance(1), count,
-                                                 CGAL::parameters::callback(cancel)));
-  BOOST_CHECK_GE(calls, 3u);
-  BOOST_CHECK_GT(pairs, 0u);
-  BOOST_CHECK_LT(pairs, 10000u * 9999 / 2);
-}
-
 // Nobody reads the elements: it would take long, and most of their memory is never there.
 BOOST_AUTO_TEST_CASE(closest_pair_refuses_2_to_the_31_points_at_once)
 {
@@ -416,13 +333,6 @@ BOOST_AUTO_TEST_CASE(closest_pair_refuses_2_to_the_31_points_at_once)
     BOOST_CHECK_THROW(CGAL::find_close_pair(range, CGAL::within_distance(1), np),
                       std::length_error);
   }
-}
-
-BOOST_AUTO_TEST_CASE(order_of_reports_is_a_function_of_the_input)
-{
-  const auto points = make_points<Maker>(repeated(uniform_points(2, 300, 0, 1, 7), 2));
-  BOOST_CHECK(near_pairs(points, CGAL::within_distance(0.1))
-              == near_pairs(points, CGAL::within_distance(0.1)));
 }
 
 #ifdef __SSE2__

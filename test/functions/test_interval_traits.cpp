@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 // What the public functions promise for objects that are searched by their boxes: those of traits
-// with intervals, kernel objects, and balls.
+// with intervals, kernel objects, and balls. What callbacks and progress may do, and the order of
+// reports, is in test_faults and test_progress.
 
 #include "support/interval_traits.h"
 
@@ -218,80 +219,6 @@ BOOST_AUTO_TEST_CASE(traits_check_objects_before_intervals_are_read)
                         [](const std::out_of_range& error) {
                           return error.what() == std::string("Object 150 is not allowed.");
                         });
-}
-
-BOOST_AUTO_TEST_CASE(order_of_reports_is_a_function_of_the_input)
-{
-  const auto objects = colored(some_boxes(2, 3000));
-  Call_count calls = 0;
-  const Fixed_interval_traits<2> traits(calls);
-  BOOST_CHECK(found_pairs(objects, traits) == found_pairs(objects, traits));
-}
-
-BOOST_AUTO_TEST_CASE(callback_stops_the_search_by_returning_false)
-{
-  const auto objects = colored(some_boxes(2, 2000));
-  Call_count calls = 0;
-  const Fixed_interval_traits<2> traits(calls);
-  const std::size_t k = found_pairs(objects, traits).size();
-  for(const std::size_t limit : {std::size_t(1), k / 3, k - 1, k}) {
-    std::size_t reports = 0;
-    BOOST_CHECK(!search(objects, traits,
-                        [&](std::size_t, std::size_t) { return ++reports < limit; }));
-    BOOST_CHECK_EQUAL(reports, limit);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(exceptions_of_the_callback_pass_through)
-{
-  const auto objects = colored(some_boxes(2, 2000));
-  Call_count calls = 0;
-  const Fixed_interval_traits<2> traits(calls);
-  const std::size_t k = found_pairs(objects, traits).size();
-  for(std::size_t last = 1; last <= k; last += k / 7) {
-    std::size_t reports = 0;
-    const auto callback = [&](std::size_t, std::size_t) {
-      if(++reports == last)
-        throw std::runtime_error("enough");
-      return true;
-    };
-    BOOST_CHECK_THROW(search(objects, traits, callback), std::runtime_error);
-    BOOST_CHECK_EQUAL(reports, last);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(progress_grows_to_one_and_cancels)
-{
-  Call_count calls = 0;
-  const Fixed_interval_traits<2> traits(calls);
-  for(const std::size_t size : {1, 2, 40, 20000}) {
-    const auto objects = colored(some_boxes(2, size));
-    double last = 0, limit = 2;
-    std::size_t pairs = 0, told = 0;
-    const Callback count = [&](std::size_t, std::size_t) { return ++pairs > 0; };
-    const std::function<bool(double)> watch = [&](double done) {
-      BOOST_CHECK_GE(done, last);
-      last = done;
-      ++told;
-      return done < limit;
-    };
-    const auto search_and_watch = [&] {
-      return CGAL::thick_self_intersection_d(
-        objects, count, CGAL::parameters::geom_traits(traits).callback(watch));
-    };
-    BOOST_CHECK(search_and_watch());
-    BOOST_CHECK_EQUAL(last, 1);
-    BOOST_CHECK_LE(told, 1001u);
-    if(size < 20000)
-      continue;
-    BOOST_CHECK_GT(told, 10u);
-    const std::size_t all = std::exchange(pairs, 0);
-    last = 0;
-    limit = 0.5;
-    BOOST_CHECK(!search_and_watch());
-    BOOST_CHECK_GT(pairs, 0u);
-    BOOST_CHECK_LT(pairs, all);
-  }
 }
 
 // The objects are made when they are asked for, from numbers in a list.

@@ -287,20 +287,11 @@ BOOST_AUTO_TEST_CASE(traits_for_two_types_check_what_they_take)
 
 // ---- near objects of two types ------------------------------------------------------------------
 
-BOOST_AUTO_TEST_CASE(callback_and_progress_stop_a_search_of_two_types)
+BOOST_AUTO_TEST_CASE(near_objects_in_lists)
 {
   const std::list<Segment> segments(30, Segment(Point(0, 0), Point(1, 0)));
   const std::forward_list<Ball> balls(20, Ball(Point(0, 3), 1));
-  const CGAL::Distance_bound<double> bound = CGAL::within_distance(2.);
-  std::size_t count = 0;
-  BOOST_CHECK(!CGAL::fixed_radius_near_neighbors(
-    segments, balls, bound, [&](std::size_t, std::size_t) { return ++count < 7; }));
-  BOOST_CHECK_EQUAL(count, 7u);
-  const auto ignore = [](std::size_t, std::size_t) {};
-  BOOST_CHECK(!CGAL::fixed_radius_near_neighbors(
-    segments, balls, bound, ignore, CGAL::parameters::callback([](double) { return false; })));
-  BOOST_CHECK(CGAL::fixed_radius_near_neighbors(segments, balls, bound, ignore));
-  BOOST_CHECK_EQUAL(found_pairs(segments, balls, bound).size(), 600u);
+  BOOST_CHECK_EQUAL(found_pairs(segments, balls, CGAL::within_distance(2.)).size(), 600u);
   BOOST_CHECK(found_pairs(segments, balls, CGAL::within_distance(2.).open()).empty());
 }
 
@@ -311,20 +302,6 @@ BOOST_AUTO_TEST_CASE(no_objects_are_closer_than_zero)
   BOOST_CHECK(found_pairs(segments, CGAL::within_distance(0).open()).empty());
   BOOST_CHECK(found_pairs(segments, CGAL::within_squared_distance(0).open()).empty());
   BOOST_CHECK((found_pairs(segments, CGAL::within_distance(1e-300).open()) == Pairs{{0, 1}}));
-}
-
-BOOST_AUTO_TEST_CASE(progress_counts_the_objects)
-{
-  std::vector<double> parts;
-  BOOST_CHECK(CGAL::fixed_radius_near_neighbors(
-    std::vector<Segment>(30, Segment(Point(0, 0), Point(1, 0))), CGAL::within_distance(1),
-    [](std::size_t, std::size_t) {}, CGAL::parameters::callback([&](double part) {
-      parts.push_back(part);
-      return true;
-    })));
-  BOOST_REQUIRE(!parts.empty());
-  BOOST_CHECK(std::is_sorted(parts.begin(), parts.end()));
-  BOOST_CHECK_EQUAL(parts.back(), 1);
 }
 
 BOOST_AUTO_TEST_CASE(lists_and_elements_of_two_types)

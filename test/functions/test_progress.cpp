@@ -5,54 +5,30 @@
 // value after it was cancelled.
 
 #define BOOST_TEST_MODULE progress
-#include "support/point_generators.h"
+#include "support/searches.h"
 
 #include <CGAL/Memory_budget.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/closest_pair.h>
 #include <CGAL/external_fixed_radius_near_neighbors.h>
-#include <CGAL/fixed_radius_near_neighbors.h>
 #include <CGAL/fixed_radius_neighbor_lists.h>
 #include <CGAL/periodic_closest_pair.h>
 #include <CGAL/periodic_fixed_radius_near_neighbors.h>
-#include <CGAL/thick_feature_intersection_d.h>
-#include <CGAL/thick_intersection_d.h>
 #include <CGAL/thick_mesh_self_intersections.h>
 
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <iterator>
-#include <string>
 #include <utility>
 #include <vector>
 
 using namespace test_support;
 
-using Kernel = CGAL::Simple_cartesian<double>;
+using Kernel = Searched_kernel;
 using Point = Kernel::Point_2;
 using Point_3 = Kernel::Point_3;
-using Segment = Kernel::Segment_2;
-using Functor = std::function<bool(double)>;
-
-std::vector<Point> points_of(std::size_t size)
-{
-  std::vector<Point> points;
-  for(const Coordinates& c : uniform_points(2, size, 0, 1, 1))
-    points.emplace_back(c[0], c[1]);
-  return points;
-}
-
-std::vector<Segment> segments_of(std::size_t size, double length)
-{
-  std::vector<Segment> segments;
-  for(const Point& p : points_of(size))
-    segments.emplace_back(p, p + Kernel::Vector_2(length, length / 2));
-  return segments;
-}
 
 // A row of triangles, each of which shares an edge with the next one.
 CGAL::Surface_mesh<Point_3> mesh_of(std::size_t size)
@@ -70,59 +46,39 @@ CGAL::Surface_mesh<Point_3> mesh_of(std::size_t size)
   return mesh;
 }
 
-struct Search
-{
-  std::string name;
-  std::function<void(const Functor&)> search;
-};
-
 const auto ignore = [](const auto&...) {};
 
-// The searches of so many points, or of as many objects.
+// A search by run(np) with a functor of progress, whose pairs are ignored.
+template <class Run>
+Search watched(const char* name, const Run& run)
+{
+  return {name, [=](const On_pair&, const On_progress& on_progress) {
+    run(CGAL::parameters::callback(on_progress));
+    return true;
+  }};
+}
+
+// The searches of so many points, or of as many objects, those without a callback of pairs as well.
 std::vector<Search> searches_of(std::size_t size)
 {
-  const auto points = points_of(size), others = points_of(size / 2 + 1);
-  const auto segments = segments_of(size, .01);
-  const auto np = [](const Functor& functor) { return CGAL::parameters::callback(functor); };
+  const auto points = searched_points<2>(size);
   const auto near = CGAL::within_distance(.02), nearest = CGAL::within_distance(0.);
-  return {
-    {"near pairs", [=](const Functor& f) {
-       CGAL::fixed_radius_near_neighbors(points, near, ignore, np(f));
-     }},
-    {"near pairs of two ranges", [=](const Functor& f) {
-       CGAL::fixed_radius_near_neighbors(points, others, near, ignore, np(f));
-     }},
-    {"near objects", [=](const Functor& f) {
-       CGAL::fixed_radius_near_neighbors(segments, near, ignore, np(f));
-     }},
-    {"lists", [=](const Functor& f) { CGAL::fixed_radius_neighbor_lists(points, near, np(f)); }},
-    {"closest pair", [=](const Functor& f) { CGAL::closest_pair(points, np(f)); }},
-    {"close pair", [=](const Functor& f) { CGAL::find_close_pair(points, nearest, np(f)); }},
-    {"objects", [=](const Functor& f) {
-       CGAL::thick_self_intersection_d(segments, ignore, np(f));
-     }},
-    {"objects of two types", [=](const Functor& f) {
-       CGAL::thick_intersection_d(segments, points, ignore, np(f));
-     }},
-    {"long objects", [=](const Functor& f) {
-       CGAL::thick_intersection_d(segments_of(size, .9), segments, ignore, np(f));
-     }},
-    {"features", [=](const Functor& f) {
-       std::vector<std::vector<Point>> features;
-       for(const Segment& s : segments)
-         features.push_back({s.source(), s.target()});
-       CGAL::thick_feature_self_intersection_d(features, ignore, np(f));
-     }},
-    {"mesh", [=](const Functor& f) {
-       const auto mesh = mesh_of(size);
-       std::vector<std::pair<CGAL::Surface_mesh<Point_3>::Face_index,
-                             CGAL::Surface_mesh<Point_3>::Face_index>> pairs;
-       CGAL::thick_mesh_self_intersections(mesh, std::back_inserter(pairs), np(f));
-     }},
-    {"points on disk", [=](const Functor& f) {
-       CGAL::external_fixed_radius_near_neighbors(points, near, CGAL::Memory_budget(1 << 26),
-                                                  ignore, np(f));
-     }}};
+  std::vector<Search> searches = pair_searches<CGAL::Sequential_tag>(size);
+  for(const Search& search : {
+        watched("lists", [=](auto np) { CGAL::fixed_radius_neighbor_lists(points, near, np); }),
+        watched("closest pair", [=](auto np) { CGAL::closest_pair(points, np); }),
+        watched("close pair", [=](auto np) { CGAL::find_close_pair(points, nearest, np); }),
+        watched("mesh", [=](auto np) {
+          using Face = CGAL::Surface_mesh<Point_3>::Face_index;
+          std::vector<std::pair<Face, Face>> pairs;
+          CGAL::thick_mesh_self_intersections(mesh_of(size), std::back_inserter(pairs), np);
+        }),
+        watched("points on disk", [=](auto np) {
+          const CGAL::Memory_budget budget(1 << 26);
+          CGAL::external_fixed_radius_near_neighbors(points, near, budget, ignore, np);
+        })})
+    searches.push_back(search);
+  return searches;
 }
 
 // The searches in a box that repeats and in a lattice, of a bound that is short beside the periods
@@ -130,45 +86,44 @@ std::vector<Search> searches_of(std::size_t size)
 template <class Domain>
 std::vector<Search> periodic_searches_of(std::size_t size, const Domain& domain, double radius)
 {
-  const auto points = points_of(size), others = points_of(size / 2 + 1);
-  const auto np = [](const Functor& functor) { return CGAL::parameters::callback(functor); };
+  const auto points = searched_points<2>(size), others = searched_points<2>(size / 2 + 1);
   const auto near = CGAL::within_distance(radius);
   return {
-    {"near images", [=](const Functor& f) {
-       CGAL::periodic_fixed_radius_near_neighbors(points, domain, near, ignore, np(f));
-     }},
-    {"near images and a profile", [=](const Functor& f) {
-       CGAL::Scene_profile profile;
-       CGAL::periodic_fixed_radius_near_neighbors(points, domain, near, ignore, profile, np(f));
-     }},
-    {"near images of two ranges", [=](const Functor& f) {
-       CGAL::periodic_fixed_radius_near_neighbors(points, others, domain, near, ignore, np(f));
-     }},
-    {"lists of images", [=](const Functor& f) {
-       CGAL::periodic_fixed_radius_neighbor_lists(points, domain, near, np(f));
-     }},
-    {"closest images", [=](const Functor& f) {
-       CGAL::periodic_closest_pair(points, domain, np(f));
-     }}};
+    watched("near images", [=](auto np) {
+      CGAL::periodic_fixed_radius_near_neighbors(points, domain, near, ignore, np);
+    }),
+    watched("near images and a profile", [=](auto np) {
+      CGAL::Scene_profile profile;
+      CGAL::periodic_fixed_radius_near_neighbors(points, domain, near, ignore, profile, np);
+    }),
+    watched("near images of two ranges", [=](auto np) {
+      CGAL::periodic_fixed_radius_near_neighbors(points, others, domain, near, ignore, np);
+    }),
+    watched("lists of images", [=](auto np) {
+      CGAL::periodic_fixed_radius_neighbor_lists(points, domain, near, np);
+    }),
+    watched("closest images", [=](auto np) { CGAL::periodic_closest_pair(points, domain, np); })};
 }
 
 void check(const std::vector<Search>& searches)
 {
+  const On_pair go_on = [](std::size_t, std::size_t) { return true; };
   for(const Search& search : searches)
     BOOST_TEST_CONTEXT(search.name)
     {
       std::vector<double> told;
-      search.search([&](double done) {
+      search.run(go_on, [&](double done) {
         told.push_back(done);
         return true;
       });
       BOOST_REQUIRE(!told.empty());
       BOOST_CHECK(std::is_sorted(told.begin(), told.end()));
       BOOST_CHECK_EQUAL(told.back(), 1);
+      BOOST_CHECK_LE(told.size(), 1001u);
       const std::size_t all = told.size();
       for(const std::size_t last : {std::size_t(1), all / 2 + 1, all}) {
         std::size_t calls = 0;
-        search.search([&](double) { return ++calls != last; });
+        search.run(go_on, [&](double) { return ++calls != last; });
         BOOST_CHECK_EQUAL(calls, last);
       }
     }
@@ -192,8 +147,32 @@ BOOST_AUTO_TEST_CASE(progress_of_the_closest_images_ends_at_1)
   const Kernel::Iso_rectangle_2 box(0, 0, 1, 1);
   for(const double x : {.9375, .125}) {
     const std::vector<Point> points = {{.0625, .5}, {x, .5}};
-    check({{"two points", [&](const Functor& f) {
-              CGAL::periodic_closest_pair(points, box, CGAL::parameters::callback(f));
-            }}});
+    check({watched("two points", [=](auto np) { CGAL::periodic_closest_pair(points, box, np); })});
   }
+}
+
+// Cancelled halfway, a search has found some pairs. Of the crowd, all but one of the points are in
+// one slab.
+BOOST_AUTO_TEST_CASE(progress_of_very_many_is_told_often)
+{
+  using Tag = CGAL::Sequential_tag;
+  std::vector<Point> crowd(10000, Point(1, 2));
+  crowd.emplace_back(1000, 1000);
+  const CGAL::Thick_object_traits_d<CGAL::Bbox_3> traits;
+  const std::vector<std::pair<Search, std::size_t>> least_tells
+    = {{near_search<Tag>("points", .01, searched_points<2>(20000)), 20},
+       {search_by_traits<Tag>("boxes", searched_boxes(20000), traits), 10},
+       {near_search<Tag>("crowd", 1, crowd), 3}};
+  for(const auto& [search, least] : least_tells)
+    BOOST_TEST_CONTEXT(search.name)
+    {
+      std::size_t pairs = 0, told = 0;
+      const On_pair count = [&](std::size_t, std::size_t) { return ++pairs > 0; };
+      BOOST_CHECK(search.run(count, [&](double) { return ++told > 0; }));
+      BOOST_CHECK_GE(told, least);
+      const std::size_t all = std::exchange(pairs, 0);
+      BOOST_CHECK(!search.run(count, [](double done) { return done < .5; }));
+      BOOST_CHECK_GT(pairs, 0u);
+      BOOST_CHECK_LT(pairs, all);
+    }
 }

@@ -419,20 +419,6 @@ BOOST_AUTO_TEST_CASE(objects_of_several_kinds_may_be_segments)
   BOOST_CHECK_MESSAGE(difference.empty(), difference);
 }
 
-BOOST_AUTO_TEST_CASE(a_callback_stops_a_search_of_stretches)
-{
-  Maker<Epick, 2> maker(9, 1);
-  const auto segments = maker.segments(60);
-  const auto triangles = maker.triangles(2000);
-  int calls = 0;
-  const auto stop_at_ten = [&](std::size_t, std::size_t) { return ++calls < 10; };
-  BOOST_CHECK(!CGAL::thick_intersection_d(segments, triangles, stop_at_ten));
-  BOOST_CHECK_EQUAL(calls, 10);
-  const auto throw_at_once = [](std::size_t, std::size_t) { throw std::runtime_error("stop"); };
-  BOOST_CHECK_THROW(CGAL::thick_intersection_d(segments, triangles, throw_at_once),
-                    std::runtime_error);
-}
-
 BOOST_AUTO_TEST_CASE(progress_is_that_of_stretches)
 {
   Maker<Epick, 2> maker(10, 1);
