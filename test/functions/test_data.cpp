@@ -6,9 +6,8 @@
 
 #include "support/data_facts.h"
 #include "support/kernels.h"
+#include "support/usual_kernels.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Thick_ball_traits_d.h>
 #include <CGAL/thick_intersection_d.h>
 
@@ -17,10 +16,6 @@
 #include <map>
 
 using namespace test_support;
-
-using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Double_kernel = CGAL::Simple_cartesian<double>;
-using Rational_kernel = CGAL::Simple_cartesian<CGAL::Exact_rational>;
 
 namespace {
 
@@ -55,13 +50,9 @@ void check_as_rationals(const Decimal_points& points, const CGAL::Exact_rational
   using Maker = Cartesian_points<Rational_kernel, Dimension>;
   std::vector<typename Maker::Point> exact;
   for(const auto& c : points.coordinates)
-    if constexpr(Dimension == 2)
-      exact.emplace_back(CGAL::Exact_rational(rational(c[0]) / unit),
-                         CGAL::Exact_rational(rational(c[1]) / unit));
-    else
-      exact.emplace_back(CGAL::Exact_rational(rational(c[0]) / unit),
-                         CGAL::Exact_rational(rational(c[1]) / unit),
-                         CGAL::Exact_rational(rational(c[2]) / unit));
+    exact.push_back(Maker::Types::point([&](std::size_t axis) {
+      return CGAL::Exact_rational(rational(c[axis]) / unit);
+    }));
   check_counts(exact, CGAL::within_distance(CGAL::Exact_rational(radius / unit)), fact);
 }
 

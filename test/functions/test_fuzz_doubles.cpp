@@ -4,16 +4,11 @@
 // Every search of small random scenes of doubles, on two kernels, in sequence and by four threads.
 
 #include "support/check_fuzz.h"
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Simple_cartesian.h>
+#include "support/usual_kernels.h"
 
 #include <tbb/global_control.h>
 
 using namespace test_support;
-
-using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Doubles = CGAL::Simple_cartesian<double>;
 
 namespace {
 
@@ -31,7 +26,7 @@ BOOST_AUTO_TEST_CASE(epick_2) { fuzz_doubles<Epick, 2>(); }
 BOOST_AUTO_TEST_CASE(epick_2_by_threads) { fuzz_doubles<Epick, 2, CGAL::Parallel_tag>(); }
 BOOST_AUTO_TEST_CASE(epick_3) { fuzz_doubles<Epick, 3>(); }
 BOOST_AUTO_TEST_CASE(epick_3_by_threads) { fuzz_doubles<Epick, 3, CGAL::Parallel_tag>(); }
-BOOST_AUTO_TEST_CASE(doubles_2) { fuzz_doubles<Doubles, 2>(); }
-BOOST_AUTO_TEST_CASE(doubles_2_by_threads) { fuzz_doubles<Doubles, 2, CGAL::Parallel_tag>(); }
-BOOST_AUTO_TEST_CASE(doubles_3) { fuzz_doubles<Doubles, 3>(); }
-BOOST_AUTO_TEST_CASE(doubles_3_by_threads) { fuzz_doubles<Doubles, 3, CGAL::Parallel_tag>(); }
+BOOST_AUTO_TEST_CASE(doubles_2) { fuzz_doubles<Double_kernel, 2>(); }
+BOOST_AUTO_TEST_CASE(doubles_2_by_threads) { fuzz_doubles<Double_kernel, 2, CGAL::Parallel_tag>(); }
+BOOST_AUTO_TEST_CASE(doubles_3) { fuzz_doubles<Double_kernel, 3>(); }
+BOOST_AUTO_TEST_CASE(doubles_3_by_threads) { fuzz_doubles<Double_kernel, 3, CGAL::Parallel_tag>(); }

@@ -5,18 +5,15 @@
 // and by four threads.
 
 #include "support/check_fuzz.h"
+#include "support/usual_kernels.h"
 
 #include <CGAL/Exact_integer.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Homogeneous.h>
-#include <CGAL/Simple_cartesian.h>
 
 #include <tbb/global_control.h>
 
 using namespace test_support;
 
-using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
-using Rationals = CGAL::Simple_cartesian<CGAL::Exact_rational>;
 using Integers = CGAL::Homogeneous<CGAL::Exact_integer>;
 
 namespace {
@@ -35,10 +32,16 @@ BOOST_AUTO_TEST_CASE(epeck_2) { fuzz_thirds<Epeck, 2>(); }
 BOOST_AUTO_TEST_CASE(epeck_2_by_threads) { fuzz_thirds<Epeck, 2, CGAL::Parallel_tag>(); }
 BOOST_AUTO_TEST_CASE(epeck_3) { fuzz_thirds<Epeck, 3>(); }
 BOOST_AUTO_TEST_CASE(epeck_3_by_threads) { fuzz_thirds<Epeck, 3, CGAL::Parallel_tag>(); }
-BOOST_AUTO_TEST_CASE(rationals_2) { fuzz_thirds<Rationals, 2>(); }
-BOOST_AUTO_TEST_CASE(rationals_2_by_threads) { fuzz_thirds<Rationals, 2, CGAL::Parallel_tag>(); }
-BOOST_AUTO_TEST_CASE(rationals_3) { fuzz_thirds<Rationals, 3>(); }
-BOOST_AUTO_TEST_CASE(rationals_3_by_threads) { fuzz_thirds<Rationals, 3, CGAL::Parallel_tag>(); }
+BOOST_AUTO_TEST_CASE(rationals_2) { fuzz_thirds<Rational_kernel, 2>(); }
+BOOST_AUTO_TEST_CASE(rationals_2_by_threads)
+{
+  fuzz_thirds<Rational_kernel, 2, CGAL::Parallel_tag>();
+}
+BOOST_AUTO_TEST_CASE(rationals_3) { fuzz_thirds<Rational_kernel, 3>(); }
+BOOST_AUTO_TEST_CASE(rationals_3_by_threads)
+{
+  fuzz_thirds<Rational_kernel, 3, CGAL::Parallel_tag>();
+}
 
 // Many near pairs, which take less time than the other searches.
 BOOST_AUTO_TEST_CASE(near_pairs_of_epeck_3)
@@ -47,8 +50,9 @@ BOOST_AUTO_TEST_CASE(near_pairs_of_epeck_3)
 }
 BOOST_AUTO_TEST_CASE(near_pairs_of_rationals_2)
 {
-  fuzz<Fuzz_cartesian<Rationals, 2, true>, NEAR_PAIRS | CLOSEST_PAIRS>(20000);
+  fuzz<Fuzz_cartesian<Rational_kernel, 2, true>, NEAR_PAIRS | CLOSEST_PAIRS>(20000);
 }
+
 BOOST_AUTO_TEST_CASE(homogeneous_2)
 {
   fuzz<Fuzz_homogeneous<Integers, 2>, NEAR_PAIRS | CLOSEST_PAIRS>(2000);
@@ -58,5 +62,5 @@ BOOST_AUTO_TEST_CASE(homogeneous_2)
 BOOST_AUTO_TEST_CASE(partners_of_epeck_3) { fuzz<Fuzz_cartesian<Epeck, 3, true>, PARTNERS>(5000); }
 BOOST_AUTO_TEST_CASE(partners_of_rationals_2)
 {
-  fuzz<Fuzz_cartesian<Rationals, 2, true>, PARTNERS>(5000);
+  fuzz<Fuzz_cartesian<Rational_kernel, 2, true>, PARTNERS>(5000);
 }

@@ -5,15 +5,12 @@
 
 #include "support/check_kernel.h"
 #include "support/data_facts.h"
+#include "support/usual_kernels.h"
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Homogeneous.h>
-#include <CGAL/Simple_cartesian.h>
 
 using namespace test_support;
 
-using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
-using Rational_kernel = CGAL::Simple_cartesian<CGAL::Exact_rational>;
 using Integer_kernel = CGAL::Homogeneous<CGAL::Exact_integer>;
 
 namespace {

@@ -5,14 +5,10 @@
 
 #include "support/check_kernel.h"
 #include "support/mpfr_kernel_number.h"
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Simple_cartesian.h>
+#include "support/usual_kernels.h"
 
 using namespace test_support;
 
-using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Double_kernel = CGAL::Simple_cartesian<double>;
 using Float_kernel = CGAL::Simple_cartesian<float>;
 using Mpfr_kernel = CGAL::Simple_cartesian<Mpfr_number<30>>; // decimal digits: 53 bits fit
 

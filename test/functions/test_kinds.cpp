@@ -6,17 +6,9 @@
 // predicates in common.
 
 #include "support/check_kinds.h"
-
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Simple_cartesian.h>
+#include "support/usual_kernels.h"
 
 using namespace test_support;
-
-using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
-using Double_kernel = CGAL::Simple_cartesian<double>;
-using Rational_kernel = CGAL::Simple_cartesian<CGAL::Exact_rational>;
 
 namespace {
 

@@ -7,6 +7,7 @@
 #define THICK_INTERSECTION_TEST_SUPPORT_FUZZ_MAKERS_H
 
 #include "fuzz_scenes.h"
+#include "kernel_types.h"
 
 #include <CGAL/Exact_rational.h>
 
@@ -55,14 +56,12 @@ template <class K, int Dimension, bool is_exact>
 struct Fuzz_cartesian : Fuzz_coordinates<K, Dimension, is_exact>
 {
   using Fuzz_coordinates<K, Dimension, is_exact>::number;
-  using Point = std::conditional_t<Dimension == 2, typename K::Point_2, typename K::Point_3>;
+  using Types = Kernel_types<K, Dimension>;
+  using Point = typename Types::Point;
 
   static Point point(const Lattice_place& p, int exponent)
   {
-    if constexpr(Dimension == 2)
-      return Point(number(p[0], exponent), number(p[1], exponent));
-    else
-      return Point(number(p[0], exponent), number(p[1], exponent), number(p[2], exponent));
+    return Types::point([&](std::size_t axis) { return number(p[axis], exponent); });
   }
 };
 
@@ -88,8 +87,8 @@ struct Fuzz_homogeneous
   using Kernel = K;
   using RT = typename Kernel::RT;
   using FT = typename Kernel::FT;
-  using Point = std::conditional_t<Dimension == 2, typename Kernel::Point_2,
-                                   typename Kernel::Point_3>;
+  using Types = Kernel_types<Kernel, Dimension>;
+  using Point = typename Types::Point;
   static constexpr int dimension = Dimension;
   static constexpr bool is_exact = true;
   static constexpr Number_range range = range_of_doubles;
@@ -115,11 +114,7 @@ struct Fuzz_homogeneous
   static Point point(const Lattice_place& p, int exponent)
   {
     const RT w(RT(3) * power(-exponent));
-    if constexpr(Dimension == 2)
-      return Point(numerator(p[0], exponent), numerator(p[1], exponent), w);
-    else
-      return Point(numerator(p[0], exponent), numerator(p[1], exponent),
-                   numerator(p[2], exponent), w);
+    return Types::point([&](std::size_t axis) { return numerator(p[axis], exponent); }, w);
   }
 };
 

@@ -6,15 +6,18 @@
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_KERNEL_KINDS_H
 #define THICK_INTERSECTION_TEST_SUPPORT_KERNEL_KINDS_H
 
+#include "kernel_types.h"
 #include "kinds.h"
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Bbox_3.h>
+#include <CGAL/Simple_cartesian.h>
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -42,55 +45,25 @@ struct Kind_numbers
   bool is_third;
 };
 
+template <class Types, class Ball, class Bbox, class... Others>
+using Kind_variant
+  = std::variant<typename Types::Point, typename Types::Segment, typename Types::Triangle,
+                 typename Types::Iso_box, Bbox, Ball, Others...>;
+
 template <class K, int Dimension>
-struct Kernel_kinds;
-
-template <class K>
-struct Kernel_kinds<K, 2> : Kind_numbers<K>
+struct Kernel_kinds : Kind_numbers<K>
 {
-  static constexpr int dimension = 2;
-  using Point = typename K::Point_2;
-  using Object = std::variant<Point, typename K::Segment_2, typename K::Triangle_2,
-                              typename K::Iso_rectangle_2, CGAL::Bbox_2,
-                              std::pair<Point, typename K::FT>>;
-
-  Point point(const Place& p) const { return Point(this->number(p[0]), this->number(p[1])); }
-
-  Object make(const Kind_object& object) const
-  {
-    const auto p = [&](std::size_t k) { return point(object.points[k]); };
-    switch(object.kind) {
-    case Kind::POINT: return p(0);
-    case Kind::SEGMENT: return typename K::Segment_2(p(0), p(1));
-    case Kind::TRIANGLE: return typename K::Triangle_2(p(0), p(1), p(2));
-    case Kind::BALL: return std::make_pair(p(0), this->number(object.radius));
-    default: break;
-    }
-    if(object.kind == Kind::BBOX && !this->is_third)
-      return bbox(object.points[0]) + bbox(object.points[1]);
-    return typename K::Iso_rectangle_2(p(0), p(1));
-  }
-
-private:
-  CGAL::Bbox_2 bbox(const Place& p) const
-  {
-    const double x = this->as_double(p[0]), y = this->as_double(p[1]);
-    return CGAL::Bbox_2(x, y, x, y);
-  }
-};
-
-template <class K>
-struct Kernel_kinds<K, 3> : Kind_numbers<K>
-{
-  static constexpr int dimension = 3;
-  using Point = typename K::Point_3;
-  using Object = std::variant<Point, typename K::Segment_3, typename K::Triangle_3,
-                              typename K::Iso_cuboid_3, CGAL::Bbox_3,
-                              std::pair<Point, typename K::FT>, typename K::Tetrahedron_3>;
+  static constexpr int dimension = Dimension;
+  using Types = Kernel_types<K, Dimension>;
+  using Point = typename Types::Point;
+  using Ball = std::pair<Point, typename K::FT>;
+  using Object = std::conditional_t<
+    Dimension == 2, Kind_variant<Types, Ball, CGAL::Bbox_2>,
+    Kind_variant<Types, Ball, CGAL::Bbox_3, typename K::Tetrahedron_3>>;
 
   Point point(const Place& p) const
   {
-    return Point(this->number(p[0]), this->number(p[1]), this->number(p[2]));
+    return Types::point([&](std::size_t axis) { return this->number(p[axis]); });
   }
 
   Object make(const Kind_object& object) const
@@ -98,22 +71,25 @@ struct Kernel_kinds<K, 3> : Kind_numbers<K>
     const auto p = [&](std::size_t k) { return point(object.points[k]); };
     switch(object.kind) {
     case Kind::POINT: return p(0);
-    case Kind::SEGMENT: return typename K::Segment_3(p(0), p(1));
-    case Kind::TRIANGLE: return typename K::Triangle_3(p(0), p(1), p(2));
-    case Kind::TETRAHEDRON: return typename K::Tetrahedron_3(p(0), p(1), p(2), p(3));
-    case Kind::BALL: return std::make_pair(p(0), this->number(object.radius));
+    case Kind::SEGMENT: return typename Types::Segment(p(0), p(1));
+    case Kind::TRIANGLE: return typename Types::Triangle(p(0), p(1), p(2));
+    case Kind::BALL: return Ball(p(0), this->number(object.radius));
     default: break;
     }
+    if constexpr(Dimension == 3)
+      if(object.kind == Kind::TETRAHEDRON)
+        return typename K::Tetrahedron_3(p(0), p(1), p(2), p(3));
     if(object.kind == Kind::BBOX && !this->is_third)
       return bbox(object.points[0]) + bbox(object.points[1]);
-    return typename K::Iso_cuboid_3(p(0), p(1));
+    return typename Types::Iso_box(p(0), p(1));
   }
 
 private:
-  CGAL::Bbox_3 bbox(const Place& p) const
+  auto bbox(const Place& p) const
   {
-    const double x = this->as_double(p[0]), y = this->as_double(p[1]), z = this->as_double(p[2]);
-    return CGAL::Bbox_3(x, y, z, x, y, z);
+    return Kernel_types<CGAL::Simple_cartesian<double>, Dimension>::point([&](std::size_t axis) {
+      return this->as_double(p[axis]);
+    }).bbox();
   }
 };
 

@@ -7,6 +7,7 @@
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_KERNELS_H
 #define THICK_INTERSECTION_TEST_SUPPORT_KERNELS_H
 
+#include "kernel_types.h"
 #include "pairs.h"
 #include "point_scene.h"
 
@@ -25,16 +26,13 @@ template <class Kernel, int Dimension>
 struct Cartesian_points
 {
   using FT = typename Kernel::FT;
-  using Point = std::conditional_t<Dimension == 2, typename Kernel::Point_2,
-                                   typename Kernel::Point_3>;
+  using Types = Kernel_types<Kernel, Dimension>;
+  using Point = typename Types::Point;
 
   static FT number(double x) { return FT(x); }
   static Point make(const Coordinates& c)
   {
-    if constexpr(Dimension == 2)
-      return Point(number(c[0]), number(c[1]));
-    else
-      return Point(number(c[0]), number(c[1]), number(c[2]));
+    return Types::point([&](std::size_t axis) { return number(c[axis]); });
   }
 };
 
@@ -44,8 +42,8 @@ template <class Kernel, int Dimension>
 struct Homogeneous_points
 {
   using RT = typename Kernel::RT;
-  using Point = std::conditional_t<Dimension == 2, typename Kernel::Point_2,
-                                   typename Kernel::Point_3>;
+  using Types = Kernel_types<Kernel, Dimension>;
+  using Point = typename Types::Point;
 
   static Point make(const Coordinates& c)
   {
@@ -55,11 +53,7 @@ struct Homogeneous_points
         CGAL::Exact_rational(c[i]), numerator[i], denominator[i]);
       w *= denominator[i];
     }
-    const auto h = [&](int i) { return RT(numerator[i] * (w / denominator[i])); };
-    if constexpr(Dimension == 2)
-      return Point(h(0), h(1), w);
-    else
-      return Point(h(0), h(1), h(2), w);
+    return Types::point([&](std::size_t i) { return RT(numerator[i] * (w / denominator[i])); }, w);
   }
 };
 
