@@ -5,7 +5,7 @@
 // with the same box first. Lattices of few coordinates have boxes that touch, equal boxes, flat
 // boxes and copies of boxes.
 
-#include "support/pairs.h"
+#include "support/check_pairs.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Lazy_exact_nt.h>
@@ -20,6 +20,7 @@
 #include <limits>
 #include <numeric>
 #include <random>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -155,8 +156,7 @@ void compare_self(const std::vector<Handle>& a, std::ptrdiff_t cutoff, Topology 
   const Pairs found = ids_of<Handle>([&](const auto& callback) {
     CGAL::thick_box_self_intersection_d(a.begin(), a.end(), callback, cutoff, topology);
   });
-  const auto difference = compare(expected, found);
-  BOOST_CHECK_MESSAGE(difference.empty(), dimension_now << "D, one set: " << difference);
+  check_pairs(std::to_string(dimension_now) + "D, one set", expected, found);
 }
 
 template <class Handle, class Topology, class Setting>
@@ -172,8 +172,7 @@ void compare_two(const std::vector<Handle>& a, const std::vector<Handle>& b, std
     CGAL::thick_box_intersection_d(a.begin(), a.end(), b.begin(), b.end(), callback, cutoff,
                                    topology, setting);
   });
-  const auto difference = compare(expected, found);
-  BOOST_CHECK_MESSAGE(difference.empty(), dimension_now << "D, two sets: " << difference);
+  check_pairs(std::to_string(dimension_now) + "D, two sets", expected, found);
 }
 
 template <class Handle>
@@ -272,8 +271,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(exact_numbers_give_the_pairs_of_their_order, NT, E
               CGAL::thick_box_intersection_d(c.begin(), c.end(), d.begin(), d.end(), callback, 10,
                                              topology, setting);
             });
-            const auto difference = compare(expected, found);
-            BOOST_CHECK_MESSAGE(difference.empty(), dimension_now << "D: " << difference);
+            check_pairs(std::to_string(dimension_now) + "D", expected, found);
           }
         }
     }

@@ -6,6 +6,7 @@
 
 #define BOOST_TEST_MODULE closest_pair
 #include "support/check_closest_pair.h"
+#include "support/check_pairs.h"
 #include "support/data_facts.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -25,19 +26,6 @@ namespace {
 
 const double infinity = std::numeric_limits<double>::infinity();
 const double nan_value = std::numeric_limits<double>::quiet_NaN();
-
-// The text of the exception that f throws; "" if it throws none.
-template <class Function>
-std::string refusal(const Function& f)
-{
-  try {
-    f();
-  }
-  catch(const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
-}
 
 } // namespace
 

@@ -6,6 +6,7 @@
 // of reports, is in test_faults and test_progress.
 
 #include "support/brute_force.h"
+#include "support/check_pairs.h"
 #include "support/kernels.h"
 #include "support/lattice_traits.h"
 #include "support/scenes.h"
@@ -45,24 +46,6 @@ Point_scene some_scene()
   return scene("uniform", 2, uniform_points(2, 300, 0, 1, 5), Radius::of_length(0.1));
 }
 
-// The text of the exception that f throws; "" if it throws none.
-template <class Function>
-std::string refusal(const Function& f)
-{
-  try {
-    f();
-  }
-  catch(const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
-}
-
-bool contains(const std::string& text, const std::string& part)
-{
-  return text.find(part) != std::string::npos;
-}
-
 // Any object is at the origin of a line.
 struct Distances_at_origin
 {
@@ -96,12 +79,10 @@ BOOST_AUTO_TEST_CASE(archetype_traits_are_enough)
       sites.emplace_back(std::vector<long>{i, j, (i * j) % 5});
   Calls calls;
   const Lattice_traits traits(3, 2, 2, calls);
-  Pairs found;
-  const bool is_complete = CGAL::thick_self_intersection_d(
-    sites, Pair_collector{found}, CGAL::parameters::geom_traits(traits));
-  BOOST_CHECK(is_complete);
-  const Pairs_difference difference = compare(pairs_of_sites(sites, 2), found);
-  BOOST_CHECK_MESSAGE(difference.empty(), difference);
+  check_pairs("sites", pairs_of_sites(sites, 2), reported([&](auto collect) {
+    BOOST_CHECK(CGAL::thick_self_intersection_d(sites, collect,
+                                                CGAL::parameters::geom_traits(traits)));
+  }));
   BOOST_CHECK_GT(calls.do_intersect, 0u); // its own state was used
 }
 
@@ -114,9 +95,9 @@ BOOST_AUTO_TEST_CASE(archetype_traits_are_enough_for_two_sets)
   }
   Calls calls;
   const Lattice_traits traits(2, 1, 1, calls);
-  Pairs found;
-  CGAL::thick_intersection_d(a, b, Pair_collector{found},
-                             CGAL::parameters::geom_traits(traits));
+  const Pairs found = reported([&](auto collect) {
+    CGAL::thick_intersection_d(a, b, collect, CGAL::parameters::geom_traits(traits));
+  });
   BOOST_REQUIRE_EQUAL(found.size(), 30u);
   for(const Pair& p : found)
     BOOST_CHECK_EQUAL(p.first + p.second, 29u);
@@ -127,37 +108,24 @@ BOOST_AUTO_TEST_CASE(any_range_of_points_will_do)
   const Point_scene scene = some_scene();
   const Pairs& expected = truth_of(scene).pairs;
   const auto points = make_points<Maker>(scene.points);
-  const auto bound = CGAL::within_distance(0.1);
-
-  Pairs of_list;
-  const std::list<Point> list(points.begin(), points.end());
-  CGAL::fixed_radius_near_neighbors(list, bound, Pair_collector{of_list});
-  BOOST_CHECK(compare(expected, of_list).empty());
-
-  Pairs of_array;
-  const auto array = boost::make_iterator_range(points.data(), points.data() + points.size());
-  CGAL::fixed_radius_near_neighbors(array, bound, Pair_collector{of_array});
-  BOOST_CHECK(compare(expected, of_array).empty());
-
-  // Points that are made when they are asked for.
+  const auto check = [&](const char* what, const auto& range, const auto&... np) {
+    check_pairs(what, expected, reported([&](auto collect) {
+      CGAL::fixed_radius_near_neighbors(range, CGAL::within_distance(0.1), collect, np...);
+    }));
+  };
+  check("list", std::list<Point>(points.begin(), points.end()));
+  check("array", boost::make_iterator_range(points.data(), points.data() + points.size()));
   const auto make = [](const Coordinates& c) { return Maker::make(c); };
-  const auto made = boost::make_iterator_range(
-    boost::make_transform_iterator(scene.points.begin(), make),
-    boost::make_transform_iterator(scene.points.end(), make));
-  Pairs of_made;
-  CGAL::fixed_radius_near_neighbors(made, bound, Pair_collector{of_made});
-  BOOST_CHECK(compare(expected, of_made).empty());
-
-  // Points within larger elements.
-  std::vector<std::pair<Point, int>> named;
+  check("points that are made when they are asked for",
+        boost::make_iterator_range(boost::make_transform_iterator(scene.points.begin(), make),
+                                   boost::make_transform_iterator(scene.points.end(), make)));
+  using Named = std::pair<Point, int>;
+  std::vector<Named> named;
   for(const Point& p : points)
     named.emplace_back(p, 1);
-  Pairs of_named;
-  CGAL::fixed_radius_near_neighbors(
-    named, bound, Pair_collector{of_named},
-    CGAL::parameters::point_map(CGAL::First_of_pair_property_map<std::pair<Point, int>>())
-      .geom_traits(Kernel()));
-  BOOST_CHECK(compare(expected, of_named).empty());
+  check("points within larger elements", named,
+        CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Named>())
+          .geom_traits(Kernel()));
 }
 
 BOOST_AUTO_TEST_CASE(two_ranges_may_differ_in_type)

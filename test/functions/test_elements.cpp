@@ -4,6 +4,7 @@
 // Pairs of the user's elements instead of positions, and pairs for output iterators: the same pairs
 // as of positions, and nothing is looked up but what is reported.
 
+#include "support/check_pairs.h"
 #include "support/kernels.h"
 #include "support/point_generators.h"
 
@@ -94,8 +95,7 @@ BOOST_AUTO_TEST_CASE(vertices_of_a_mesh_after_removals)
   std::vector<std::pair<Vertex, Vertex>> pairs;
   CGAL::fixed_radius_near_neighbors(mesh.vertices(), bound,
                                     CGAL::with_elements(std::back_inserter(pairs)), np);
-  const Pairs_difference written = compare(expected, numbers_of(pairs));
-  BOOST_CHECK_MESSAGE(written.empty(), written);
+  check_pairs("written", expected, numbers_of(pairs));
 
   Pairs called;
   const auto call = [&](Vertex v, Vertex w) { called.emplace_back(v, w); };
@@ -131,8 +131,7 @@ BOOST_AUTO_TEST_CASE(points_of_a_point_set_after_removals)
   Pairs found = numbers_of(pairs);
   for(Pair& pair : found) // removal changes the order of the set
     pair = {(std::min)(pair.first, pair.second), (std::max)(pair.first, pair.second)};
-  const Pairs_difference difference = compare(expected, found);
-  BOOST_CHECK_MESSAGE(difference.empty(), difference);
+  check_pairs("elements", expected, found);
 }
 
 BOOST_AUTO_TEST_CASE(elements_of_two_ranges_of_different_types)
@@ -149,8 +148,7 @@ BOOST_AUTO_TEST_CASE(elements_of_two_ranges_of_different_types)
     for(const Vertex w : mesh.vertices())
       if(CGAL::squared_distance(mesh.point(v), mesh.point(w)) <= 0.09)
         expected.emplace_back(v, w);
-  const Pairs_difference difference = compare(expected, found);
-  BOOST_CHECK_MESSAGE(difference.empty(), difference);
+  check_pairs("elements", expected, found);
 }
 
 BOOST_AUTO_TEST_CASE(elements_are_those_of_the_range_and_not_copies)

@@ -8,12 +8,10 @@
 #include "support/check_features.h"
 
 #include <CGAL/Exact_integer.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Homogeneous.h>
 
 using namespace test_support;
 
-using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Float_kernel = CGAL::Simple_cartesian<float>;
 using Integer_kernel = CGAL::Simple_cartesian<long long>;
 using Homogeneous_kernel = CGAL::Homogeneous<CGAL::Exact_integer>;

@@ -5,6 +5,8 @@
 // order of reports that are promised for any number of points, and they get no memory.
 
 #include "support/brute_force.h"
+#include "support/check_pairs.h"
+#include "support/closest_pair_oracle.h"
 #include "support/counting_allocator.h"
 #include "support/instruction_sets.h"
 #include "support/kernels.h"
@@ -48,12 +50,6 @@ Pairs pairs_among(const Pairs& pairs, std::size_t size, std::size_t first_size =
   return among;
 }
 
-void check_pairs(const std::string& what, const Pairs& expected, const Pairs& found)
-{
-  const Pairs_difference difference = compare(expected, found);
-  BOOST_CHECK_MESSAGE(difference.empty(), what << ": " << difference);
-}
-
 // Checks the pairs of the first n points, for any n. A search that is given a profile takes the way
 // of many points.
 template <class Maker, class NT>
@@ -72,8 +68,7 @@ void check_all_sizes(const std::string& name, const Points& scene, const Pairs& 
     check_pairs(what, pairs_among(truth, size), found);
     check_pairs(what + ", profile", found, found_with_profile);
     for(const std::size_t first_size : {size / 3, size - size / 8}) {
-      const auto middle = points.begin() + static_cast<std::ptrdiff_t>(first_size);
-      const std::vector<typename Maker::Point> a(points.begin(), middle), b(middle, points.end());
+      const auto [a, b] = split(points, first_size);
       found.clear();
       BOOST_CHECK(CGAL::fixed_radius_near_neighbors(a, b, bound, Pair_collector{found}));
       if(first_size != 0)
@@ -191,25 +186,19 @@ BOOST_AUTO_TEST_CASE(pairs_of_other_kernels)
 namespace {
 
 // For each n, the closest pair of the first n points, from 2 on.
-Pairs closest_pairs_by_rationals(const Points& points)
+Pairs closest_pairs_of_first(const Points& points)
 {
-  std::vector<std::vector<CGAL::Exact_rational>> exact;
-  for(const Coordinates& c : points)
-    exact.emplace_back(c.begin(), c.end());
-  std::optional<CGAL::Exact_rational> least;
-  Pairs closest(points.size() + 1);
-  for(std::size_t j = 0; j < exact.size(); ++j) {
-    closest[j + 1] = closest[j];
+  const Scaled_points scaled = scaled_points(points);
+  std::optional<Closest> least;
+  Pairs closest(1);
+  for(std::size_t j = 0; j < scaled.size(); ++j) {
     for(std::size_t i = 0; i < j; ++i) {
-      CGAL::Exact_rational square(0);
-      for(std::size_t axis = 0; axis < exact[i].size(); ++axis)
-        square += CGAL::Exact_rational(exact[i][axis] - exact[j][axis])
-                  * CGAL::Exact_rational(exact[i][axis] - exact[j][axis]);
-      if(!least || square < *least || (square == *least && Pair(i, j) < closest[j + 1])) {
-        least = square;
-        closest[j + 1] = {i, j};
-      }
+      const Scaled_integer square = squared_distance(scaled[i], scaled[j]);
+      if(!least || square < least->square
+         || (square == least->square && Pair(i, j) < least->pair))
+        least = Closest{{i, j}, square};
     }
+    closest.push_back(least ? least->pair : Pair());
   }
   return closest;
 }
@@ -220,7 +209,7 @@ void check_closest_pairs()
   namespace internal = CGAL::Thick_intersection_d::internal;
   const auto np = CGAL::parameters::default_values();
   for(const Point_scene& s : scenes_of_few_points<Dimension>()) {
-    const Pairs closest = closest_pairs_by_rationals(s.points);
+    const Pairs closest = closest_pairs_of_first(s.points);
     const Truth& truth = truth_of(s);
     const auto bound = CGAL::within_distance(*s.radius.length());
     const auto all = make_points<Epick_points<Dimension>>(s.points);
@@ -296,23 +285,6 @@ BOOST_AUTO_TEST_CASE(the_closest_of_rounded_squares)
   BOOST_CHECK(CGAL::closest_pair(points) == Pair(2, 3));
 }
 
-namespace {
-
-// What a search of points throws, as text; "" if it throws nothing.
-template <class Search>
-std::string error_of(const Search& search)
-{
-  try {
-    search();
-  }
-  catch(const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
-}
-
-} // namespace
-
 // The text is that of the search of many points, and nothing is reported before.
 BOOST_AUTO_TEST_CASE(errors_are_those_of_many_points)
 {
@@ -327,18 +299,17 @@ BOOST_AUTO_TEST_CASE(errors_are_those_of_many_points)
           const auto points = make_points<Epick_points<3>>(scene_points);
           const auto bound = CGAL::within_distance(1.);
           CGAL::Scene_profile profile;
-          const std::string error = error_of(
+          const std::string error = refusal(
             [&] { CGAL::fixed_radius_near_neighbors(points, bound, report); });
-          BOOST_CHECK_EQUAL(error, error_of([&] {
+          BOOST_CHECK_EQUAL(error, refusal([&] {
             CGAL::fixed_radius_near_neighbors(points, bound, report, profile);
           }));
-          BOOST_CHECK_EQUAL(error, error_of([&] { CGAL::closest_pair(points); }));
-          BOOST_CHECK_EQUAL(error, error_of([&] { CGAL::find_close_pair(points, bound); }));
+          BOOST_CHECK_EQUAL(error, refusal([&] { CGAL::closest_pair(points); }));
+          BOOST_CHECK_EQUAL(error, refusal([&] { CGAL::find_close_pair(points, bound); }));
           BOOST_CHECK_EQUAL(error, "Coordinate " + std::to_string(axis) + " of point "
                                      + std::to_string(position) + " is NaN or infinite.");
-          const std::vector<CGAL::Epick::Point_3> a(points.begin(), points.begin() + 1);
-          const std::vector<CGAL::Epick::Point_3> b(points.begin() + 1, points.end());
-          BOOST_CHECK_EQUAL(error, error_of([&] {
+          const auto [a, b] = split(points, 1);
+          BOOST_CHECK_EQUAL(error, refusal([&, &a = a, &b = b] {
             CGAL::fixed_radius_near_neighbors(a, b, bound, report);
           }));
         }
@@ -347,12 +318,12 @@ BOOST_AUTO_TEST_CASE(errors_are_those_of_many_points)
     for(const bool is_squared : {false, true}) {
       const CGAL::Distance_bound<double> bound(value, is_squared);
       const std::string expected = "The distance bound is negative or NaN.";
-      BOOST_CHECK_EQUAL(expected, error_of([&] {
+      BOOST_CHECK_EQUAL(expected, refusal([&] {
         CGAL::fixed_radius_near_neighbors(two, bound, report);
       }));
-      BOOST_CHECK_EQUAL(expected, error_of([&] { CGAL::find_close_pair(two, bound); }));
+      BOOST_CHECK_EQUAL(expected, refusal([&] { CGAL::find_close_pair(two, bound); }));
     }
-  BOOST_CHECK_EQUAL("There is no closest pair of fewer than two points.", error_of([&] {
+  BOOST_CHECK_EQUAL("There is no closest pair of fewer than two points.", refusal([&] {
     CGAL::closest_pair(std::vector<CGAL::Epick::Point_2>(1));
   }));
 }

@@ -27,33 +27,25 @@
 using namespace test_support;
 
 using Kernel = CGAL::Simple_cartesian<double>;
+using Plane = Cartesian_points<Kernel, 2>;
 
 namespace {
 
-std::vector<std::vector<std::size_t>> neighbors_by_brute_force(const Points& points, double r)
-{
-  std::vector<std::vector<std::size_t>> lists(points.size());
-  for(const Pair& p : brute_force(points, Radius::of_length(r)).pairs) {
-    lists[p.first].push_back(p.second);
-    lists[p.second].push_back(p.first);
-  }
-  for(auto& list : lists)
-    std::sort(list.begin(), list.end());
-  return lists;
-}
-
 void check_lists(const CGAL::Neighbor_lists& lists, const Points& points, double r)
 {
-  const auto expected = neighbors_by_brute_force(points, r);
+  const Pairs pairs = brute_force(points, Radius::of_length(r)).pairs;
   BOOST_REQUIRE_EQUAL(lists.size(), points.size());
-  std::size_t neighbors = 0;
-  for(std::size_t i = 0; i < lists.size(); ++i) {
-    BOOST_CHECK_EQUAL_COLLECTIONS(lists[i].begin(), lists[i].end(), expected[i].begin(),
-                                  expected[i].end());
-    neighbors += expected[i].size();
-  }
-  BOOST_CHECK_EQUAL(2 * lists.number_of_pairs(), neighbors);
+  BOOST_CHECK(pairs_in_lists(lists) == in_both_orders(pairs));
+  BOOST_CHECK_EQUAL(lists.number_of_pairs(), pairs.size());
   BOOST_CHECK_EQUAL(lists.begins().back(), lists.positions().size());
+}
+
+template <class Maker>
+void check_lists(const Points& points, double r)
+{
+  check_lists(CGAL::fixed_radius_neighbor_lists(make_points<Maker>(points),
+                                                CGAL::within_distance(r)),
+              points, r);
 }
 
 } // namespace
@@ -61,16 +53,9 @@ void check_lists(const CGAL::Neighbor_lists& lists, const Points& points, double
 BOOST_AUTO_TEST_CASE(short_and_long_lists)
 {
   // Lists of up to 256 neighbours are sorted in a way of their own.
-  for(const double r : {0., 0.01, 0.12, 0.24, 0.5, 2.}) {
-    const Points points = uniform_points(2, 1500, 0, 1, 3);
-    check_lists(CGAL::fixed_radius_neighbor_lists(make_points<Cartesian_points<Kernel, 2>>(points),
-                                                  CGAL::within_distance(r)),
-                points, r);
-  }
-  const Points many = uniform_points(3, 2500, 0, 1, 4);
-  check_lists(CGAL::fixed_radius_neighbor_lists(make_points<Cartesian_points<Kernel, 3>>(many),
-                                                CGAL::within_distance(0.08)),
-              many, 0.08);
+  for(const double r : {0., 0.01, 0.12, 0.24, 0.5, 2.})
+    check_lists<Plane>(uniform_points(2, 1500, 0, 1, 3), r);
+  check_lists<Cartesian_points<Kernel, 3>>(uniform_points(3, 2500, 0, 1, 4), 0.08);
 }
 
 // Positions take more than 16 bits, and there are bins of 16384 points. Points of a line have known
@@ -102,17 +87,14 @@ BOOST_AUTO_TEST_CASE(lists_of_more_points_than_16_bits_tell_apart)
 
 BOOST_AUTO_TEST_CASE(lists_of_lattices_with_ties)
 {
-  const Points lattice = lattice_points(2, 20, 0.1, 0);
-  check_lists(CGAL::fixed_radius_neighbor_lists(make_points<Cartesian_points<Kernel, 2>>(lattice),
-                                                CGAL::within_distance(0.1)),
-              lattice, 0.1);
+  check_lists<Plane>(lattice_points(2, 20, 0.1, 0), 0.1);
 }
 
 // Two of the points are denormal, and the third one is not to have them scaled down.
 BOOST_AUTO_TEST_CASE(lists_of_denormal_numbers_beside_a_huge_one)
 {
   const double d = std::numeric_limits<double>::denorm_min();
-  const auto points = make_points<Cartesian_points<Kernel, 2>>(
+  const auto points = make_points<Plane>(
     {{5033165 * d, 0}, {-5033165 * d, 0}, {0x1p1023, 0}});
   const auto lists
     = CGAL::fixed_radius_neighbor_lists(points, CGAL::within_distance(10905190 * d));
@@ -121,11 +103,8 @@ BOOST_AUTO_TEST_CASE(lists_of_denormal_numbers_beside_a_huge_one)
 
 BOOST_AUTO_TEST_CASE(lists_in_higher_dimension)
 {
-  const Points points = uniform_points(5, 300, 0, 1, 5);
   using Maker = Points_d<CGAL::Epick_d<CGAL::Dimension_tag<5>>>;
-  check_lists(CGAL::fixed_radius_neighbor_lists(make_points<Maker>(points),
-                                                CGAL::within_distance(0.4)),
-              points, 0.4);
+  check_lists<Maker>(uniform_points(5, 300, 0, 1, 5), 0.4);
 }
 
 BOOST_AUTO_TEST_CASE(lists_of_few_points_and_bad_ones)
@@ -146,7 +125,7 @@ BOOST_AUTO_TEST_CASE(lists_are_a_range_of_lists)
 {
   const Points points = uniform_points(2, 300, 0, 1, 8);
   const CGAL::Neighbor_lists lists = CGAL::fixed_radius_neighbor_lists(
-    make_points<Cartesian_points<Kernel, 2>>(points), CGAL::within_distance(0.1));
+    make_points<Plane>(points), CGAL::within_distance(0.1));
   BOOST_REQUIRE_EQUAL(lists.end() - lists.begin(), 300);
   std::size_t i = 0;
   for(const auto neighbors : lists) {
@@ -174,8 +153,8 @@ BOOST_AUTO_TEST_CASE(arrays_can_be_moved_out)
 BOOST_AUTO_TEST_CASE(lists_of_two_ranges_hold_positions_in_the_second)
 {
   const Points a = uniform_points(2, 200, 0, 1, 9), b = uniform_points(2, 20000, 0, 1, 10);
-  const auto points_a = make_points<Cartesian_points<Kernel, 2>>(a);
-  const auto points_b = make_points<Cartesian_points<Kernel, 2>>(b);
+  const auto points_a = make_points<Plane>(a);
+  const auto points_b = make_points<Plane>(b);
   const auto bound = CGAL::within_distance(0.05);
   const auto check = [&](const auto& first, const auto& second) {
     const CGAL::Neighbor_lists lists = CGAL::fixed_radius_neighbor_lists(first, second, bound);
@@ -213,7 +192,7 @@ BOOST_AUTO_TEST_CASE(lists_may_begin_beyond_32_bits)
 
 BOOST_AUTO_TEST_CASE(squared_distances_are_in_the_order_of_the_lists)
 {
-  const auto points = make_points<Cartesian_points<Kernel, 2>>(uniform_points(2, 400, 0, 1, 11));
+  const auto points = make_points<Plane>(uniform_points(2, 400, 0, 1, 11));
   const CGAL::Neighbor_lists lists
     = CGAL::fixed_radius_neighbor_lists(points, CGAL::within_distance(0.1));
   const std::vector<double> distances = CGAL::neighbor_squared_distances(lists, points);
@@ -269,10 +248,9 @@ BOOST_AUTO_TEST_CASE(lists_of_other_points_have_no_distances)
 // The arrays of lists are those of the lists before, if these are as long.
 BOOST_AUTO_TEST_CASE(lists_are_replaced_in_their_memory)
 {
-  using Maker = Cartesian_points<Kernel, 2>;
   const Points scene_points = uniform_points(2, 500, 0, 1, 12);
-  const auto points = make_points<Maker>(scene_points);
-  const auto others = make_points<Maker>(uniform_points(2, 100, 0, 1, 13));
+  const auto points = make_points<Plane>(scene_points);
+  const auto others = make_points<Plane>(uniform_points(2, 100, 0, 1, 13));
   CGAL::Neighbor_lists lists;
   BOOST_CHECK(CGAL::fixed_radius_neighbor_lists(points, CGAL::within_distance(0.1), lists));
   check_lists(lists, scene_points, 0.1);

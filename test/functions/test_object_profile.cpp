@@ -7,9 +7,8 @@
 #include "support/pairs.h"
 #include "support/parallel_pairs.h"
 #include "support/point_generators.h"
+#include "support/usual_kernels.h"
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/thick_intersection_d.h>
 
 #include <boost/test/unit_test.hpp>
@@ -28,7 +27,6 @@ using CGAL::Scene_profile;
 
 namespace {
 
-using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Triangles = std::vector<Epick::Triangle_3>;
 
 constexpr Arithmetic_tier all_tiers[]
@@ -170,17 +168,16 @@ BOOST_AUTO_TEST_CASE(boxes_and_points_are_of_degree_one)
 
 BOOST_AUTO_TEST_CASE(numbers_that_are_no_doubles_have_no_grid)
 {
-  using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-  const auto triangle = [](const Kernel::FT& x) {
-    return Kernel::Triangle_3(Kernel::Point_3(x, 0, 0), Kernel::Point_3(x + 1, 0, 0),
-                              Kernel::Point_3(x, 1, 0));
+  const auto triangle = [](const Epeck::FT& x) {
+    return Epeck::Triangle_3(Epeck::Point_3(x, 0, 0), Epeck::Point_3(x + 1, 0, 0),
+                              Epeck::Point_3(x, 1, 0));
   };
   Scene_profile profile;
-  const std::vector<Kernel::Triangle_3> doubles = {triangle(0), triangle(1), triangle(3)};
+  const std::vector<Epeck::Triangle_3> doubles = {triangle(0), triangle(1), triangle(3)};
   BOOST_CHECK(pairs_with(profile, doubles) == Pairs({{0, 1}}));
   BOOST_CHECK(profile.has_grid());
-  const std::vector<Kernel::Triangle_3> thirds
-    = {triangle(0), triangle(Kernel::FT(1) / 3), triangle(3)};
+  const std::vector<Epeck::Triangle_3> thirds
+    = {triangle(0), triangle(Epeck::FT(1) / 3), triangle(3)};
   BOOST_CHECK(pairs_with(profile, thirds) == Pairs({{0, 1}}));
   BOOST_CHECK(!profile.has_grid());
   BOOST_CHECK(profile.tier() == Arithmetic_tier::FILTERED_EXACT);
@@ -199,15 +196,13 @@ BOOST_AUTO_TEST_CASE(threads_count_the_same_decisions)
 BOOST_AUTO_TEST_CASE(two_ranges_are_one_scene)
 {
   const Triangles triangles = random_triangles(30, 0);
-  const Triangles a(triangles.begin(), triangles.begin() + 10);
-  const Triangles b(triangles.begin() + 10, triangles.end());
+  const auto ranges = split(triangles, 10);
   Scene_profile all, two;
   const Pairs pairs = pairs_with(all, triangles);
   const Pairs found = collected([&](const Callback& callback) {
-    CGAL::thick_intersection_d(
-      a, b, [&](std::size_t i, std::size_t j) { callback(i, 10 + j); }, two);
+    CGAL::thick_intersection_d(ranges.first, ranges.second, callback, two);
   });
-  BOOST_CHECK(sorted(found) == between_sets(pairs, 10));
+  BOOST_CHECK(sorted(found) == of_two_sets(pairs, 10));
   BOOST_CHECK_EQUAL(two.size(), 40u);
   BOOST_CHECK_EQUAL(two.bits(), all.bits());
 }

@@ -139,17 +139,31 @@ std::vector<With_id<Base>> with_ids(const std::vector<Base>& objects)
 template <class... Arguments>
 Pairs pairs_of(const Arguments&... arguments)
 {
-  Pairs pairs;
-  CGAL::thick_self_intersection_d(arguments..., Pair_collector{pairs});
-  return sorted(pairs);
+  return sorted(reported([&](auto collect) {
+    CGAL::thick_self_intersection_d(arguments..., collect);
+  }));
 }
 
 template <class Objects>
 Pairs near_pairs_of(const Objects& objects, double bound)
 {
-  Pairs pairs;
-  CGAL::fixed_radius_near_neighbors(objects, within_distance(bound), Pair_collector{pairs});
-  return sorted(pairs);
+  return sorted(reported([&](auto collect) {
+    CGAL::fixed_radius_near_neighbors(objects, within_distance(bound), collect);
+  }));
+}
+
+template <class Object, class Traits>
+Pairs pairs_by_traits(const std::vector<Object>& objects, const Traits& traits)
+{
+  return sorted(reported([&](auto collect) {
+    CGAL::thick_self_intersection_d(objects, collect, CGAL::parameters::geom_traits(traits));
+  }));
+}
+
+template <class A, class B>
+Pairs pairs_between(const A& a, const B& b)
+{
+  return sorted(reported([&](auto collect) { CGAL::thick_intersection_d(a, b, collect); }));
 }
 
 // Long segments whose ends are off by a few units in the last place, and short ones that they touch
@@ -173,12 +187,9 @@ Pairs exact_pairs(const std::vector<Segment>& segments)
   std::vector<Exact_kernel::Segment_2> exact_segments;
   for(const Segment& segment : segments)
     exact_segments.push_back(exact(segment));
-  Pairs pairs;
-  for(std::size_t j = 0; j < segments.size(); ++j)
-    for(std::size_t i = 0; i < j; ++i)
-      if(CGAL::do_intersect(exact_segments[i], exact_segments[j]))
-        pairs.emplace_back(i, j);
-  return sorted(pairs);
+  return pairs_where(segments.size(), [&](std::size_t i, std::size_t j) {
+    return CGAL::do_intersect(exact_segments[i], exact_segments[j]);
+  });
 }
 
 // Two touch, one is flat, one is a point, one is apart.
@@ -205,26 +216,18 @@ BOOST_AUTO_TEST_CASE(segment_with_an_id_is_decided_exactly)
 
   // Its traits may be named, and derived from another type than the elements have.
   using Object = With_id<Segment>;
-  Pairs pairs;
-  CGAL::thick_self_intersection_d(
-    objects, Pair_collector{pairs},
-    CGAL::parameters::geom_traits(CGAL::Thick_object_traits_d<Object>(objects)));
-  BOOST_CHECK(sorted(pairs) == expected);
-  pairs.clear();
-  CGAL::thick_self_intersection_d(
-    objects, Pair_collector{pairs},
-    CGAL::parameters::geom_traits(CGAL::Thick_object_traits_d<Segment>(segments)));
-  BOOST_CHECK(sorted(pairs) == expected);
+  BOOST_CHECK(pairs_by_traits(objects, CGAL::Thick_object_traits_d<Object>(objects)) == expected);
+  BOOST_CHECK(pairs_by_traits(objects, CGAL::Thick_object_traits_d<Segment>(segments))
+              == expected);
 
   // In a variant, and in one of two ranges.
   const std::vector<std::variant<Point, Object>> variants(objects.begin(), objects.end());
   BOOST_CHECK(pairs_of(variants) == expected);
-  pairs.clear();
-  CGAL::thick_intersection_d(objects, segments, Pair_collector{pairs});
-  BOOST_CHECK_EQUAL(pairs.size(), 2 * expected.size() + segments.size());
+  BOOST_CHECK_EQUAL(pairs_between(objects, segments).size(),
+                    2 * expected.size() + segments.size());
 
   CGAL::Scene_profile profile;
-  pairs.clear();
+  Pairs pairs;
   CGAL::thick_self_intersection_d(objects, Pair_collector{pairs}, profile);
   BOOST_CHECK(sorted(pairs) == expected);
   BOOST_CHECK_EQUAL(profile.degree(), 2);
@@ -279,15 +282,7 @@ BOOST_AUTO_TEST_CASE(derived_object_with_a_test_of_its_own_is_asked)
   BOOST_CHECK(pairs_of(wide) == (Pairs{{0, 1}}));
 
   // An object of another class is tested as the segment that it is.
-  const auto pairs_between = [](const auto& a, const auto& b) {
-    Pairs pairs;
-    CGAL::thick_intersection_d(a, b, Pair_collector{pairs});
-    return sorted(pairs);
-  };
-  const std::vector<Segment> segments = nearly_touching_segments();
-  const auto middle = segments.begin() + 160;
-  const std::vector<Segment> long_ones(segments.begin(), middle);
-  const std::vector<Segment> short_ones(middle, segments.end());
+  const auto [long_ones, short_ones] = split(nearly_touching_segments(), 160);
   std::vector<plans::Wire> long_wires;
   for(const Segment& segment : long_ones)
     long_wires.emplace_back(segment, 1);
@@ -327,9 +322,9 @@ BOOST_AUTO_TEST_CASE(derived_features_are_what_their_base_is)
     return Polygon(corners, corners + 4);
   };
   const auto pairs_of_features = [](const auto& features) {
-    Pairs pairs;
-    CGAL::thick_feature_self_intersection_d(features, Pair_collector{pairs});
-    return sorted(pairs);
+    return sorted(reported([&](auto collect) {
+      CGAL::thick_feature_self_intersection_d(features, collect);
+    }));
   };
   // The second square is inside the first one: its boundary is not enough.
   BOOST_CHECK(pairs_of_features(with_ids<Polygon>({square(0, 9), square(2, 3)}))
@@ -392,16 +387,6 @@ struct Different_traits : Traits
   Do_intersect_d do_intersect_d_object() const { return {*this}; }
 };
 
-// Checks that derived traits leave out the pair of equal objects that their base reports.
-template <class Traits, class Object>
-void check_derived(const std::vector<Object>& objects, const Traits& traits, const Pairs& expected)
-{
-  Pairs pairs;
-  CGAL::thick_self_intersection_d(objects, Pair_collector{pairs},
-                                  CGAL::parameters::geom_traits(traits));
-  BOOST_CHECK(sorted(pairs) == expected);
-}
-
 struct Manhattan_distance
 {
   int dimension() const { return 2; }
@@ -430,24 +415,25 @@ BOOST_AUTO_TEST_CASE(traits_that_derive_from_those_of_the_package_are_asked)
 {
   const Segment across({0, 0}, {2, 2}), other({0, 2}, {2, 0});
   const std::vector<Segment> segments = {across, other, across};
-  check_derived(segments, Different_traits<CGAL::Thick_object_traits_d<Segment>>(segments),
-                {{0, 1}, {1, 2}});
+  const Pairs expected = {{0, 1}, {1, 2}}; // not the pair of equal objects
+  using Segment_traits = CGAL::Thick_object_traits_d<Segment>;
+  BOOST_CHECK(pairs_by_traits(segments, Different_traits<Segment_traits>(segments)) == expected);
 
   // Boxes would decide by themselves.
   const std::vector<CGAL::Bbox_2> boxes = {{0, 0, 1, 1}, {1, 1, 2, 2}, {0, 0, 1, 1}};
-  check_derived(boxes, Different_traits<CGAL::Thick_object_traits_d<CGAL::Bbox_2>>(boxes),
-                {{0, 1}, {1, 2}});
+  using Box_traits = CGAL::Thick_object_traits_d<CGAL::Bbox_2>;
+  BOOST_CHECK(pairs_by_traits(boxes, Different_traits<Box_traits>(boxes)) == expected);
 
   // Balls of one radius would be searched as points.
   const std::vector<std::pair<Point, double>> balls
     = {{Point(0, 0), 1}, {Point(2, 0), 1}, {Point(0, 0), 1}};
-  check_derived(balls, Different_traits<CGAL::Thick_ball_traits_d<Point>>(balls),
-                {{0, 1}, {1, 2}});
+  using Ball_traits = CGAL::Thick_ball_traits_d<Point>;
+  BOOST_CHECK(pairs_by_traits(balls, Different_traits<Ball_traits>(balls)) == expected);
 
   const std::vector<Point> points = {{0, 0}, {1, 0}, {0, 0}};
-  check_derived(points,
-                Different_traits<CGAL::Thick_point_traits_d<Point>>(within_distance(1)),
-                {{0, 1}, {1, 2}});
+  using Point_traits = CGAL::Thick_point_traits_d<Point>;
+  BOOST_CHECK(pairs_by_traits(points, Different_traits<Point_traits>(within_distance(1)))
+              == expected);
 }
 
 // A functor that derives from that of the base is not cut down to it.
@@ -464,7 +450,8 @@ BOOST_AUTO_TEST_CASE(derived_functor_is_asked)
     };
     Functor do_intersect_d_object() const { return Functor(Base::do_intersect_d_object()); }
   };
-  check_derived(std::vector<Point>{{0, 0}, {1, 0}}, Never(within_distance(1)), {});
+  BOOST_CHECK(pairs_by_traits(std::vector<Point>{{0, 0}, {1, 0}}, Never(within_distance(1)))
+                .empty());
 }
 
 BOOST_AUTO_TEST_CASE(distance_of_the_traits_is_that_of_points)

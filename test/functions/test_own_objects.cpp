@@ -3,7 +3,7 @@
 
 // Objects of no kernel: a class of the user with a box and a test, and bounding boxes themselves.
 
-#include "support/pairs.h"
+#include "support/check_pairs.h"
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Bbox_3.h>
@@ -15,10 +15,7 @@
 
 #include <cstddef>
 #include <limits>
-#include <mutex>
 #include <random>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 using namespace test_support;
@@ -91,35 +88,28 @@ auto random_boxes(std::size_t n)
 template <class Object, class Test>
 Pairs all_pairs(const std::vector<Object>& objects, const Test& test)
 {
-  Pairs pairs;
-  for(std::size_t i = 0; i < objects.size(); ++i)
-    for(std::size_t j = i + 1; j < objects.size(); ++j)
-      if(test(objects[i], objects[j]))
-        pairs.emplace_back(i, j);
-  return pairs;
+  return pairs_where(objects.size(), [&](std::size_t i, std::size_t j) {
+    return test(objects[i], objects[j]);
+  });
 }
 
 template <class ConcurrencyTag, class Object>
 Pairs found_pairs(const std::vector<Object>& objects)
 {
   Pairs pairs;
-  std::mutex mutex;
-  CGAL::thick_self_intersection_d<ConcurrencyTag>(objects, [&](std::size_t i, std::size_t j) {
-    const std::lock_guard<std::mutex> lock(mutex);
-    pairs.emplace_back(i, j);
-  });
+  Locked_collector collect(pairs);
+  CGAL::thick_self_intersection_d<ConcurrencyTag>(objects, collect);
   return pairs;
 }
 
 template <class Object, class Test>
-void check_pairs(const std::vector<Object>& objects, const Test& test)
+void check_objects(const std::vector<Object>& objects, const Test& test)
 {
   const Pairs expected = all_pairs(objects, test);
   BOOST_REQUIRE_GT(expected.size(), objects.size() / 2);
-  const auto in_sequence = compare(expected, found_pairs<CGAL::Sequential_tag>(objects));
-  BOOST_CHECK_MESSAGE(in_sequence.empty(), in_sequence);
-  const auto in_parallel = compare(expected, found_pairs<CGAL::Parallel_if_available_tag>(objects));
-  BOOST_CHECK_MESSAGE(in_parallel.empty(), in_parallel);
+  check_pairs("in sequence", expected, found_pairs<CGAL::Sequential_tag>(objects));
+  check_pairs("in parallel", expected,
+              found_pairs<CGAL::Parallel_if_available_tag>(objects));
 }
 
 template <class Box>
@@ -139,12 +129,9 @@ void check_error(std::vector<Object> objects, const Object& bad)
   objects[1207] = bad;
   bool is_reported = false;
   const auto callback = [&](std::size_t, std::size_t) { is_reported = true; };
-  BOOST_CHECK_EXCEPTION(
-    CGAL::thick_self_intersection_d<ConcurrencyTag>(objects, callback), std::invalid_argument,
-    [](const std::invalid_argument& error) {
-      return error.what()
-             == std::string("The bounding box of object 1207 is empty or not finite.");
-    });
+  BOOST_CHECK_EQUAL(
+    refusal([&] { CGAL::thick_self_intersection_d<ConcurrencyTag>(objects, callback); }),
+    "The bounding box of object 1207 is empty or not finite.");
   BOOST_CHECK(!is_reported);
 }
 
@@ -152,7 +139,8 @@ void check_error(std::vector<Object> objects, const Object& bad)
 
 BOOST_AUTO_TEST_CASE(a_class_with_a_box_and_a_test_is_searched_without_traits)
 {
-  check_pairs(random_disks(3000), [](const Disk& a, const Disk& b) { return do_intersect(a, b); });
+  check_objects(random_disks(3000),
+                [](const Disk& a, const Disk& b) { return do_intersect(a, b); });
 }
 
 // Traits like those of the package, without intervals: three predicates are left.
@@ -165,18 +153,17 @@ struct Traits_without_intervals : CGAL::Thick_object_traits_d<Disk>
 BOOST_AUTO_TEST_CASE(derived_traits_without_intervals_take_the_recursive_route)
 {
   const std::vector<Disk> disks = random_disks(300);
-  Pairs pairs;
-  CGAL::thick_self_intersection_d(
-    disks, [&](std::size_t i, std::size_t j) { pairs.emplace_back(i, j); },
-    CGAL::parameters::geom_traits(Traits_without_intervals(disks)));
   const auto test = [](const Disk& a, const Disk& b) { return do_intersect(a, b); };
-  BOOST_CHECK(compare(all_pairs(disks, test), pairs).empty());
+  check_pairs("disks", all_pairs(disks, test), reported([&](auto collect) {
+    CGAL::thick_self_intersection_d(
+      disks, collect, CGAL::parameters::geom_traits(Traits_without_intervals(disks)));
+  }));
 }
 
 BOOST_AUTO_TEST_CASE(bounding_boxes_are_searched_without_traits)
 {
-  check_pairs(random_boxes<CGAL::Dimension_tag<2>>(3000), do_boxes_overlap<CGAL::Bbox_2>);
-  check_pairs(random_boxes<CGAL::Dimension_tag<3>>(3000), do_boxes_overlap<CGAL::Bbox_3>);
+  check_objects(random_boxes<CGAL::Dimension_tag<2>>(3000), do_boxes_overlap<CGAL::Bbox_2>);
+  check_objects(random_boxes<CGAL::Dimension_tag<3>>(3000), do_boxes_overlap<CGAL::Bbox_3>);
 }
 
 BOOST_AUTO_TEST_CASE(an_object_without_a_finite_box_is_an_error_at_its_first_position)

@@ -3,23 +3,17 @@
 
 // In parallel: the same pairs, a stop that is obeyed, exceptions that come out, progress in order.
 
+#include "support/check_pairs.h"
+#include "support/check_threads.h"
 #include "support/kernels.h"
-#include "support/parallel_pairs.h"
 #include "support/point_generators.h"
-
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include "support/usual_kernels.h"
 
 #include <boost/test/unit_test.hpp>
-#include <tbb/global_control.h>
 
 #include <atomic>
-#include <stdexcept>
 
 using namespace test_support;
-
-using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
 
 namespace {
 
@@ -63,11 +57,8 @@ void check_same_pairs(int dimension)
     const Pairs expected = near_pairs(points, CGAL::within_distance(r));
     BOOST_REQUIRE_GT(expected.size(), points.size());
     for(int repetition = 0; repetition < 3; ++repetition) {
-      const Pairs_difference difference = compare(expected, parallel_pairs(points, r));
-      BOOST_CHECK_MESSAGE(difference.empty(), difference);
-      const Pairs_difference by_recursion
-        = compare(expected, parallel_pairs_by_recursion(points, r));
-      BOOST_CHECK_MESSAGE(by_recursion.empty(), "by recursion: " << by_recursion);
+      check_pairs("in parallel", expected, parallel_pairs(points, r));
+      check_pairs("by recursion", expected, parallel_pairs_by_recursion(points, r));
     }
   }
 }
@@ -78,48 +69,13 @@ BOOST_AUTO_TEST_CASE(same_pairs_epick_2) { check_same_pairs<Cartesian_points<Epi
 BOOST_AUTO_TEST_CASE(same_pairs_epick_3) { check_same_pairs<Cartesian_points<Epick, 3>>(3); }
 BOOST_AUTO_TEST_CASE(same_pairs_epeck_2) { check_same_pairs<Cartesian_points<Epeck, 2>>(2); }
 
-BOOST_AUTO_TEST_CASE(callback_stops_all_threads)
+BOOST_AUTO_TEST_CASE(search_of_points_stops_throws_and_is_cancelled)
 {
-  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, thread_count);
   const auto points = make_points<Cartesian_points<Epick, 2>>(large_scene(2));
-  std::atomic<std::size_t> calls = 0;
-  const bool is_complete = CGAL::fixed_radius_near_neighbors<CGAL::Parallel_tag>(
-    points, CGAL::within_distance(1. / 64),
-    [&](std::size_t, std::size_t) { return ++calls < 100; });
-  BOOST_CHECK(!is_complete);
-  BOOST_CHECK_GE(calls, 100u);
-  BOOST_CHECK_LE(calls, 100u + thread_count - 1); // each thread is told at its next pair
-}
-
-BOOST_AUTO_TEST_CASE(exceptions_come_out)
-{
-  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, thread_count);
-  const auto points = make_points<Cartesian_points<Epick, 2>>(large_scene(2));
-  std::atomic<std::size_t> calls = 0;
-  BOOST_CHECK_THROW(CGAL::fixed_radius_near_neighbors<CGAL::Parallel_tag>(
-                      points, CGAL::within_distance(1. / 64),
-                      [&](std::size_t, std::size_t) {
-                        if(++calls == 1000)
-                          throw std::runtime_error("enough");
-                      }),
-                    std::runtime_error);
-}
-
-BOOST_AUTO_TEST_CASE(progress_comes_in_order)
-{
-  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, thread_count);
-  const auto points = make_points<Cartesian_points<Epick, 2>>(large_scene(2));
-  double last = 0;
-  bool is_ordered = true;
-  CGAL::fixed_radius_near_neighbors<CGAL::Parallel_tag>(
-    points, CGAL::within_distance(1. / 64), [](std::size_t, std::size_t) {},
-    CGAL::parameters::callback([&](double done) {
-      is_ordered = is_ordered && done >= last;
-      last = done;
-      return true;
-    }));
-  BOOST_CHECK(is_ordered);
-  BOOST_CHECK_EQUAL(last, 1);
+  check_stop_throw_and_cancel([&](const auto& callback, const auto& watch) {
+    return CGAL::fixed_radius_near_neighbors<CGAL::Parallel_tag>(
+      points, CGAL::within_distance(1. / 64), callback, CGAL::parameters::callback(watch));
+  });
 }
 
 // Points at one place are in one slab, which is swept in shares, and watched.

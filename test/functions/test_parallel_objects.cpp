@@ -4,8 +4,9 @@
 // Objects with boxes in parallel: the same pairs, a stop that is obeyed, exceptions that come out.
 // ThreadSanitizer watches these tests too.
 
+#include "support/check_pairs.h"
+#include "support/check_threads.h"
 #include "support/interval_traits.h"
-#include "support/parallel_pairs.h"
 #include "support/point_generators.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -13,7 +14,6 @@
 #include <CGAL/thick_intersection_d.h>
 
 #include <boost/test/unit_test.hpp>
-#include <tbb/global_control.h>
 
 #include <atomic>
 #include <cmath>
@@ -47,26 +47,21 @@ std::vector<Epick::Iso_rectangle_2> rectangles()
 BOOST_AUTO_TEST_CASE(same_pairs_of_rectangles)
 {
   const auto objects = rectangles();
-  Pairs expected;
-  CGAL::thick_self_intersection_d(
-    objects, [&](std::size_t i, std::size_t j) { expected.emplace_back(i, j); });
+  const Pairs expected
+    = reported([&](auto collect) { CGAL::thick_self_intersection_d(objects, collect); });
   BOOST_CHECK_GT(expected.size(), objects.size());
   for(const std::size_t threads : {std::size_t(1), thread_count}) {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-    const Pairs_difference difference = compare(expected, collected([&](const auto& callback) {
-      CGAL::thick_self_intersection_d<CGAL::Parallel_tag>(objects, callback);
+    check_pairs(std::to_string(threads) + " threads", expected, collected([&](const auto& add) {
+      CGAL::thick_self_intersection_d<CGAL::Parallel_tag>(objects, add);
     }));
-    BOOST_CHECK_MESSAGE(difference.empty(), threads << " threads: " << difference);
   }
   const std::size_t half = objects.size() / 2;
-  const std::vector<Epick::Iso_rectangle_2> a(objects.begin(), objects.begin() + half);
-  const std::vector<Epick::Iso_rectangle_2> b(objects.begin() + half, objects.end());
+  const auto sets = split(objects, half);
   const tbb::global_control control(tbb::global_control::max_allowed_parallelism, thread_count);
-  const Pairs found = collected([&](const auto& callback) {
-    CGAL::thick_intersection_d<CGAL::Parallel_tag>(a, b, callback);
-  });
-  const Pairs_difference two_sets = compare(of_two_sets(expected, half), found);
-  BOOST_CHECK_MESSAGE(two_sets.empty(), two_sets);
+  check_pairs("two sets", of_two_sets(expected, half), collected([&](const auto& add) {
+    CGAL::thick_intersection_d<CGAL::Parallel_tag>(sets.first, sets.second, add);
+  }));
 }
 
 // Segments, and points or balls of many sizes.
@@ -82,15 +77,14 @@ BOOST_AUTO_TEST_CASE(near_objects_of_two_types)
     balls.emplace_back(Epick::Point_2(place(), place()), i % 2 * .001 * place());
   }
   const auto bound = CGAL::within_distance(0x1p-9);
-  Pairs expected;
-  CGAL::fixed_radius_near_neighbors(
-    segments, balls, bound, [&](std::size_t i, std::size_t j) { expected.emplace_back(i, j); });
+  const Pairs expected = reported([&](auto collect) {
+    CGAL::fixed_radius_near_neighbors(segments, balls, bound, collect);
+  });
   BOOST_CHECK_GT(expected.size(), segments.size() / 2);
   const tbb::global_control control(tbb::global_control::max_allowed_parallelism, thread_count);
-  const Pairs_difference difference = compare(expected, collected([&](const auto& callback) {
-    CGAL::fixed_radius_near_neighbors<CGAL::Parallel_tag>(segments, balls, bound, callback);
+  check_pairs("near objects", expected, collected([&](const auto& add) {
+    CGAL::fixed_radius_near_neighbors<CGAL::Parallel_tag>(segments, balls, bound, add);
   }));
-  BOOST_CHECK_MESSAGE(difference.empty(), difference);
   std::atomic<std::size_t> calls = 0;
   const auto stop = [&](std::size_t, std::size_t) { return ++calls < 1000; };
   BOOST_CHECK(
@@ -100,43 +94,11 @@ BOOST_AUTO_TEST_CASE(near_objects_of_two_types)
 
 BOOST_AUTO_TEST_CASE(search_of_rectangles_stops_throws_and_is_cancelled)
 {
-  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, thread_count);
   const auto objects = rectangles();
-  std::atomic<std::size_t> calls = 0;
-  double last = 0, limit = 2;
-  std::size_t stop_at = std::size_t(-1), throw_at = std::size_t(-1);
-  const std::function<bool(double)> watch = [&](double done) {
-    BOOST_CHECK_GE(done, last);
-    last = done;
-    return done < limit;
-  };
-  const auto search = [&] {
-    calls = 0;
-    last = 0;
-    return CGAL::thick_self_intersection_d<CGAL::Parallel_tag>(
-      objects,
-      [&](std::size_t, std::size_t) {
-        const std::size_t call = ++calls;
-        if(call == throw_at)
-          throw std::runtime_error("enough");
-        return call < stop_at;
-      },
-      CGAL::parameters::callback(watch));
-  };
-  BOOST_CHECK(search());
-  BOOST_CHECK_EQUAL(last, 1);
-  const std::size_t all = calls;
-  stop_at = 100;
-  BOOST_CHECK(!search());
-  BOOST_CHECK_GE(calls, 100u);
-  BOOST_CHECK_LE(calls, 100u + thread_count - 1);
-  stop_at = std::size_t(-1);
-  throw_at = 1000;
-  BOOST_CHECK_THROW(search(), std::runtime_error);
-  throw_at = std::size_t(-1);
-  limit = 0.3;
-  BOOST_CHECK(!search());
-  BOOST_CHECK_LT(calls, all);
+  check_stop_throw_and_cancel([&](const auto& callback, const auto& watch) {
+    return CGAL::thick_self_intersection_d<CGAL::Parallel_tag>(objects, callback,
+                                                               CGAL::parameters::callback(watch));
+  });
 }
 
 namespace {
@@ -195,26 +157,24 @@ BOOST_AUTO_TEST_CASE(same_pairs_of_traits_with_intervals)
     const Number_boxes boxes = boxes_of_all_sizes(dimension, 4000);
     Call_count calls = 0;
     const Interval_traits traits(dimension, calls);
-    const Pairs_difference one_set
-      = compare(pairs_of_colored(boxes, dimension), collected([&](const auto& add) {
-          BOOST_CHECK(search_colored(boxes, traits, [&](std::size_t i, std::size_t j) {
-            add(i, j);
-            return true;
-          }));
-        }));
-    BOOST_CHECK_MESSAGE(one_set.empty(), dimension << "D: " << one_set);
+    const std::string what = std::to_string(dimension) + "D";
+    check_pairs(what, pairs_of_colored(boxes, dimension), collected([&](const auto& add) {
+      BOOST_CHECK(search_colored(boxes, traits, [&](std::size_t i, std::size_t j) {
+        add(i, j);
+        return true;
+      }));
+    }));
     BOOST_CHECK_EQUAL(calls, all_meeting_pairs(boxes, dimension).size());
 
     const std::size_t half = 1500; // so that colors go on in the second set
-    const auto a = colored(Number_boxes(boxes.begin(), boxes.begin() + half));
-    const auto b = colored(Number_boxes(boxes.begin() + half, boxes.end()));
-    const Pairs_difference two_sets
-      = compare(pairs_of_colored(boxes, dimension, half), collected([&](const auto& add) {
-          CGAL::thick_intersection_d<CGAL::Parallel_tag>(
-            a, b, [&](std::size_t i, std::size_t j) { add(i, half + j); },
-            CGAL::parameters::geom_traits(traits));
-        }));
-    BOOST_CHECK_MESSAGE(two_sets.empty(), dimension << "D, two sets: " << two_sets);
+    const auto [a, b] = split(boxes, half);
+    const auto boxes_a = colored(a), boxes_b = colored(b);
+    const Pairs two_sets = pairs_of_colored(boxes, dimension, half);
+    check_pairs(what + ", two sets", two_sets, collected([&](const auto& add) {
+      CGAL::thick_intersection_d<CGAL::Parallel_tag>(
+        boxes_a, boxes_b, [&](std::size_t i, std::size_t j) { add(i, half + j); },
+        CGAL::parameters::geom_traits(traits));
+    }));
   }
 }
 
@@ -247,10 +207,8 @@ BOOST_AUTO_TEST_CASE(empty_intervals_and_nan_are_refused_by_position)
   for(const internal::Interval& bad :
       {internal::Interval{1, 0}, internal::Interval{0, std::nan("")}}) {
     boxes[3210][2] = bad;
-    BOOST_CHECK_EXCEPTION(search_colored(boxes, Interval_traits(3, calls), fail),
-                          std::invalid_argument, [](const std::invalid_argument& error) {
-                            const std::string message = error.what();
-                            return message.find("object 3210 along axis 2") != std::string::npos;
-                          });
+    const std::string error
+      = refusal([&] { search_colored(boxes, Interval_traits(3, calls), fail); });
+    BOOST_CHECK_MESSAGE(contains(error, "object 3210 along axis 2"), error);
   }
 }

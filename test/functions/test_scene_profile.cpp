@@ -253,12 +253,10 @@ template <class Point>
 std::size_t bytes_of_search(const std::vector<Point>& points, double r, std::size_t& pairs)
 {
   pairs = 0;
-  reset_peak();
-  const std::size_t before = current_bytes();
-  CGAL::fixed_radius_near_neighbors(points, CGAL::within_distance(r),
-                                    [&](std::size_t, std::size_t) { ++pairs; });
-  BOOST_CHECK_EQUAL(current_bytes(), before);
-  return peak_bytes() - before;
+  return bytes_taken_by([&] {
+    CGAL::fixed_radius_near_neighbors(points, CGAL::within_distance(r),
+                                      [&](std::size_t, std::size_t) { ++pairs; });
+  });
 }
 
 // Points in a plane of space take the bytes of points in the plane, whichever plane it is. Only the
@@ -309,11 +307,10 @@ BOOST_AUTO_TEST_CASE(radii_of_balls_of_one_size_are_not_stored)
   const auto bytes_of_balls = [&] {
     const CGAL::Thick_ball_traits_d<Kernel::Point_2> traits(balls);
     pairs = 0;
-    reset_peak();
-    const std::size_t before = current_bytes();
-    CGAL::thick_self_intersection_d(balls, [&](std::size_t, std::size_t) { ++pairs; },
-                                    CGAL::parameters::geom_traits(traits));
-    return peak_bytes() - before;
+    return bytes_taken_by([&] {
+      CGAL::thick_self_intersection_d(balls, [&](std::size_t, std::size_t) { ++pairs; },
+                                      CGAL::parameters::geom_traits(traits));
+    });
   };
   BOOST_CHECK_EQUAL(bytes_of_balls(), bytes);
   BOOST_CHECK_EQUAL(pairs, pairs_of_centers);

@@ -4,15 +4,14 @@
 // Long segments, which are searched in stretches: each pair once, whichever set they are in and
 // wherever they touch, with little work.
 
-#include "support/pairs.h"
+#include "support/check_pairs.h"
+#include "support/kernel_types.h"
 #include "support/parallel_pairs.h"
 #include "support/point_generators.h"
 #include "support/seeds.h"
+#include "support/usual_kernels.h"
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Cartesian_converter.h>
 #include <CGAL/Thick_intersection_d/internal/objects/Object_route.h>
 #include <CGAL/Thick_intersection_d/internal/objects/Stretched_objects.h>
 #include <CGAL/Thick_intersection_d/internal/objects/Stretches.h>
@@ -30,7 +29,6 @@
 #include <functional>
 #include <limits>
 #include <stdexcept>
-#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -52,9 +50,6 @@ using CGAL::Thick_intersection_d::internal::report_segment_pairs;
 
 namespace {
 
-using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
-
 // One type of callback, because compilers make a search for each.
 using Callback = std::function<void(std::size_t, std::size_t)>;
 
@@ -63,16 +58,13 @@ using Callback = std::function<void(std::size_t, std::size_t)>;
 template <class Kernel, int Dimension>
 class Maker
 {
-  static constexpr bool is_plane = Dimension == 2;
   using Steps = std::array<std::int64_t, Dimension>;
+  using Types = Kernel_types<Kernel, Dimension>;
 
 public:
-  using Point
-    = std::conditional_t<is_plane, typename Kernel::Point_2, typename Kernel::Point_3>;
-  using Segment
-    = std::conditional_t<is_plane, typename Kernel::Segment_2, typename Kernel::Segment_3>;
-  using Triangle
-    = std::conditional_t<is_plane, typename Kernel::Triangle_2, typename Kernel::Triangle_3>;
+  using Point = typename Types::Point;
+  using Segment = typename Types::Segment;
+  using Triangle = typename Types::Triangle;
 
   Maker(std::uint64_t seed, const typename Kernel::FT& unit) : random_(seed), unit_(unit) {}
 
@@ -135,13 +127,9 @@ private:
 
   Point point(const Steps& steps) const
   {
-    const auto x = [&](std::size_t axis) {
-      return typename Kernel::FT(static_cast<double>(steps[axis])) * unit_;
-    };
-    if constexpr(is_plane)
-      return Point(x(0), x(1));
-    else
-      return Point(x(0), x(1), x(2));
+    return Types::point([&](std::size_t axis) {
+      return typename Kernel::FT(typename Kernel::FT(static_cast<double>(steps[axis])) * unit_);
+    });
   }
 
   Random random_;
@@ -204,10 +192,8 @@ void check_scene(std::uint64_t seed, const typename Kernel::FT& unit, double lea
   const auto triangles = maker.triangles(2000);
   const Pairs expected = pairs_of_cgal(segments, triangles);
   BOOST_CHECK_GT(expected.size(), 1000u);
-  const Pairs_difference difference = compare(expected, found_pairs(segments, triangles));
-  BOOST_CHECK_MESSAGE(difference.empty(), "segments first: " << difference);
-  const Pairs_difference other = compare(swapped(expected), found_pairs(triangles, segments));
-  BOOST_CHECK_MESSAGE(other.empty(), "triangles first: " << other);
+  check_pairs("segments first", expected, found_pairs(segments, triangles));
+  check_pairs("triangles first", swapped(expected), found_pairs(triangles, segments));
 
   std::uint64_t meeting_boxes = 0;
   for(const auto& segment : segments)
@@ -283,16 +269,13 @@ BOOST_AUTO_TEST_CASE(boxes_of_lazy_objects_do_not_shrink_in_a_search)
       const Epeck::Point_2 p = point(x, y, .3), q = point(x, y, .3);
       triangles.emplace_back(p, q, point(x, y, .3));
     }
-    Pairs pairs;
-    const Callback add = [&](std::size_t i, std::size_t j) { pairs.emplace_back(i, j); };
-    CGAL::thick_intersection_d(segments, triangles, add);
     Pairs truth;
     for(std::size_t i = 0; i < segments.size(); ++i)
       for(std::size_t j = 0; j < triangles.size(); ++j)
         if(CGAL::do_overlap(segments[i].bbox(), triangles[j].bbox())
            && CGAL::do_intersect(segments[i], triangles[j]))
           truth.emplace_back(i, j);
-    BOOST_REQUIRE_MESSAGE(sorted(pairs) == truth, "seed " << seed);
+    BOOST_REQUIRE_MESSAGE(sorted(found_pairs(segments, triangles)) == truth, "seed " << seed);
   });
 }
 
@@ -372,8 +355,7 @@ BOOST_AUTO_TEST_CASE(too_many_objects_are_refused_at_once)
 // Ties are near, and so is each end of a stretch.
 BOOST_AUTO_TEST_CASE(points_are_within_a_distance_of_long_segments)
 {
-  using Exact = CGAL::Simple_cartesian<CGAL::Exact_rational>;
-  const auto exact = [](const Epick::Point_3& p) { return Exact::Point_3(p.x(), p.y(), p.z()); };
+  const CGAL::Cartesian_converter<Epick, Rational_kernel> exact;
   Maker<Epick, 3> maker(12, 1);
   const auto segments = maker.segments(40);
   std::vector<Epick::Point_3> points;
@@ -382,7 +364,7 @@ BOOST_AUTO_TEST_CASE(points_are_within_a_distance_of_long_segments)
   Pairs expected;
   std::uint64_t meeting_boxes = 0;
   for(std::size_t i = 0; i < segments.size(); ++i) {
-    const Exact::Segment_3 segment(exact(segments[i].source()), exact(segments[i].target()));
+    const Rational_kernel::Segment_3 segment = exact(segments[i]);
     const CGAL::Bbox_3 box = segments[i].bbox();
     const CGAL::Bbox_3 grown(box.xmin() - 3, box.ymin() - 3, box.zmin() - 3, box.xmax() + 3,
                              box.ymax() + 3, box.zmax() + 3);
@@ -397,8 +379,7 @@ BOOST_AUTO_TEST_CASE(points_are_within_a_distance_of_long_segments)
   Scene_profile profile;
   CGAL::fixed_radius_near_neighbors(segments, points, CGAL::within_distance(3),
                                     Pair_collector{found}, profile);
-  const Pairs_difference difference = compare(expected, found);
-  BOOST_CHECK_MESSAGE(difference.empty(), difference);
+  check_pairs("points", expected, found);
   BOOST_CHECK_GT(found.size(), 400u);
   BOOST_CHECK_LT(3 * decided_by_all(profile), 2 * meeting_boxes);
 }
@@ -415,8 +396,7 @@ BOOST_AUTO_TEST_CASE(objects_of_several_kinds_may_be_segments)
   Pairs expected = pairs_of_cgal(some, triangles);
   for(const Pair& pair : pairs_of_cgal(segments, triangles))
     expected.emplace_back(100 + pair.first, pair.second);
-  const Pairs_difference difference = compare(expected, found_pairs(objects, triangles));
-  BOOST_CHECK_MESSAGE(difference.empty(), difference);
+  check_pairs("objects", expected, found_pairs(objects, triangles));
 }
 
 BOOST_AUTO_TEST_CASE(progress_is_that_of_stretches)

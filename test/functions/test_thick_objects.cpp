@@ -6,12 +6,9 @@
 
 #include "support/check_objects.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
 using namespace test_support;
 
 using Float_kernel = CGAL::Simple_cartesian<float>;
-using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 namespace {
 

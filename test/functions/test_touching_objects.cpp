@@ -4,14 +4,12 @@
 // Objects that touch, are degenerate or have extreme coordinates, where predicates of kernels gave
 // wrong pairs: against the oracle of hulls.
 
+#include "support/check_pairs.h"
 #include "support/hull_oracle.h"
-#include "support/pairs.h"
 #include "support/point_generators.h"
+#include "support/usual_kernels.h"
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Homogeneous.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Simple_homogeneous.h>
 #include <CGAL/thick_intersection_d.h>
 
@@ -23,36 +21,30 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <stdexcept>
 #include <string>
+#include <tuple>
 #include <vector>
 
 using namespace test_support;
 
 namespace {
 
-using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
 using Integer = boost::multiprecision::int512_t;
 
 template <class Object>
 Pairs pairs_of(const std::vector<Object>& objects)
 {
-  Pairs found;
-  CGAL::thick_self_intersection_d(
-    objects, [&](std::size_t i, std::size_t j) { found.emplace_back(i, j); });
-  return sorted(found);
+  return sorted(reported([&](auto collect) {
+    CGAL::thick_self_intersection_d(objects, collect);
+  }));
 }
 
 // The pairs of the hulls of some vertices each.
 Pairs pairs_of_hulls(const std::vector<Hull_vectors<Integer>>& hulls)
 {
-  Pairs expected;
-  for(std::size_t i = 0; i < hulls.size(); ++i)
-    for(std::size_t j = i + 1; j < hulls.size(); ++j)
-      if(do_hulls_intersect(hulls[i], hulls[j]))
-        expected.emplace_back(i, j);
-  return expected;
+  return pairs_where(hulls.size(), [&](std::size_t i, std::size_t j) {
+    return do_hulls_intersect(hulls[i], hulls[j]);
+  });
 }
 
 // ---- kernels of integers ------------------------------------------------------------------------
@@ -76,8 +68,7 @@ void check_integer_segments(int bits)
     hulls.push_back({{Integer(x[0]), Integer(x[1]), 0}, {Integer(x[2]), Integer(x[3]), 0}});
   }
   const Pairs expected = pairs_of_hulls(hulls);
-  const Pairs_difference difference = compare(expected, pairs_of(segments));
-  BOOST_CHECK_MESSAGE(difference.empty(), bits << " bits: " << difference);
+  check_pairs(std::to_string(bits) + " bits", expected, pairs_of(segments));
   BOOST_CHECK_GT(expected.size(), 100u);
 }
 
@@ -96,54 +87,34 @@ BOOST_AUTO_TEST_CASE(products_of_integers_do_not_overflow)
 
 namespace {
 
-// Vertices on a small lattice: often in one place, on a line or in a plane.
-template <class Kernel, std::size_t Count>
-struct Small_objects
+// Objects of so many vertices on a small lattice: often in one place, on a line or in a plane.
+template <class Kernel, class Object, std::size_t vertex_count>
+void check_small_objects(unsigned int seed)
 {
-  explicit Small_objects(unsigned int seed)
-  {
-    Random random(seed);
-    for(int i = 0; i < 60; ++i) {
-      Hull_vectors<Integer> hull(Count);
-      std::array<typename Kernel::Point_3, Count> p;
-      for(std::size_t k = 0; k < Count; ++k) {
-        const int x[3] = {int(random.below(4)), int(random.below(3)), int(random.below(3))};
-        hull[k] = {x[0], x[1], x[2]};
-        p[k] = typename Kernel::Point_3(x[0], x[1], x[2]);
-      }
-      hulls.push_back(hull);
-      points.push_back(p);
-    }
-  }
-
+  Random random(seed);
   std::vector<Hull_vectors<Integer>> hulls;
-  std::vector<std::array<typename Kernel::Point_3, Count>> points;
-};
+  std::vector<Object> objects;
+  for(int i = 0; i < 60; ++i) {
+    std::array<typename Kernel::Point_3, vertex_count> vertices;
+    hulls.emplace_back();
+    for(auto& vertex : vertices) {
+      const int x[3] = {int(random.below(4)), int(random.below(3)), int(random.below(3))};
+      hulls.back().push_back({x[0], x[1], x[2]});
+      vertex = typename Kernel::Point_3(x[0], x[1], x[2]);
+    }
+    std::apply([&](const auto&... vertex) { objects.emplace_back(vertex...); }, vertices);
+  }
+  BOOST_CHECK(pairs_of(objects) == pairs_of_hulls(hulls));
+}
 
 template <class Kernel>
 void check_degenerate_objects()
 {
   for(unsigned int seed = 0; seed < 3; ++seed) {
-    const Small_objects<Kernel, 1> ones(seed);
-    const Small_objects<Kernel, 2> twos(seed);
-    const Small_objects<Kernel, 3> threes(seed);
-    const Small_objects<Kernel, 4> fours(seed);
-    std::vector<typename Kernel::Point_3> points;
-    std::vector<typename Kernel::Segment_3> segments;
-    std::vector<typename Kernel::Triangle_3> triangles;
-    std::vector<typename Kernel::Tetrahedron_3> tetrahedra;
-    for(const auto& p : ones.points)
-      points.push_back(p[0]);
-    for(const auto& p : twos.points)
-      segments.emplace_back(p[0], p[1]);
-    for(const auto& p : threes.points)
-      triangles.emplace_back(p[0], p[1], p[2]);
-    for(const auto& p : fours.points)
-      tetrahedra.emplace_back(p[0], p[1], p[2], p[3]);
-    BOOST_CHECK(pairs_of(points) == pairs_of_hulls(ones.hulls));
-    BOOST_CHECK(pairs_of(segments) == pairs_of_hulls(twos.hulls));
-    BOOST_CHECK(pairs_of(triangles) == pairs_of_hulls(threes.hulls));
-    BOOST_CHECK(pairs_of(tetrahedra) == pairs_of_hulls(fours.hulls));
+    check_small_objects<Kernel, typename Kernel::Point_3, 1>(seed);
+    check_small_objects<Kernel, typename Kernel::Segment_3, 2>(seed);
+    check_small_objects<Kernel, typename Kernel::Triangle_3, 3>(seed);
+    check_small_objects<Kernel, typename Kernel::Tetrahedron_3, 4>(seed);
   }
 }
 
@@ -152,9 +123,9 @@ void check_degenerate_objects()
 BOOST_AUTO_TEST_CASE(degenerate_objects_are_the_sets_that_they_are)
 {
   check_degenerate_objects<Epick>();
-  check_degenerate_objects<CGAL::Simple_cartesian<double>>();
+  check_degenerate_objects<Double_kernel>();
   check_degenerate_objects<Epeck>();
-  check_degenerate_objects<CGAL::Simple_cartesian<CGAL::Exact_rational>>();
+  check_degenerate_objects<Rational_kernel>();
 }
 
 BOOST_AUTO_TEST_CASE(test_of_two_objects_takes_objects_whose_boxes_are_apart)
@@ -225,9 +196,7 @@ BOOST_AUTO_TEST_CASE(coordinates_that_are_not_finite_are_refused_with_their_posi
     using Point = Epick::Point_2;
     const std::vector<Epick::Segment_2> segments
       = {{Point(0, 0), Point(1, 1)}, {Point(0, x), Point(1, 0)}};
-    BOOST_CHECK_EXCEPTION(pairs_of(segments), std::invalid_argument, [](const auto& error) {
-      return error.what()
-             == std::string("Coordinate 1 of vertex of object 1 is NaN or infinite.");
-    });
+    BOOST_CHECK_EQUAL(refusal([&] { pairs_of(segments); }),
+                      "Coordinate 1 of vertex of object 1 is NaN or infinite.");
   }
 }

@@ -157,12 +157,10 @@ using Point = CGAL::Simple_cartesian<double>::Point_2;
 std::size_t bytes_of_search(const std::vector<Point>& points, double r, std::size_t& pairs)
 {
   pairs = 0;
-  reset_peak();
-  const std::size_t before = current_bytes();
-  CGAL::fixed_radius_near_neighbors(points, CGAL::within_distance(r),
-                                    [&](std::size_t, std::size_t) { ++pairs; });
-  BOOST_CHECK_EQUAL(current_bytes(), before); // nothing leaks
-  return peak_bytes() - before;
+  return bytes_taken_by([&] {
+    CGAL::fixed_radius_near_neighbors(points, CGAL::within_distance(r),
+                                      [&](std::size_t, std::size_t) { ++pairs; });
+  });
 }
 
 } // namespace

@@ -29,6 +29,14 @@
 
 namespace test_support {
 
+template <class Kernel, int Dimension>
+auto scaled_point(const Lattice_point& p, Scale scale)
+{
+  return Kernel_types<Kernel, Dimension>::point([&](std::size_t axis) {
+    return scaled<typename Kernel::FT>(static_cast<double>(p[axis]), scale);
+  });
+}
+
 // The features of a kernel in the plane.
 template <class Kernel>
 struct Features_2
@@ -43,9 +51,7 @@ struct Features_2
 
   static Point point(const Lattice_point& p, Scale scale)
   {
-    using FT = typename Kernel::FT;
-    return Point(scaled<FT>(static_cast<double>(p[0]), scale),
-                 scaled<FT>(static_cast<double>(p[1]), scale));
+    return scaled_point<Kernel, 2>(p, scale);
   }
 
   static Polyline points(const Chain& chain, Scale scale)
@@ -85,77 +91,60 @@ struct Features_3
 
   static Feature make(const Lattice_feature& feature, Scale scale)
   {
-    using FT = typename Kernel::FT;
     Polyline points;
     for(const Lattice_point& p : feature.chains[0])
-      points.emplace_back(scaled<FT>(static_cast<double>(p[0]), scale),
-                          scaled<FT>(static_cast<double>(p[1]), scale),
-                          scaled<FT>(static_cast<double>(p[2]), scale));
+      points.push_back(scaled_point<Kernel, 3>(p, scale));
     if(feature.kind == Feature_kind::POINT)
       return points[0];
     return points;
   }
 };
 
-// Compares the pairs expected with those of one range, and with those of two ranges, of which the
-// first has a third of the features.
-template <class One, class Two>
-void check_feature_pairs(const Pairs& expected, std::size_t size, const One& search_one,
-                         const Two& search_two, const char* how)
-{
-  const std::size_t middle = first_set_size(size);
-  const Pairs_difference of_one = compare(expected, collected([&](const Callback& callback) {
-    BOOST_CHECK(search_one(callback));
-  }));
-  BOOST_CHECK_MESSAGE(of_one.empty(), how << ", one range: " << of_one);
-  const Pairs two = collected([&](const Callback& callback) {
-    const Callback callback_of_two
-      = [&](std::size_t i, std::size_t j) { callback(i, middle + j); };
-    BOOST_CHECK(search_two(callback_of_two));
-  });
-  const Pairs_difference of_two = compare(between_sets(expected, middle), two);
-  BOOST_CHECK_MESSAGE(of_two.empty(), how << ", two ranges: " << of_two);
-}
-
+// Searches the features in one range and in two, of which the first has a third of them.
 template <class ConcurrencyTag, class Features>
 void check_features(const std::vector<typename Features::Feature>& all, const Pairs& expected,
                     const char* how)
 {
-  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(first_set_size(all.size()));
-  const std::vector<typename Features::Feature> a(all.begin(), middle), b(middle, all.end());
-  check_feature_pairs(
-    expected, all.size(),
-    [&](const Callback& callback) {
-      return CGAL::thick_feature_self_intersection_d<ConcurrencyTag>(all, callback);
-    },
-    [&](const Callback& callback) {
-      return CGAL::thick_feature_intersection_d<ConcurrencyTag>(a, b, callback);
-    },
-    how);
+  const auto ranges = split(all, first_set_size(all.size()));
+  const Pairs of_one = collected([&](const Callback& callback) {
+    BOOST_CHECK(CGAL::thick_feature_self_intersection_d<ConcurrencyTag>(all, callback));
+  });
+  const Pairs of_two = collected([&](const Callback& callback) {
+    BOOST_CHECK(CGAL::thick_feature_intersection_d<ConcurrencyTag>(ranges.first, ranges.second,
+                                                                   callback));
+  });
+  check_pairs(how, expected, of_one, of_two, ranges.first.size());
 }
 
 // Where all boxes meet.
 inline constexpr std::size_t few_features = 20;
 
-// In parallel, two kernels are enough: one that computes when it is asked, one that does not.
+// The first features of a scene, or all of them, and the pairs of these among all pairs.
+template <class Features>
+auto features_and_pairs(const Feature_scene& scene, const Pairs& all_pairs, Scale scale)
+{
+  const std::size_t size = scale == Scale::CLOSE ? (std::min)(scene.features.size(), few_features)
+                                                 : scene.features.size();
+  std::pair<std::vector<typename Features::Feature>, Pairs> result;
+  for(std::size_t i = 0; i < size; ++i)
+    result.first.push_back(Features::make(scene.features[i], scale));
+  std::copy_if(all_pairs.begin(), all_pairs.end(), std::back_inserter(result.second),
+               [&](const Pair& pair) { return pair.second < size; });
+  return result;
+}
+
+// In parallel, the features are made again: numbers may be evaluated by several threads.
 template <class Features, class Kernel>
 void check_features_on_kernel(const Feature_scene& scene, const Pairs& all_pairs, Scale scale)
 {
   if(!can_scale<typename Kernel::FT>(scale))
     return;
-  const std::size_t size = scale == Scale::CLOSE ? (std::min)(scene.features.size(), few_features)
-                                                 : scene.features.size();
-  const auto make = [&] {
-    std::vector<typename Features::Feature> features;
-    for(std::size_t i = 0; i < size; ++i)
-      features.push_back(Features::make(scene.features[i], scale));
-    return features;
-  };
-  Pairs expected;
-  std::copy_if(all_pairs.begin(), all_pairs.end(), std::back_inserter(expected),
-               [&](const Pair& pair) { return pair.second < size; });
-  check_features<CGAL::Sequential_tag, Features>(make(), expected, "in sequence");
-  check_features<CGAL::Parallel_tag, Features>(make(), expected, "in parallel");
+  const auto in_sequence = features_and_pairs<Features>(scene, all_pairs, scale);
+  check_features<CGAL::Sequential_tag, Features>(in_sequence.first, in_sequence.second,
+                                                 "in sequence");
+  const auto in_parallel = features_and_pairs<Features>(scene, all_pairs, scale);
+  check_features<CGAL::Parallel_tag, Features>(in_parallel.first, in_parallel.second,
+                                               "in parallel");
 }
 
 // Every scene on each of the kernels, and on each of the scales.
@@ -179,29 +168,19 @@ void check_near_features_on_kernel(const Feature_scene& scene, const Pairs& all_
                                    std::int64_t r2, bool is_open, Scale scale)
 {
   using FT = typename Kernel::FT;
-  using Feature = typename Features<Kernel>::Feature;
   const FT unit(scaled<FT>(1, scale) - scaled<FT>(0, scale));
   const CGAL::Distance_bound<FT> bound(FT(FT(static_cast<int>(r2)) * FT(unit * unit)), true,
                                        is_open);
-  const std::size_t size = scale == Scale::CLOSE ? (std::min)(scene.features.size(), few_features)
-                                                 : scene.features.size();
-  std::vector<Feature> all;
-  for(std::size_t i = 0; i < size; ++i)
-    all.push_back(Features<Kernel>::make(scene.features[i], scale));
-  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(first_set_size(all.size()));
-  const std::vector<Feature> a(all.begin(), middle), b(middle, all.end());
-  Pairs expected;
-  std::copy_if(all_pairs.begin(), all_pairs.end(), std::back_inserter(expected),
-               [&](const Pair& pair) { return pair.second < size; });
-  check_feature_pairs(
-    expected, all.size(),
-    [&](const Callback& callback) {
-      return CGAL::fixed_radius_near_features<CGAL::Parallel_tag>(all, bound, callback);
-    },
-    [&](const Callback& callback) {
-      return CGAL::fixed_radius_near_features(a, b, bound, callback);
-    },
-    scene.name.c_str());
+  const auto [all, expected] = features_and_pairs<Features<Kernel>>(scene, all_pairs, scale);
+  const auto ranges = split(all, first_set_size(all.size()));
+  const Pairs of_one = collected([&, &features = all](const Callback& callback) {
+    BOOST_CHECK(CGAL::fixed_radius_near_features<CGAL::Parallel_tag>(features, bound, callback));
+  });
+  const Pairs of_two = collected([&](const Callback& callback) {
+    BOOST_CHECK(
+      CGAL::fixed_radius_near_features(ranges.first, ranges.second, bound, callback));
+  });
+  check_pairs(scene.name, expected, of_one, of_two, ranges.first.size());
 }
 
 // Every scene on each of the kernels, and on each of the scales.

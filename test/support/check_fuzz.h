@@ -29,7 +29,9 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <boost/test/unit_test.hpp>
 
+#include <array>
 #include <optional>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -106,9 +108,10 @@ private:
     Pairs found;
     Locked_collector collect(found);
     with_bound([&](const auto& bound) {
-      if(first_set_size_)
-        CGAL::fixed_radius_near_neighbors<ConcurrencyTag>(first(points_), second(points_), bound,
-                                                          collect);
+      if(first_set_size_) {
+        const auto [a, b] = split(points_, *first_set_size_);
+        CGAL::fixed_radius_near_neighbors<ConcurrencyTag>(a, b, bound, collect);
+      }
       else if(CGAL::Scene_profile profile; draw_.is_chance(2)) // by slabs, however few they are
         CGAL::fixed_radius_near_neighbors<ConcurrencyTag>(points_, bound, collect, profile);
       else
@@ -178,71 +181,53 @@ private:
 
   void check_objects()
   {
+    using Types = typename Maker::Types;
     if(draw_.is_chance(4))
-      return check_triangles();
+      return check_hulls<typename Types::Triangle, 3>("triangles", 8);
     if constexpr(dimension == 2)
       if(draw_.is_chance(2))
-        return check_segments();
+        return check_hulls<typename Types::Segment, 2>("segments", scene_.size());
     if constexpr(std::is_same_v<typename Maker::FT, double>)
       if(draw_.is_chance(2))
         return check_boxes();
     check_iso_boxes();
   }
 
-  // Few triangles, because the oracle takes its time. Many are flat. Doubles are decided in any
-  // rounding mode.
-  void check_triangles()
+  // Objects of some vertices each. Many are flat. Doubles are decided in any rounding mode. The
+  // oracle takes its time for many vertices.
+  template <class Object, std::size_t vertex_count>
+  void check_hulls(const char* what, std::size_t max_size)
   {
-    using Triangle = std::conditional_t<dimension == 2, typename Maker::Kernel::Triangle_2,
-                                        typename Maker::Kernel::Triangle_3>;
     using Integer = boost::multiprecision::int512_t;
     std::vector<Hull_vectors<Integer>> hulls;
-    std::vector<Triangle> triangles;
-    const std::size_t size = (std::min)(scene_.size(), std::size_t(8));
+    std::vector<Object> objects;
+    const std::size_t size = (std::min)(scene_.size(), max_size);
     for(std::size_t i = 0; i < size; ++i) {
-      const std::size_t vertices[]
-        = {i, draw_.random().below(scene_.size()), draw_.random().below(scene_.size())};
+      std::array<std::size_t, vertex_count> vertices = {i};
+      for(std::size_t k = 1; k < vertex_count; ++k)
+        vertices[k] = draw_.random().below(scene_.size());
       hulls.emplace_back();
       for(const std::size_t v : vertices) {
         const Lattice_place& p = scene_.places[v];
         hulls.back().push_back({Integer(p[0]), Integer(p[1]), Integer(p[2])});
       }
-      triangles.emplace_back(points_[vertices[0]], points_[vertices[1]], points_[vertices[2]]);
+      std::apply([&](auto... v) { objects.emplace_back(points_[v]...); }, vertices);
     }
     if(first_set_size_)
       first_set_size_ = (std::min)(*first_set_size_, size);
     const auto find_pairs = [&] {
       const Rounding_mode rounding(Maker::is_exact ? FE_TONEAREST
                                                    : rounding_modes[draw_.random().below(4)]);
-      return object_pairs(triangles, CGAL::parameters::default_values());
+      return object_pairs(objects, CGAL::parameters::default_values());
     };
-    compare_pairs("triangles", pairs_where(size, first_set_size_,
-                                           [&](std::size_t i, std::size_t j) {
-                                             return do_hulls_intersect(hulls[i], hulls[j]);
-                                           }),
-                  find_pairs());
-  }
-
-  void check_segments()
-  {
-    std::vector<std::pair<Lattice_place, Lattice_place>> ends;
-    std::vector<typename Maker::Kernel::Segment_2> segments;
-    for(std::size_t i = 0; i < scene_.size(); ++i) {
-      const std::size_t j = draw_.random().below(scene_.size());
-      ends.emplace_back(scene_.places[i], scene_.places[j]);
-      segments.emplace_back(points_[i], points_[j]);
-    }
-    compare_pairs("segments", pairs_where(scene_.size(), first_set_size_,
-                                          [&](std::size_t i, std::size_t j) {
-                                            return do_segments_meet(ends[i], ends[j]);
-                                          }),
-                  object_pairs(segments, CGAL::parameters::default_values()));
+    compare_pairs(what, pairs_where(size, first_set_size_, [&](std::size_t i, std::size_t j) {
+      return do_hulls_intersect(hulls[i], hulls[j]);
+    }), find_pairs());
   }
 
   void check_iso_boxes()
   {
-    using Iso_box = std::conditional_t<dimension == 2, typename Maker::Kernel::Iso_rectangle_2,
-                                       typename Maker::Kernel::Iso_cuboid_3>;
+    using Iso_box = typename Maker::Types::Iso_box;
     const std::vector<Lattice_box> ends = lattice_boxes(0);
     std::vector<Iso_box> boxes;
     for(const Lattice_box& box : ends)
@@ -313,8 +298,10 @@ private:
   {
     Pairs found;
     Locked_collector collect(found);
-    if(first_set_size_)
-      CGAL::thick_intersection_d<ConcurrencyTag>(first(objects), second(objects), collect, np);
+    if(first_set_size_) {
+      const auto [a, b] = split(objects, *first_set_size_);
+      CGAL::thick_intersection_d<ConcurrencyTag>(a, b, collect, np);
+    }
     else
       CGAL::thick_self_intersection_d<ConcurrencyTag>(objects, collect, np);
     return found;
@@ -334,17 +321,6 @@ private:
     if(bound_.is_squared)
       value *= exact_unit;
     f(CGAL::Distance_bound<CGAL::Exact_rational>(value, bound_.is_squared, bound_.is_open));
-  }
-
-  template <class Object>
-  std::vector<Object> first(const std::vector<Object>& objects) const
-  {
-    return {objects.begin(), objects.begin() + static_cast<std::ptrdiff_t>(*first_set_size_)};
-  }
-  template <class Object>
-  std::vector<Object> second(const std::vector<Object>& objects) const
-  {
-    return {objects.begin() + static_cast<std::ptrdiff_t>(*first_set_size_), objects.end()};
   }
 
   void compare_pairs(const char* search, Pairs expected, Pairs found) const

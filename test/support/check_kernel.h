@@ -9,6 +9,7 @@
 
 #include "brute_force.h"
 #include "check_closest_pair.h"
+#include "check_pairs.h"
 #include "kernels.h"
 #include "scenes.h"
 
@@ -45,20 +46,12 @@ void check_scene(const Point_scene& scene, const CGAL::Distance_bound<NT>& bound
   {
     const Truth& truth = truth_of(scene);
     const auto points = make_points<Maker>(scene.points);
-    const Pairs_difference closed = compare(truth.pairs, near_pairs(points, bound));
-    BOOST_CHECK_MESSAGE(closed.empty(), "closed: " << closed);
-
-    const Pairs_difference by_recursion = compare(
-      truth.pairs, near_pairs_by_recursion(points, bound, scene.dimension));
-    BOOST_CHECK_MESSAGE(by_recursion.empty(), "by recursion: " << by_recursion);
-
-    const Pairs_difference open = compare(truth.open_pairs, near_pairs(points, bound.open()));
-    BOOST_CHECK_MESSAGE(open.empty(), "open: " << open);
-
-    const Pairs_difference two_sets
-      = compare(between_even_and_odd(truth.pairs),
+    check_pairs("closed", truth.pairs, near_pairs(points, bound));
+    check_pairs("by recursion", truth.pairs,
+                near_pairs_by_recursion(points, bound, scene.dimension));
+    check_pairs("open", truth.open_pairs, near_pairs(points, bound.open()));
+    check_pairs("two sets", between_even_and_odd(truth.pairs),
                 near_pairs(every_other(points, 0), every_other(points, 1), bound));
-    BOOST_CHECK_MESSAGE(two_sets.empty(), "two sets: " << two_sets);
   }
 }
 

@@ -27,6 +27,7 @@
 #include <cstdlib>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -61,12 +62,9 @@ public:
   // The pairs that are near, of one set.
   Pairs pairs(const Rational_bound& bound) const
   {
-    Pairs pairs;
-    for(std::size_t j = 0; j < size(); ++j)
-      for(std::size_t i = 0; i < j; ++i)
-        if(are_near(squares_[j][i], radii(i, j), bound))
-          pairs.emplace_back(i, j);
-    return pairs;
+    return pairs_where(size(), [&](std::size_t i, std::size_t j) {
+      return are_near(squares_[j][i], radii(i, j), bound);
+    });
   }
 
   void count(const Rational_bound& bound, Kind_table& table) const
@@ -119,8 +117,7 @@ struct Kind_ranges
   {
     for(const Kind_object& object : scene.objects)
       all.push_back(kinds.make(object));
-    a.assign(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(middle));
-    b.assign(all.begin() + static_cast<std::ptrdiff_t>(middle), all.end());
+    std::tie(a, b) = split(all, middle);
   }
 
   Objects all, a, b;

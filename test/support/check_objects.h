@@ -7,12 +7,13 @@
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_CHECK_OBJECTS_H
 #define THICK_INTERSECTION_TEST_SUPPORT_CHECK_OBJECTS_H
 
+#include "check_pairs.h"
 #include "hull_oracle.h"
 #include "number_boxes.h"
 #include "object_makers.h"
 #include "object_scenes.h"
-#include "pairs.h"
 #include "parallel_pairs.h"
+#include "usual_kernels.h"
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
@@ -24,9 +25,7 @@
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Fraction_traits.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/thick_intersection_d.h>
 
@@ -40,14 +39,12 @@
 #include <functional>
 #include <initializer_list>
 #include <optional>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace test_support {
-
-using Double_kernel = CGAL::Simple_cartesian<double>;
-using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
 
 // What is done to numbers, without rounding. The pairs stay the same.
 enum class Scale {
@@ -186,17 +183,6 @@ Object_truth truth_of(const std::vector<Numbers>& numbers)
 // The first set of two, of one object in three.
 inline std::size_t first_set_size(std::size_t size) { return size / 3; }
 
-// Compares the pairs of one set and those between two sets, in one numbering.
-inline void check_found(const Object_truth& truth, std::size_t size, const Pairs& one_set,
-                        const Pairs& two_sets, const char* how)
-{
-  const Pairs_difference of_one = compare(truth.pairs, one_set);
-  BOOST_CHECK_MESSAGE(of_one.empty(), how << ", one set: " << of_one);
-  const Pairs_difference of_two
-    = compare(between_sets(truth.pairs, first_set_size(size)), two_sets);
-  BOOST_CHECK_MESSAGE(of_two.empty(), how << ", two sets: " << of_two);
-}
-
 template <int Dimension>
 using Cgal_boxes = std::vector<CGAL::Box_intersection_d::Box_with_info_d<double, Dimension,
                                                                          std::size_t>>;
@@ -212,74 +198,54 @@ void check_truth_by_boxes(const Cgal_boxes<Dimension>& boxes, const Object_truth
     if(truth.do_intersect(p.first, p.second))
       found.push_back(p);
   };
-  const auto middle = static_cast<std::ptrdiff_t>(first_set_size(boxes.size()));
-  Cgal_boxes<Dimension> a(boxes.begin(), boxes.begin() + middle);
-  Cgal_boxes<Dimension> b(boxes.begin() + middle, boxes.end());
+  const std::size_t first_size = first_set_size(boxes.size());
+  auto [a, b] = split(boxes, first_size);
   CGAL::box_intersection_d(a.begin(), a.end(), b.begin(), b.end(), report);
   const Pairs two_sets = std::exchange(found, {});
   a = boxes;
   CGAL::box_self_intersection_d(a.begin(), a.end(), report);
-  check_found(truth, boxes.size(), found, two_sets, "by CGAL");
+  check_pairs("by CGAL, one set", truth.pairs, found);
+  check_pairs("by CGAL, two sets", between_sets(truth.pairs, first_size), two_sets);
 }
 
 // One type of callback, because compilers make a search for each.
 using Callback = std::function<void(std::size_t, std::size_t)>;
 
-// The objects as one set and as two.
-template <class Object>
-struct Object_sets
-{
-  using Objects = std::vector<Object>;
-
-  explicit Object_sets(const Objects& objects) : all(objects)
-  {
-    const auto middle = static_cast<std::ptrdiff_t>(first_set_size(all.size()));
-    a.assign(all.begin(), all.begin() + middle);
-    b.assign(all.begin() + middle, all.end());
-  }
-
-  Callback callback_of_two_sets(const Callback& callback) const
-  {
-    return [&, size = a.size()](std::size_t i, std::size_t j) { callback(i, size + j); };
-  }
-
-  Objects all, a, b;
-};
-
+// Searches the objects as one set and as two.
 template <class ConcurrencyTag, class Object>
-void check_search(const Object_sets<Object>& sets, const Object_truth& truth, const char* how)
+void check_search(const std::vector<Object>& objects, const Object_truth& truth, const char* how)
 {
+  const auto sets = split(objects, first_set_size(objects.size()));
   const Pairs one_set = collected([&](const Callback& callback) {
-    CGAL::thick_self_intersection_d<ConcurrencyTag>(sets.all, callback);
+    CGAL::thick_self_intersection_d<ConcurrencyTag>(objects, callback);
   });
   const Pairs two_sets = collected([&](const Callback& callback) {
-    const Callback callback_of_two = sets.callback_of_two_sets(callback);
-    CGAL::thick_intersection_d<ConcurrencyTag>(sets.a, sets.b, callback_of_two);
+    CGAL::thick_intersection_d<ConcurrencyTag>(sets.first, sets.second, callback);
   });
-  check_found(truth, sets.all.size(), one_set, two_sets, how);
+  check_pairs(how, truth.pairs, one_set, two_sets, sets.first.size());
 }
 
 // The recursive route, as public functions call it: so it is not compiled once more.
 template <class Object>
-void check_recursive_route(const Object_sets<Object>& sets, const Object_truth& truth)
+void check_recursive_route(const std::vector<Object>& objects, const Object_truth& truth)
 {
-  const CGAL::Thick_object_traits_d<Object> traits(sets.all);
+  const auto sets = split(objects, first_set_size(objects.size()));
+  const CGAL::Thick_object_traits_d<Object> traits(objects);
   const auto& np = CGAL::parameters::default_values();
   internal::Unwatched_progress progress;
   const Pairs one_set = collected([&](const Callback& callback) {
-    internal::search_recursively(internal::make_elements(sets.all, np), internal::One_set(), traits,
+    internal::search_recursively(internal::make_elements(objects, np), internal::One_set(), traits,
                                  callback, progress, internal::Threads());
   });
   const Pairs two_sets = collected([&](const Callback& callback) {
-    const Callback callback_of_two = sets.callback_of_two_sets(callback);
     const auto report = [&](const auto& elements, const auto& sets_of_two) {
-      internal::search_recursively(elements, sets_of_two, traits, callback_of_two, progress,
+      internal::search_recursively(elements, sets_of_two, traits, callback, progress,
                                    internal::Threads());
     };
-    internal::with_sets(report, internal::make_elements(sets.a, np),
-                        internal::make_elements(sets.b, np));
+    internal::with_sets(report, internal::make_elements(sets.first, np),
+                        internal::make_elements(sets.second, np));
   });
-  check_found(truth, sets.all.size(), one_set, two_sets, "by recursion");
+  check_pairs("by recursion", truth.pairs, one_set, two_sets, sets.first.size());
 }
 
 // The box route with many cuts, in another way for each seed.
@@ -299,8 +265,7 @@ void check_cuts(const std::vector<Object>& objects, const Object_truth& truth,
       search_boxes<decltype(boxes)::static_dimension>(boxes, small_tuning(random), std::nullopt,
                                                       callback, progress);
     });
-    const Pairs_difference difference = compare(truth.pairs, found);
-    BOOST_CHECK_MESSAGE(difference.empty(), "many cuts, seed " << seed << ": " << difference);
+    check_pairs("many cuts, seed " + std::to_string(seed), truth.pairs, found);
   }
 }
 
@@ -308,20 +273,20 @@ void check_cuts(const std::vector<Object>& objects, const Object_truth& truth,
 template <class Maker, class Kernel>
 void check_objects(const std::vector<Numbers>& numbers, Scale scale, const Object_truth& truth)
 {
-  const auto make = [&] { return Object_sets(make_objects<Maker, Kernel>(numbers, scale)); };
-  const auto sets = make();
-  check_search<CGAL::Sequential_tag>(sets, truth, "in sequence");
-  check_recursive_route(sets, truth);
+  const auto objects = make_objects<Maker, Kernel>(numbers, scale);
+  check_search<CGAL::Sequential_tag>(objects, truth, "in sequence");
+  check_recursive_route(objects, truth);
   if(std::is_same_v<Kernel, Double_kernel>)
-    check_cuts(sets.all, truth, {0, 1, 2, 3});
+    check_cuts(objects, truth, {0, 1, 2, 3});
   else
-    check_cuts(sets.all, truth, {4});
+    check_cuts(objects, truth, {4});
   Cgal_boxes<Maker::dimension> boxes;
-  for(std::size_t i = 0; i < sets.all.size(); ++i)
-    boxes.emplace_back(sets.all[i].bbox(), i);
+  for(std::size_t i = 0; i < objects.size(); ++i)
+    boxes.emplace_back(objects[i].bbox(), i);
   check_truth_by_boxes<Maker::dimension>(boxes, truth);
   if constexpr(std::is_same_v<Kernel, Epeck> || std::is_same_v<Kernel, Double_kernel>)
-    check_search<CGAL::Parallel_tag>(make(), truth, "in parallel");
+    check_search<CGAL::Parallel_tag>(make_objects<Maker, Kernel>(numbers, scale), truth,
+                                     "in parallel");
 }
 
 // The first objects of a scene on the scales that the numbers of a kernel have. Returns the number

@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <new>
+#include <stdexcept>
 
 namespace test_support {
 
@@ -25,6 +26,18 @@ inline std::size_t current_bytes() { return current_byte_count; }
 inline std::size_t peak_bytes() { return peak_byte_count; }
 
 inline void reset_peak() { peak_byte_count = current_byte_count.load(); }
+
+// The most bytes that f takes at one time. It gives all of them back.
+template <class Function>
+std::size_t bytes_taken_by(const Function& f)
+{
+  reset_peak();
+  const std::size_t before = current_bytes();
+  f();
+  if(current_bytes() != before)
+    throw std::logic_error("Bytes are lost.");
+  return peak_bytes() - before;
+}
 
 inline std::atomic<std::size_t> allocations_left{static_cast<std::size_t>(-1)};
 

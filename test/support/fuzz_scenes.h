@@ -18,7 +18,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -230,20 +229,6 @@ private:
   int shift_ = 0; // of the lattice of the last scene
 };
 
-// Returns the pairs i < j of a set, or the pairs (i, j - first_set_size) of two sets, for which
-// is_pair(i, j) holds.
-template <class Is_pair>
-Pairs pairs_where(std::size_t size, std::optional<std::size_t> first_set_size,
-                  const Is_pair& is_pair)
-{
-  Pairs pairs;
-  for(std::size_t i = 0; i < first_set_size.value_or(size); ++i)
-    for(std::size_t j = first_set_size.value_or(i + 1); j < size; ++j)
-      if(is_pair(i, j))
-        pairs.emplace_back(i, j - first_set_size.value_or(0));
-  return pairs;
-}
-
 inline Pairs near_places(const Fuzz_scene& scene, const Fuzz_bound& bound,
                          std::optional<std::size_t> first_set_size = std::nullopt)
 {
@@ -279,33 +264,6 @@ inline bool do_boxes_meet(const Lattice_box& a, const Lattice_box& b, int dimens
       return false;
   }
   return true;
-}
-
-// The sign of the area of the triangle pqr in the plane.
-inline int orientation(const Lattice_place& p, const Lattice_place& q, const Lattice_place& r)
-{
-  const Wide_integer left = (Wide_integer(q[0]) - p[0]) * (Wide_integer(r[1]) - p[1]);
-  const Wide_integer right = (Wide_integer(q[1]) - p[1]) * (Wide_integer(r[0]) - p[0]);
-  return left.compare(right);
-}
-
-// Whether two closed segments in the plane have a point in common: each of them has ends on both
-// sides of the line of the other one, or on it; on a common line, their boxes meet.
-inline bool do_segments_meet(const std::pair<Lattice_place, Lattice_place>& a,
-                             const std::pair<Lattice_place, Lattice_place>& b)
-{
-  const auto is_on_one_side = [](const auto& s, const auto& t) {
-    const int first = orientation(s.first, s.second, t.first);
-    const int second = orientation(s.first, s.second, t.second);
-    return (first > 0 && second > 0) || (first < 0 && second < 0);
-  };
-  const auto box = [](const auto& s) {
-    Lattice_box box;
-    for(std::size_t axis = 0; axis < 3; ++axis)
-      std::tie(box.first[axis], box.second[axis]) = std::minmax(s.first[axis], s.second[axis]);
-    return box;
-  };
-  return !is_on_one_side(a, b) && !is_on_one_side(b, a) && do_boxes_meet(box(a), box(b), 2, true);
 }
 
 } // namespace test_support

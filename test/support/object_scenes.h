@@ -11,9 +11,6 @@
 
 #include "number_boxes.h"
 
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Simple_cartesian.h>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -23,8 +20,6 @@
 #include <vector>
 
 namespace test_support {
-
-using Rational_kernel = CGAL::Simple_cartesian<CGAL::Exact_rational>;
 
 // An object as a list of numbers.
 using Numbers = std::vector<double>; // which floats hold too

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <iterator>
 #include <mutex>
+#include <optional>
 #include <ostream>
 #include <utility>
 #include <vector>
@@ -46,10 +47,47 @@ private:
   std::mutex mutex_;
 };
 
+// The pairs that search(callback) reports, in their order.
+template <class Search>
+Pairs reported(const Search& search)
+{
+  Pairs pairs;
+  search(Pair_collector{pairs});
+  return pairs;
+}
+
 inline Pairs sorted(Pairs pairs)
 {
   std::sort(pairs.begin(), pairs.end());
   return pairs;
+}
+
+// Returns the pairs i < j of a set, or the pairs (i, j - first_set_size) of two sets, for which
+// is_pair(i, j) holds.
+template <class Is_pair>
+Pairs pairs_where(std::size_t size, std::optional<std::size_t> first_set_size,
+                  const Is_pair& is_pair)
+{
+  Pairs pairs;
+  for(std::size_t i = 0; i < first_set_size.value_or(size); ++i)
+    for(std::size_t j = first_set_size.value_or(i + 1); j < size; ++j)
+      if(is_pair(i, j))
+        pairs.emplace_back(i, j - first_set_size.value_or(0));
+  return pairs;
+}
+
+template <class Is_pair>
+Pairs pairs_where(std::size_t size, const Is_pair& is_pair)
+{
+  return pairs_where(size, std::nullopt, is_pair);
+}
+
+// The first elements, and the others.
+template <class T>
+std::pair<std::vector<T>, std::vector<T>> split(const std::vector<T>& all, std::size_t first_size)
+{
+  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(first_size);
+  return {{all.begin(), middle}, {middle, all.end()}};
 }
 
 // Of the pairs of one set, those of one of the first elements and one of the others.
@@ -101,8 +139,6 @@ struct Pairs_difference
   bool empty() const { return missing.empty() && extra.empty(); }
 };
 
-// Use: const auto difference = compare(expected, found);
-//      BOOST_CHECK_MESSAGE(difference.empty(), scene.name << ": " << difference);
 inline Pairs_difference compare(Pairs expected, Pairs found)
 {
   expected = sorted(std::move(expected));
