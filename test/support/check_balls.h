@@ -7,7 +7,7 @@
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_CHECK_BALLS_H
 #define THICK_INTERSECTION_TEST_SUPPORT_CHECK_BALLS_H
 
-#include "pairs.h"
+#include "check_pairs.h"
 #include "parallel_pairs.h"
 #include "point_scene.h"
 
@@ -56,14 +56,12 @@ inline int compare_distance_with_radii(const Number_ball& a, const Number_ball& 
   return CGAL::compare(squared_distance, CGAL::Exact_rational(sum * sum));
 }
 
-inline Pairs intersecting_balls(const Number_balls& balls)
+// Those that are tangent are left out if the most that a comparison may say is -1.
+inline Pairs intersecting_balls(const Number_balls& balls, int most = 0)
 {
-  Pairs pairs;
-  for(std::size_t i = 0; i < balls.size(); ++i)
-    for(std::size_t j = i + 1; j < balls.size(); ++j)
-      if(compare_distance_with_radii(balls[i], balls[j]) <= 0)
-        pairs.emplace_back(i, j);
-  return pairs;
+  return pairs_where(balls.size(), [&](std::size_t i, std::size_t j) {
+    return compare_distance_with_radii(balls[i], balls[j]) <= most;
+  });
 }
 
 // By boxes around the balls. Sides of the boxes are rounded once.
@@ -149,24 +147,17 @@ void check_ball_pairs(const std::vector<Ball>& balls, const Pairs& expected)
 {
   using Traits = CGAL::Thick_ball_traits_d<typename Ball::first_type>;
   const Traits traits(balls);
-  const Pairs_difference one_set = compare(expected, collected([&](const Report& report) {
+  const Pairs one_set = collected([&](const Report& report) {
     CGAL::thick_self_intersection_d<ConcurrencyTag>(balls, report,
                                                     CGAL::parameters::geom_traits(traits));
-  }));
-  BOOST_CHECK_MESSAGE(one_set.empty(), "one set: " << one_set);
-
-  const std::size_t half = balls.size() / 2;
-  const std::vector<Ball> a(balls.begin(), balls.begin() + half), b(balls.begin() + half,
-                                                                    balls.end());
+  });
+  const auto [a, b] = split(balls, balls.size() / 2);
   const Traits traits_of_both(a, b);
-  Pairs found = collected([&](const Report& report) {
+  const Pairs two_sets = collected([&, &a = a, &b = b](const Report& report) {
     CGAL::thick_intersection_d<ConcurrencyTag>(a, b, report,
                                                CGAL::parameters::geom_traits(traits_of_both));
   });
-  for(Pair& p : found)
-    p.second += half;
-  const Pairs_difference two_sets = compare(between_sets(expected, half), found);
-  BOOST_CHECK_MESSAGE(two_sets.empty(), "two sets: " << two_sets);
+  check_pairs("balls", expected, one_set, two_sets, a.size());
 }
 
 // The recursive route finds the same pairs of one set. It is the one that the public functions
@@ -178,29 +169,42 @@ void check_recursive_route(const std::vector<Ball>& balls, const Pairs& expected
   const CGAL::Thick_ball_traits_d<typename Ball::first_type> traits(balls);
   const internal::Numbered_elements<std::vector<Ball>> elements(balls);
   internal::Unwatched_progress progress;
-  const Pairs_difference recursive = compare(expected, collected([&](const Report& report) {
+  check_pairs("recursive route", expected, collected([&](const Report& report) {
     internal::search_recursively(elements, internal::One_set(), traits, report, progress,
                                  internal::Threads());
   }));
-  BOOST_CHECK_MESSAGE(recursive.empty(), "recursive route: " << recursive);
 }
 
-// With centers that Maker makes, and radii that are numbers of its kernel.
-template <class Maker, class FT, class... ConcurrencyTags>
-void check_ball_scenes(int dimension, double unit)
+// Balls of a maker of points, with radii that are numbers of its kernel. They are searched in
+// sequence, in parallel if it is said, and by the recursive route.
+template <class Maker, class FT = double, class... ConcurrencyTags>
+struct Balls_of
 {
-  using Ball = std::pair<typename Maker::Point, FT>;
+  static void check(const Number_balls& number_balls, const Pairs& expected)
+  {
+    std::vector<std::pair<typename Maker::Point, FT>> balls;
+    for(const Number_ball& ball : number_balls)
+      balls.emplace_back(Maker::make(ball.center), FT(ball.radius));
+    check_ball_pairs<CGAL::Sequential_tag>(balls, expected);
+    (check_ball_pairs<ConcurrencyTags>(balls, expected), ...);
+    check_recursive_route(balls, expected);
+  }
+};
+
+// Every scene, as balls of each of these types. Returns the number of tangent ones.
+template <class... Balls>
+std::size_t check_ball_scenes(int dimension, double unit)
+{
+  std::size_t tangent = 0;
   for(const Ball_scene& scene : ball_scenes(dimension, unit))
     BOOST_TEST_CONTEXT(dimension << "D " << scene.name << ", unit " << unit)
     {
-      std::vector<Ball> balls;
-      for(const Number_ball& ball : scene.balls)
-        balls.emplace_back(Maker::make(ball.center), FT(ball.radius));
       const Pairs expected = intersecting_balls(scene.balls);
+      tangent += expected.size() - intersecting_balls(scene.balls, -1).size();
       BOOST_CHECK(sorted(intersecting_balls_by_boxes(scene.balls, dimension)) == expected);
-      (check_ball_pairs<ConcurrencyTags>(balls, expected), ...);
-      check_recursive_route(balls, expected);
+      (Balls::check(scene.balls, expected), ...);
     }
+  return tangent;
 }
 
 } // namespace test_support
