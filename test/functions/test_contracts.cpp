@@ -229,16 +229,6 @@ BOOST_AUTO_TEST_CASE(nothing_is_reported_before_bad_input_is_refused)
   BOOST_CHECK_EQUAL(calls, 0u);
 }
 
-BOOST_AUTO_TEST_CASE(bad_objects_are_refused_by_position)
-{
-  const auto ignore = [](std::size_t, std::size_t) {};
-  const std::vector<Kernel::Segment_2> segments
-    = {{Point(0, 0), Point(1, 1)}, {Point(nan_value, 0), Point(1, 1)}};
-  const std::string of_segment
-    = refusal([&] { CGAL::thick_self_intersection_d(segments, ignore); });
-  BOOST_CHECK_MESSAGE(contains(of_segment, "object 1"), of_segment);
-}
-
 BOOST_AUTO_TEST_CASE(callback_is_used_and_not_copied)
 {
   struct Counter

@@ -167,18 +167,18 @@ BOOST_AUTO_TEST_CASE(empty_intervals_and_nan_are_refused_by_position)
       const auto objects = colored(boxes);
       std::size_t reports = 0;
       const Callback count = [&](std::size_t, std::size_t) { return ++reports > 0; };
-      const auto names_the_object = [&](const std::invalid_argument& error) {
-        const std::string message = error.what();
-        return message.find("object 57 ") != std::string::npos
-               && message.find("axis " + std::to_string(dimension - 1)) != std::string::npos;
+      const auto check = [&](const auto& search_boxes) {
+        const std::string error = refusal(search_boxes);
+        const std::string axis = "axis " + std::to_string(dimension - 1);
+        BOOST_CHECK_MESSAGE(contains(error, "object 57 ") && contains(error, axis), error);
       };
-      BOOST_CHECK_EXCEPTION(search(objects, traits, count), std::invalid_argument,
-                            names_the_object);
-      const auto a = colored(Number_boxes(boxes.begin(), boxes.begin() + 50));
-      const auto b = colored(Number_boxes(boxes.begin() + 50, boxes.end()));
-      BOOST_CHECK_EXCEPTION(CGAL::thick_intersection_d(a, b, count,
-                                                       CGAL::parameters::geom_traits(traits)),
-                            std::invalid_argument, names_the_object);
+      check([&] { search(objects, traits, count); });
+      const auto [a, b] = split(boxes, 50);
+      const auto objects_a = colored(a), objects_b = colored(b);
+      check([&] {
+        CGAL::thick_intersection_d(objects_a, objects_b, count,
+                                   CGAL::parameters::geom_traits(traits));
+      });
       BOOST_CHECK_EQUAL(reports, 0u);
     }
 }
@@ -207,10 +207,9 @@ BOOST_AUTO_TEST_CASE(traits_check_objects_before_intervals_are_read)
     BOOST_ERROR("reported before all was checked");
     return true;
   };
-  BOOST_CHECK_EXCEPTION(search(colored(boxes), Checking_traits(3, calls), fail), std::out_of_range,
-                        [](const std::out_of_range& error) {
-                          return error.what() == std::string("Object 150 is not allowed.");
-                        });
+  BOOST_CHECK_EQUAL(refusal<std::out_of_range>([&] {
+    search(colored(boxes), Checking_traits(3, calls), fail);
+  }), "Object 150 is not allowed.");
 }
 
 // The objects are made when they are asked for, from numbers in a list.
@@ -282,11 +281,9 @@ void check_refused(const Object& good, const Object& bad)
   objects[60] = bad;
   std::size_t reports = 0;
   const Callback count = [&](std::size_t, std::size_t) { return ++reports > 0; };
-  BOOST_CHECK_EXCEPTION(
-    CGAL::thick_self_intersection_d(objects, count),
-    std::invalid_argument, [](const std::invalid_argument& error) {
-      return std::string(error.what()).find("object 60") != std::string::npos;
-    });
+  const std::string error
+    = refusal([&] { CGAL::thick_self_intersection_d(objects, count); });
+  BOOST_CHECK_MESSAGE(contains(error, "object 60"), error);
   BOOST_CHECK_EQUAL(reports, 0u);
 }
 
