@@ -55,16 +55,6 @@ void check_variants(const Pairs& expected, const Range& objects, const Traits& t
   }
 }
 
-// Those of a set and another one, whose elements are numbered anew.
-Pairs of_two_sets(const Pairs& pairs, std::size_t first_set_size)
-{
-  Pairs between;
-  for(const Pair& p : pairs)
-    if(p.first < first_set_size && p.second >= first_set_size)
-      between.emplace_back(p.first, p.second - first_set_size);
-  return between;
-}
-
 } // namespace
 
 BOOST_AUTO_TEST_CASE(sites_at_random)
