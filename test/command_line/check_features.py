@@ -1,26 +1,30 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 The Thick_intersection_d authors.
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Checks the pairs of features that near_pairs finds by GEOS, on many random scenes.
+"""Checks the pairs of features that near_pairs finds by GEOS, on many random scenes and a shore.
 
-  check_features.py BINARY [FIRST_SEED LAST_SEED]
+  check_features.py BINARY DATA [FIRST_SEED LAST_SEED]
 
-The features are points, polylines, polygons, and polygons with holes that touch their boundary and
-each other. Their corners are in a lattice, so many features touch, and many distances are equal. A
-bound is the exact squared distance of two of them, and holes have features inside. GEOS tells which
-features intersect, without error for such corners, and which are near. If its distance is as good
-as the bound, fractions decide, from all vertices and all segments.
+The features are points, polylines, polygons, polygons with holes that touch their boundary and each
+other, and collections of these, in WKT and in GeoJSON. Their corners are in a lattice, so many
+features touch, and many distances are equal. A bound is the exact squared distance of two of them,
+and holes have features inside. GEOS tells which features intersect, without error for such corners,
+and which are near. If its distance is as good as the bound, fractions decide, from all vertices and
+all segments. DATA is examples/data, which has ships and the shore of Puget Sound.
 
 Prints the pairs that differ, and ends with the status 1 if there are any.
 """
 
+import csv
 import fractions
+import json
 import random
 import subprocess
 import sys
 import tempfile
 
-from shapely.geometry import LineString, MultiPolygon, Point, Polygon, box
+from shapely.geometry import (GeometryCollection, LineString, MultiPoint, MultiPolygon, Point,
+                              Polygon, box, mapping, shape)
 
 
 class Scene:
@@ -61,9 +65,14 @@ class Scene:
     def feature(self):
         x, y = self.corner()
         extent = self.random.choice([2, 4, 7, self.side])
-        kind = self.random.randrange(7)
+        kind = self.random.randrange(9)
         if kind == 0:
             return Point(x, y)
+        if kind == 7:
+            return MultiPoint([(x, y), self.corner(x, y, extent)])
+        if kind == 8:
+            return GeometryCollection([Point(x, y), self.polygon(*self.corner(), 2),
+                                       LineString([(x, y), self.corner(x + 1, y, extent)])])
         if kind < 3:
             line = [self.corner(x, y, extent) for _ in range(self.random.randrange(2, 7))]
             return LineString(line) if len(set(line)) > 1 else Point(line[0])
@@ -77,33 +86,49 @@ class Scene:
             outer = box(x, y, x + extent + 4, y + extent + 4)
         return self.with_holes(outer)
 
-    def text(self, feature):
-        def chain(points):
-            return "(" + ",".join(f"{int(x) + self.origin} {int(y) + self.origin}"
-                                  for x, y in points) + ")"
+    def moved(self, geometry):
+        """The mapping of a geometry with integers for coordinates, away from the origin."""
+        if "geometries" in geometry:
+            return {**geometry, "geometries": list(map(self.moved, geometry["geometries"]))}
 
-        def rings(polygon):
-            return "(" + ",".join(chain(ring) for ring in rings_of(polygon)) + ")"
-        if feature.geom_type == "MultiPolygon":
-            return "MULTIPOLYGON(" + ",".join(rings(polygon) for polygon in feature.geoms) + ")"
-        if feature.geom_type == "Polygon":
-            return "POLYGON" + rings(feature)
-        return feature.geom_type.upper() + chain(feature.coords)
+        def move(c):
+            return int(c) + self.origin if isinstance(c, (int, float)) else list(map(move, c))
+        return {**geometry, "coordinates": move(geometry["coordinates"])}
+
+    def write(self, file, features, as_json):
+        moved = [self.moved(mapping(feature)) for feature in features]
+        if as_json:
+            json.dump({"type": "FeatureCollection", "features": [
+                {"type": "Feature", "properties": {}, "geometry": geometry}
+                for geometry in moved]}, file)
+        else:
+            file.writelines(wkt(geometry) + "\n" for geometry in moved)
 
 
-def rings_of(polygon):
-    return [list(ring.coords) for ring in (polygon.exterior, *polygon.interiors)]
+def is_position(coordinates):
+    return isinstance(coordinates[0], (int, float))
 
 
-def chains_of(feature):
-    """The vertices of a feature, whose polygons end where they begin."""
-    if feature.geom_type == "MultiPolygon":
-        chains = [ring for polygon in feature.geoms for ring in rings_of(polygon)]
-    elif feature.geom_type == "Polygon":
-        chains = rings_of(feature)
-    else:
-        chains = [list(feature.coords)]
-    return [[(int(x), int(y)) for x, y in chain] for chain in chains]
+def wkt(geometry):
+    def nested(c):
+        return " ".join(map(str, c)) if is_position(c) else f"({','.join(map(nested, c))})"
+    parts = ",".join(map(wkt, geometry.get("geometries", [])))
+    inner = parts or nested(geometry["coordinates"])
+    return geometry["type"].upper() + (inner if inner[0] == "(" else f"({inner})")
+
+
+def chains_of(geometry):
+    """The vertices of a geometry: a chain for each point, line and ring; a ring ends at its begin."""
+    if "geometries" in geometry:
+        return [chain for part in geometry["geometries"] for chain in chains_of(part)]
+
+    def chains(c, are_apart):
+        if is_position(c):
+            return [[tuple(map(int, c))]]
+        if is_position(c[0]) and not are_apart:
+            return [[tuple(map(int, point)) for point in c]]
+        return [chain for part in c for chain in chains(part, are_apart)]
+    return chains(geometry["coordinates"], geometry["type"] == "MultiPoint")
 
 
 def squared_distance_to_segment(p, a, b):
@@ -122,8 +147,8 @@ def squared_distance(a, b):
     """That of two features that do not intersect: a vertex of one is closest to the other."""
     return min(squared_distance_to_segment(p, s, t)
                for one, other in ((a, b), (b, a))
-               for points in chains_of(one) for p in points
-               for chain in chains_of(other) for s, t in zip(chain, chain[1:] or chain))
+               for points in chains_of(mapping(one)) for p in points
+               for chain in chains_of(mapping(other)) for s, t in zip(chain, chain[1:] or chain))
 
 
 def is_near(a, b, squared_bound, is_open):
@@ -150,46 +175,68 @@ def bounds_of(scene):
             yield bound, True
 
 
-def pairs_of_program(binary, folder, files, squared_bound, is_open):
-    command = [binary, *files, "--squared-distance", str(squared_bound), "--pairs", "pairs.csv"]
-    subprocess.run(command + ["--open"] * is_open, cwd=folder, check=True,
-                   stdout=subprocess.DEVNULL)
+def differing(binary, folder, files, expected, *options):
+    """Returns how many pairs of the program are not those that are expected, and prints which."""
+    command = [binary, *files, *options, "--pairs", "pairs.csv"]
+    subprocess.run(command, cwd=folder, check=True, stdout=subprocess.DEVNULL,
+                   stderr=subprocess.DEVNULL)
     with open(f"{folder}/pairs.csv", encoding="utf-8") as lines:
-        return sorted(tuple(map(int, line.split(",")[:2])) for line in list(lines)[1:])
+        found = sorted(tuple(map(int, line.split(",")[:2])) for line in list(lines)[1:])
+    if found == sorted(expected):
+        return 0
+    print(f"{folder} {' '.join(command)}: found {sorted(set(found) - set(expected))}, missed "
+          f"{sorted(set(expected) - set(found))}, of {len(found)}")
+    return len(set(found) ^ set(expected)) or abs(len(found) - len(expected))
 
 
 def check(binary, folder, seed):
     """Returns the numbers of searches, of pairs, and of pairs that differ."""
     scene = Scene(seed)
     parts = scene.features[:scene.first_count], scene.features[scene.first_count:]
+    suffix = ("wkt", "geojson")[seed % 2]
     for name, features in zip(("all", "a", "b"), (scene.features, *parts)):
-        with open(f"{folder}/{name}.wkt", "w", encoding="utf-8") as file:
-            file.writelines(scene.text(feature) + "\n" for feature in features)
+        with open(f"{folder}/{name}.{suffix}", "w", encoding="utf-8") as file:
+            scene.write(file, features, suffix == "geojson")
     searches = count = wrong = 0
     for squared_bound, is_open in bounds_of(scene):
         of_one = [(i, j) for j, b in enumerate(scene.features)
                   for i, a in enumerate(scene.features[:j])
                   if is_near(a, b, squared_bound, is_open)]
         of_two = [(i, j - scene.first_count) for i, j in of_one if i < scene.first_count <= j]
-        for files, expected in ((["all.wkt"], of_one), (["a.wkt", "b.wkt"], of_two)):
-            found = pairs_of_program(binary, folder, files, squared_bound, is_open)
+        options = ["--squared-distance", str(squared_bound)] + ["--open"] * is_open
+        for names, expected in ((["all"], of_one), (["a", "b"], of_two)):
             searches += 1
             count += len(expected)
-            if found != sorted(expected):
-                wrong += len(set(found) ^ set(expected)) or abs(len(found) - len(expected))
-                print(f"seed {seed}, {' '.join(files)}, squared distance {squared_bound}"
-                      f"{', open' * is_open}: found {sorted(set(found) - set(expected))}, missed "
-                      f"{sorted(set(expected) - set(found))}, of {len(found)}")
+            wrong += differing(binary, folder, [f"{name}.{suffix}" for name in names], expected,
+                               *options)
     return searches, count, wrong
 
 
+def check_shore(binary, data, folder):
+    """Returns the same of the ships by a shore."""
+    files = [f"{data}/ships_us_2022-01-03.csv", f"{data}/puget_sound.geojson"]
+    with open(files[0], encoding="utf-8") as rows:
+        ships = [(float(row["lon_deg"]), float(row["lat_deg"])) for row in csv.DictReader(rows)]
+    with open(files[1], encoding="utf-8") as file:
+        shores = [shape(feature["geometry"]) for feature in json.load(file)["features"]]
+    expected = []
+    for j, shore in enumerate(shores):
+        left, bottom, right, top = shore.bounds
+        expected += [(i, j) for i, (x, y) in enumerate(ships)
+                     if left - 1 < x < right + 1 and bottom - 1 < y < top + 1
+                     and shore.distance(Point(x, y)) <= 0.002]
+    return 1, len(expected), differing(binary, folder, files, expected, "--distance", "0.002")
+
+
 def main():
-    if len(sys.argv) not in (2, 4):
+    if len(sys.argv) not in (3, 5):
         sys.exit(__doc__)
-    seeds = range(*map(int, sys.argv[2:])) if len(sys.argv) == 4 else range(60)
+    binary, data = sys.argv[1:3]
+    seeds = range(*map(int, sys.argv[3:])) if len(sys.argv) == 5 else range(60)
     with tempfile.TemporaryDirectory() as folder:
-        totals = [sum(column) for column in zip(*(check(sys.argv[1], folder, seed)
-                                                  for seed in seeds))]
+        counts = [check(binary, folder, seed) for seed in seeds]
+        counts.append(check_shore(binary, data, folder))
+    totals = [sum(column) for column in zip(*counts)]
     print(f"{totals[0]} searches, {totals[1]} pairs, {totals[2]} wrong")
     sys.exit(1 if totals[2] or not totals[1] else 0)
 
