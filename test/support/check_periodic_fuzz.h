@@ -122,10 +122,12 @@ private:
   Pairs found_pairs(const Domain& domain) const
   {
     Pairs found;
+    CGAL::Scene_profile profile;
     with_bound([&](const auto& bound) {
       CGAL::periodic_fixed_radius_near_neighbors<ConcurrencyTag>(points_, domain, bound,
-                                                                 collector(found));
+                                                                 collector(found), profile);
     });
+    BOOST_REQUIRE_EQUAL(profile.size(), points_.size());
     return found;
   }
 
@@ -163,7 +165,9 @@ private:
         for(const std::size_t j : lists[i])
           found.emplace_back(i, j, *offset++);
       }
+      BOOST_REQUIRE_EQUAL(lists.number_of_pairs(), expected_.size());
     });
+    BOOST_REQUIRE(std::is_sorted(found.begin(), found.end()));
     return found;
   }
 
