@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 // The oracle of distances, against two others: the least distance of two simplices of vertices, by
-// rational equations, and the formula for two segments.
+// rational equations, and the gaps between two boxes.
 
 #include "distance_oracle.h"
 #include "lattice_hulls.h"
@@ -89,47 +89,6 @@ Rational least_squared_distance(const Vectors& a, const Vectors& b)
   return least.value();
 }
 
-Rational clamped(const Rational& x) { return x < 0 ? Rational(0) : x > 1 ? Rational(1) : x; }
-
-// The squared distance of the points a + s u and b + t v.
-Rational squared_distance(const Vectors& a, const Rational& s, const Vectors& b, const Rational& t)
-{
-  Rational sum = 0;
-  for(std::size_t axis = 0; axis < 3; ++axis) {
-    const Rational gap = a[0][axis] + s * (a[1][axis] - a[0][axis]) - b[0][axis]
-                         - t * (b[1][axis] - b[0][axis]);
-    sum += gap * gap;
-  }
-  return sum;
-}
-
-// On a segment, the place between 0 and 1 of the point that is nearest to a point.
-Rational place_of_nearest(const Vectors& segment, const Hull_vector<std::int64_t>& p)
-{
-  const auto u = difference(segment[1], segment[0]);
-  const std::int64_t square = dot(u, u);
-  return square == 0 ? Rational(0)
-                     : clamped(Rational(dot(u, difference(p, segment[0]))) / square);
-}
-
-// At an end of one of them, or where their lines are closest.
-Rational squared_distance_of_segments(const Vectors& a, const Vectors& b)
-{
-  const Rational at_end[]
-    = {squared_distance(a, place_of_nearest(a, b[0]), b, 0),
-       squared_distance(a, place_of_nearest(a, b[1]), b, 1),
-       squared_distance(a, 0, b, place_of_nearest(b, a[0])),
-       squared_distance(a, 1, b, place_of_nearest(b, a[1]))};
-  const Rational least = *std::min_element(std::begin(at_end), std::end(at_end));
-  const auto u = difference(a[1], a[0]), v = difference(b[1], b[0]), w = difference(b[0], a[0]);
-  const std::int64_t uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), area = uu * vv - uv * uv;
-  if(area == 0)
-    return least;
-  const Rational s = Rational(dot(w, u) * vv - dot(w, v) * uv) / area;
-  const Rational t = Rational(dot(w, u) * uv - dot(w, v) * uu) / area;
-  return s != clamped(s) || t != clamped(t) ? least : squared_distance(a, s, b, t);
-}
-
 Vectors vertices_of_box(const Vectors& ends)
 {
   Vectors vertices;
@@ -151,35 +110,32 @@ Rational squared_distance_of_boxes(const Vectors& a, const Vectors& b)
   return sum;
 }
 
+// Of up to `most` vertices each. Returns how many of the distances are zero.
+std::size_t check_simplices(int count, std::size_t most, std::size_t side, std::uint64_t seed)
+{
+  Random random(seed);
+  std::size_t zeros = 0;
+  for(int i = 0; i < count; ++i) {
+    const Lattice lattice = {i % 4 == 0 ? 2u : 3u, side};
+    const Vectors a = lattice_hull(random, lattice, 1 + random.below(most));
+    const Vectors b = lattice_hull(random, lattice, 1 + random.below(most));
+    const Rational square = squared_distance_of_hulls(a, b);
+    BOOST_REQUIRE_EQUAL(square, least_squared_distance(a, b));
+    zeros += square == 0;
+  }
+  return zeros;
+}
+
 } // namespace
 
 BOOST_AUTO_TEST_CASE(distances_are_the_least_ones_of_simplices)
 {
-  Random random(1);
-  std::size_t zeros = 0, count = 0;
-  for(const std::size_t side : {3, 5, 12})
-    for(int i = 0; i < 300; ++i) {
-      const Lattice lattice = {i % 4 == 0 ? 2u : 3u, side};
-      const Vectors a = lattice_hull(random, lattice, 1 + random.below(4));
-      const Vectors b = lattice_hull(random, lattice, 1 + random.below(4));
-      const Rational square = squared_distance_of_hulls(a, b);
-      BOOST_REQUIRE_EQUAL(square, least_squared_distance(a, b));
-      zeros += square == 0;
-      ++count;
-    }
-  BOOST_CHECK_GT(zeros, count / 6);
-  BOOST_CHECK_LT(zeros, count / 2);
-}
-
-BOOST_AUTO_TEST_CASE(distances_of_segments_are_those_of_the_formula)
-{
-  Random random(2);
-  for(int i = 0; i < 4000; ++i) {
-    const std::size_t dimension = i % 4 == 0 ? 2 : 3;
-    const Vectors a = lattice_hull(random, {dimension, 2 + random.below(8)}, 2);
-    const Vectors b = lattice_hull(random, {dimension, 2 + random.below(8)}, 2);
-    BOOST_REQUIRE_EQUAL(squared_distance_of_hulls(a, b), squared_distance_of_segments(a, b));
-  }
+  const std::size_t zeros = check_simplices(300, 4, 3, 1) + check_simplices(300, 4, 5, 2)
+                            + check_simplices(300, 4, 12, 3);
+  BOOST_CHECK_GT(zeros, 900 / 6);
+  BOOST_CHECK_LT(zeros, 900 / 2);
+  for(std::size_t side = 2; side < 10; ++side) // points and segments
+    check_simplices(500, 2, side, side);
 }
 
 BOOST_AUTO_TEST_CASE(distances_of_boxes_are_those_of_their_gaps)

@@ -8,8 +8,7 @@
 #include "brute_force.h"
 #include "counting_allocator.h"
 #include "data_facts.h"
-#include "delaunay_oracle_2.h"
-#include "delaunay_oracle_3.h"
+#include "delaunay_oracle.h"
 #include "grid_count.h"
 #include "lattice_counts.h"
 #include "mpfr_kernel_number.h"
@@ -38,10 +37,7 @@ void check_oracles(const Point_scene& scene)
 {
   const Truth& truth = truth_of(scene);
   check_pairs(scene, "boxes", truth.pairs, box_pairs(scene));
-  if(scene.dimension == 2)
-    check_pairs(scene, "Delaunay", truth.pairs, delaunay_pairs_2(scene));
-  else
-    check_pairs(scene, "Delaunay", truth.pairs, delaunay_pairs_3(scene));
+  check_pairs(scene, "Delaunay", truth.pairs, delaunay_pairs(scene));
 }
 
 void check_count(const std::string& what, std::size_t expected, std::size_t found)

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 // Breadth-first search on the Delaunay triangulation of space, from each distinct point through
-// the points within the radius of it.
+// the points within the radius of it. Points of the plane are points of space, on a plane.
 //
 // The points of a ball around a vertex are connected to it inside the ball: the segment from q to
 // the centre p leaves the Voronoi cell of q into the cell of a Delaunay neighbour s of q, and p
 // lies on the side of s, so s is closer to p than q is. Cospherical points, where the triangulation
 // is not unique, are the limit of such a case, with "not farther" for "closer".
 
-#ifndef THICK_INTERSECTION_TEST_SUPPORT_DELAUNAY_ORACLE_3_H
-#define THICK_INTERSECTION_TEST_SUPPORT_DELAUNAY_ORACLE_3_H
+#ifndef THICK_INTERSECTION_TEST_SUPPORT_DELAUNAY_ORACLE_H
+#define THICK_INTERSECTION_TEST_SUPPORT_DELAUNAY_ORACLE_H
 
 #include "distinct_points.h"
 #include "exact_points.h"
@@ -24,7 +24,7 @@
 
 namespace test_support {
 
-namespace delaunay_3 {
+namespace delaunay {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Vertex_base = CGAL::Triangulation_vertex_base_with_info_3<std::size_t, Kernel>;
@@ -34,13 +34,18 @@ using Data_structure =
 using Triangulation = CGAL::Delaunay_triangulation_3<Kernel, Data_structure>;
 using Neighbours = std::vector<std::vector<std::size_t>>;
 
+inline Kernel::Point_3 point_3(const Coordinates& x)
+{
+  return Kernel::Point_3(x[0], x[1], x.size() == 2 ? 0 : x[2]);
+}
+
 // Adjacent vertices by number. Flat scenes give triangulations of dimension 2 or 1; a single point
 // gives one of dimension 0, which has no edges to ask for.
 inline Neighbours neighbours(const Points& points)
 {
   std::vector<std::pair<Kernel::Point_3, std::size_t>> vertices;
   for(std::size_t i = 0; i < points.size(); ++i)
-    vertices.emplace_back(Kernel::Point_3(points[i][0], points[i][1], points[i][2]), i);
+    vertices.emplace_back(point_3(points[i]), i);
   const Triangulation triangulation(vertices.begin(), vertices.end());
   Neighbours result(points.size());
   if(triangulation.dimension() < 1)
@@ -71,16 +76,16 @@ inline std::vector<std::size_t> ball_around(std::size_t source, const Neighbours
   return reached;
 }
 
-} // namespace delaunay_3
+} // namespace delaunay
 
-inline Pairs delaunay_pairs_3(const Point_scene& scene)
+inline Pairs delaunay_pairs(const Point_scene& scene)
 {
   const Distinct_points distinct(scene.points);
   const Exact_points exact(distinct.points(), scene.radius);
-  const delaunay_3::Neighbours neighbours = delaunay_3::neighbours(distinct.points());
+  const delaunay::Neighbours neighbours = delaunay::neighbours(distinct.points());
   Pairs pairs;
   for(std::size_t u = 0; u < exact.size(); ++u)
-    for(std::size_t v : delaunay_3::ball_around(u, neighbours, exact))
+    for(std::size_t v : delaunay::ball_around(u, neighbours, exact))
       if(u <= v)
         distinct.append_pairs(u, v, pairs);
   return sorted(std::move(pairs));
@@ -88,4 +93,4 @@ inline Pairs delaunay_pairs_3(const Point_scene& scene)
 
 } // namespace test_support
 
-#endif // THICK_INTERSECTION_TEST_SUPPORT_DELAUNAY_ORACLE_3_H
+#endif // THICK_INTERSECTION_TEST_SUPPORT_DELAUNAY_ORACLE_H
