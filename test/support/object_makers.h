@@ -6,66 +6,98 @@
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_OBJECT_MAKERS_H
 #define THICK_INTERSECTION_TEST_SUPPORT_OBJECT_MAKERS_H
 
-#include "kernel_types.h"
-
 #include <cstddef>
 #include <utility>
 
 namespace test_support {
 
-// Objects of a type Type<Kernel>, which are made of so many points. Boxes are made of two opposite
-// corners.
-template <int Dimension, int Points, template <class> class Type, bool AreBoxes = false>
+// What all makers do: Maker::Object<K> is the type, in a kernel, of the objects that have so many
+// points. Boxes are made of two opposite corners.
+template <class Maker, int Dimension, int Points, bool AreBoxes = false>
 struct Object_maker
 {
   static constexpr int dimension = Dimension, points = Points;
   static constexpr bool are_boxes = AreBoxes;
 
-  // Number i of the points.
   template <class Kernel, class Coordinates>
-  static auto point(const Coordinates& c, std::size_t i)
-  {
-    return Kernel_types<Kernel, Dimension>::point([&](std::size_t axis) {
-      return typename Kernel::FT(c[Dimension * i + axis]);
-    });
-  }
-
-  template <class Kernel, class Coordinates>
-  static Type<Kernel> make(const Coordinates& c)
+  static auto make(const Coordinates& c)
   {
     return make<Kernel>(c, std::make_index_sequence<Points>());
   }
 
-private:
-  template <class Kernel, class Coordinates, std::size_t... i>
-  static Type<Kernel> make(const Coordinates& c, std::index_sequence<i...>)
+  // Number i of the points of an object.
+  template <class Kernel, class Coordinates>
+  static auto point(const Coordinates& c, std::size_t i)
   {
-    return Type<Kernel>(point<Kernel>(c, i)...);
+    using FT = typename Kernel::FT;
+    if constexpr(Dimension == 2)
+      return typename Kernel::Point_2(FT(c[2 * i]), FT(c[2 * i + 1]));
+    else
+      return typename Kernel::Point_3(FT(c[3 * i]), FT(c[3 * i + 1]), FT(c[3 * i + 2]));
+  }
+
+private:
+  template <class Kernel, class Coordinates, std::size_t... I>
+  static auto make(const Coordinates& c, std::index_sequence<I...>)
+  {
+    using Object = typename Maker::template Object<Kernel>;
+    return Object(point<Kernel>(c, I)...);
   }
 };
 
-template <class K>
-using Segment_of_plane = typename K::Segment_2;
-template <class K>
-using Triangle_of_plane = typename K::Triangle_2;
-template <class K>
-using Rectangle_of_plane = typename K::Iso_rectangle_2;
-template <class K>
-using Segment_of_space = typename K::Segment_3;
-template <class K>
-using Triangle_of_space = typename K::Triangle_3;
-template <class K>
-using Cuboid_of_space = typename K::Iso_cuboid_3;
-template <class K>
-using Tetrahedron_of_space = typename K::Tetrahedron_3;
+struct Points_2 : Object_maker<Points_2, 2, 1>
+{
+  template <class K>
+  using Object = typename K::Point_2;
+};
 
-struct Segments_2 : Object_maker<2, 2, Segment_of_plane> {};
-struct Triangles_2 : Object_maker<2, 3, Triangle_of_plane> {};
-struct Rectangles_2 : Object_maker<2, 2, Rectangle_of_plane, true> {};
-struct Segments_3 : Object_maker<3, 2, Segment_of_space> {};
-struct Triangles_3 : Object_maker<3, 3, Triangle_of_space> {};
-struct Cuboids_3 : Object_maker<3, 2, Cuboid_of_space, true> {};
-struct Tetrahedra_3 : Object_maker<3, 4, Tetrahedron_of_space> {};
+struct Points_3 : Object_maker<Points_3, 3, 1>
+{
+  template <class K>
+  using Object = typename K::Point_3;
+};
+
+struct Segments_2 : Object_maker<Segments_2, 2, 2>
+{
+  template <class K>
+  using Object = typename K::Segment_2;
+};
+
+struct Triangles_2 : Object_maker<Triangles_2, 2, 3>
+{
+  template <class K>
+  using Object = typename K::Triangle_2;
+};
+
+struct Rectangles_2 : Object_maker<Rectangles_2, 2, 2, true>
+{
+  template <class K>
+  using Object = typename K::Iso_rectangle_2;
+};
+
+struct Segments_3 : Object_maker<Segments_3, 3, 2>
+{
+  template <class K>
+  using Object = typename K::Segment_3;
+};
+
+struct Triangles_3 : Object_maker<Triangles_3, 3, 3>
+{
+  template <class K>
+  using Object = typename K::Triangle_3;
+};
+
+struct Cuboids_3 : Object_maker<Cuboids_3, 3, 2, true>
+{
+  template <class K>
+  using Object = typename K::Iso_cuboid_3;
+};
+
+struct Tetrahedra_3 : Object_maker<Tetrahedra_3, 3, 4>
+{
+  template <class K>
+  using Object = typename K::Tetrahedron_3;
+};
 
 } // namespace test_support
 
