@@ -127,18 +127,24 @@ void check_equal(const Pairs& expected, const Pairs& mine)
   BOOST_CHECK_MESSAGE(difference.empty(), difference);
 }
 
+const On_pair ignore = [](std::uint64_t, std::uint64_t) { return true; };
+
+On_pair add_to(Pairs& pairs)
+{
+  return [&pairs](std::uint64_t i, std::uint64_t j) {
+    pairs.emplace_back(i, j);
+    return true;
+  };
+}
+
 template <class Point, class NT>
 Pairs pairs_of(const std::vector<Point>& points, const CGAL::Distance_bound<NT>& bound,
                CGAL::Point_distribution distribution)
 {
   Pairs pairs;
   CGAL::Distributed_profile profile(distribution);
-  const On_pair add = [&](std::uint64_t i, std::uint64_t j) {
-    pairs.emplace_back(i, j);
-    return true;
-  };
-  BOOST_CHECK(CGAL::distributed_fixed_radius_near_neighbors(MPI_COMM_WORLD, points, bound, add,
-                                                            profile));
+  BOOST_CHECK(CGAL::distributed_fixed_radius_near_neighbors(MPI_COMM_WORLD, points, bound,
+                                                            add_to(pairs), profile));
   return pairs;
 }
 
@@ -147,6 +153,15 @@ std::vector<Point_3> points_3(const Points& all)
   std::vector<Point_3> points;
   for(const Coordinates& x : all)
     points.emplace_back(x[0], x[1], x[2]);
+  return points;
+}
+
+// Thirds of coordinates: no doubles, except where they are.
+std::vector<Exact_kernel::Point_2> thirds_of(const Points& all)
+{
+  std::vector<Exact_kernel::Point_2> points;
+  for(const Coordinates& x : all)
+    points.emplace_back(Exact_kernel::FT(x[0]) / 3, Exact_kernel::FT(x[1]) / 3);
   return points;
 }
 
@@ -210,40 +225,41 @@ BOOST_AUTO_TEST_CASE(ties_across_the_borders_of_parts_are_found)
   check_equal(truth.pairs, pairs_of(mine, bound, balanced));
 }
 
-BOOST_AUTO_TEST_CASE(pairs_of_two_sets_are_those_of_one_process)
+// Calls task(a, b, bound, expected) for the scenes in space, with the shares of this process of two
+// sets: the first third of the points, and the rest.
+template <class Task>
+void for_each_two_sets(Shares shares_a, Shares shares_b, const Task& task)
 {
   for(const Point_scene& scene : scenes(3))
     BOOST_TEST_CONTEXT(scene)
     {
       const std::vector<Point_3> points = points_3(scene.points);
       const std::size_t size_a = points.size() / 3;
-      const std::vector<Point_3> a(points.begin(),
-                                   points.begin() + static_cast<std::ptrdiff_t>(size_a));
-      const std::vector<Point_3> b(points.begin() + static_cast<std::ptrdiff_t>(size_a),
-                                   points.end());
+      const auto middle = points.begin() + static_cast<std::ptrdiff_t>(size_a);
+      const std::vector<Point_3> a(points.begin(), middle), b(middle, points.end());
       const Pairs expected = of_two_sets(truth_of(scene).pairs, size_a);
-      Pairs mine;
-      const On_pair add = [&](std::uint64_t i, std::uint64_t j) {
-        mine.emplace_back(i, j);
-        return true;
-      };
-      BOOST_CHECK(CGAL::distributed_fixed_radius_near_neighbors(
-        MPI_COMM_WORLD, my_share_of(a, Shares::SKEWED), my_share_of(b, Shares::EVEN),
-        CGAL::within_distance(*scene.radius.length()), add));
-      check_equal(expected, mine);
+      task(my_share_of(a, shares_a), my_share_of(b, shares_b),
+           CGAL::within_distance(*scene.radius.length()), expected);
     }
 }
 
-// A third of each coordinate is no double, except where it is.
+BOOST_AUTO_TEST_CASE(pairs_of_two_sets_are_those_of_one_process)
+{
+  for_each_two_sets(Shares::SKEWED, Shares::EVEN, [](const auto& a, const auto& b,
+                                                     const auto& bound, const Pairs& expected) {
+    Pairs mine;
+    BOOST_CHECK(CGAL::distributed_fixed_radius_near_neighbors(MPI_COMM_WORLD, a, b, bound,
+                                                              add_to(mine)));
+    check_equal(expected, mine);
+  });
+}
+
 BOOST_AUTO_TEST_CASE(exact_numbers_are_sent_without_rounding)
 {
   for(const Point_scene& scene : scenes(2)) {
     const Truth& truth = truth_of(scene);
-    std::vector<Exact_kernel::Point_2> points;
-    for(const Coordinates& x : scene.points)
-      points.emplace_back(Exact_kernel::FT(x[0]) / 3, Exact_kernel::FT(x[1]) / 3);
     const auto bound = CGAL::within_distance(Exact_kernel::FT(*scene.radius.length()) / 3);
-    const std::vector<Exact_kernel::Point_2> mine = my_share_of(points, Shares::SKEWED);
+    const auto mine = my_share_of(thirds_of(scene.points), Shares::SKEWED);
     BOOST_TEST_CONTEXT(scene)
     {
       check_equal(truth.pairs, pairs_of(mine, bound, balanced));
@@ -299,32 +315,22 @@ BOOST_AUTO_TEST_CASE(lists_are_those_of_one_process_however_points_are_distribut
 
 BOOST_AUTO_TEST_CASE(lists_of_two_sets_have_the_ids_of_the_second)
 {
-  for(const Point_scene& scene : scenes(3))
-    BOOST_TEST_CONTEXT(scene)
-    {
-      const std::vector<Point_3> points = points_3(scene.points);
-      const std::size_t size_a = points.size() / 3;
-      const auto middle = points.begin() + static_cast<std::ptrdiff_t>(size_a);
-      const auto mine_a = my_share_of(std::vector<Point_3>(points.begin(), middle), Shares::EVEN);
-      const auto mine_b = my_share_of(std::vector<Point_3>(middle, points.end()), Shares::SKEWED);
-      const Pairs expected = of_two_sets(truth_of(scene).pairs, size_a);
-      const auto lists = CGAL::distributed_fixed_radius_neighbor_lists(
-        MPI_COMM_WORLD, mine_a, mine_b, CGAL::within_distance(*scene.radius.length()));
-      BOOST_CHECK_EQUAL(lists.size(), mine_a.size());
-      check_equal(expected, pairs_in(lists));
-    }
+  for_each_two_sets(Shares::EVEN, Shares::SKEWED, [](const auto& a, const auto& b,
+                                                     const auto& bound, const Pairs& expected) {
+    const auto lists
+      = CGAL::distributed_fixed_radius_neighbor_lists(MPI_COMM_WORLD, a, b, bound);
+    BOOST_CHECK_EQUAL(lists.size(), a.size());
+    check_equal(expected, pairs_in(lists));
+  });
 }
 
-// As many points as several threads share. A third of each coordinate is no double.
+// As many points as several threads share.
 BOOST_AUTO_TEST_CASE(lists_of_exact_numbers_are_made_by_several_threads)
 {
   const Point_scene lattice = scene("thirds", 2, shuffled(lattice_points(2, 40, 1), 9),
                                     Radius::of_length(2));
-  std::vector<Exact_kernel::Point_2> points;
-  for(const Coordinates& x : lattice.points)
-    points.emplace_back(Exact_kernel::FT(x[0]) / 3, Exact_kernel::FT(x[1]) / 3);
   const auto bound = CGAL::within_distance(Exact_kernel::FT(2) / 3);
-  const std::vector<Exact_kernel::Point_2> mine = my_share_of(points, Shares::SKEWED);
+  const auto mine = my_share_of(thirds_of(lattice.points), Shares::SKEWED);
   check_lists<CGAL::Parallel_if_available_tag>(truth_of(lattice).pairs, mine, bound, balanced);
 }
 
@@ -354,7 +360,6 @@ BOOST_AUTO_TEST_CASE(uniform_points_and_clustered_pairs_are_shared_evenly)
 BOOST_AUTO_TEST_CASE(crowds_of_equal_points_are_shared)
 {
   CGAL::Distributed_profile profile;
-  const On_pair ignore = [](std::uint64_t, std::uint64_t) { return true; };
   CGAL::distributed_fixed_radius_near_neighbors(
     MPI_COMM_WORLD, my_share_of(points_3(identical_points(3, 1000, 0.1)), Shares::EVEN),
     CGAL::within_distance(0.), ignore, profile);
@@ -366,7 +371,6 @@ BOOST_AUTO_TEST_CASE(points_as_they_are_stay_where_they_are)
 {
   const std::vector<Point_3> points = points_3(lattice_points(3, 10, 1));
   CGAL::Distributed_profile profile(as_is);
-  const On_pair ignore = [](std::uint64_t, std::uint64_t) { return true; };
   CGAL::distributed_fixed_radius_near_neighbors(MPI_COMM_WORLD, my_share_of(points, Shares::EVEN),
                                                 CGAL::within_distance(1.), ignore, profile);
   BOOST_CHECK_EQUAL(profile.bytes_sent(CGAL::Distributed_phase::MIGRATION), 0);
@@ -426,7 +430,6 @@ On_pair at_pair(std::size_t number, const std::function<bool()>& fail)
 }
 
 const auto near_bound = CGAL::within_distance(0.05);
-const On_pair ignore = [](std::uint64_t, std::uint64_t) { return true; };
 
 BOOST_AUTO_TEST_CASE(a_coordinate_that_is_not_a_number_fails_on_all_processes)
 {
@@ -514,10 +517,7 @@ BOOST_AUTO_TEST_CASE(pairs_of_a_cancelled_search_are_in_both_of_their_lists)
   const Pairs pairs = gathered(pairs_in(some));
   BOOST_CHECK_LT(pairs.size(), sum_of_all(all.number_of_pairs()));
   BOOST_CHECK_GT(pairs.size(), 0);
-  Pairs mirrored;
-  for(const Pair& pair : pairs)
-    mirrored.emplace_back(pair.second, pair.first);
-  BOOST_CHECK(sorted(mirrored) == sorted(pairs));
+  BOOST_CHECK(sorted(mirrored(pairs)) == sorted(pairs));
 }
 
 BOOST_AUTO_TEST_CASE(no_process_gets_lists_if_one_throws)
