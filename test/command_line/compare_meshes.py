@@ -12,10 +12,11 @@ reads a file is no fault.
 """
 
 import collections
-import csv
 import struct
 import subprocess
 import sys
+
+import compare_tables
 
 
 def as_floats(point):
@@ -25,12 +26,8 @@ def as_floats(point):
 
 def by_near_pairs(program, file):
     """The vertices of a file; a string if it is refused."""
-    run = subprocess.run([program, file, "--distance", "0", "--points", "-", "--coordinates"],
-                         capture_output=True, text=True, check=False)
-    if run.returncode != 0:
-        return run.stderr.strip()
-    rows = csv.DictReader(run.stdout.splitlines())
-    return [as_floats([row[axis] for axis in "xyz" if axis in row]) for row in rows]
+    points = compare_tables.points_of(program, file, [])
+    return points if isinstance(points, str) else [as_floats(x) for _, *x in points]
 
 
 def by_cgal(program, file):
