@@ -33,6 +33,12 @@ using Lazy = CGAL::Exact_predicates_exact_constructions_kernel;
 
 const Plain::Iso_rectangle_2 unit_square(0, 0, 1, 1);
 
+// A callback that counts the pairs.
+auto counter(std::size_t& count)
+{
+  return [&count](std::size_t, std::size_t, const Offset_of<2>&) { ++count; };
+}
+
 // Checks the pairs of points in a cube at the origin, and the closest one.
 void check_cube(const Points& coordinates, double side, double radius)
 {
@@ -134,7 +140,7 @@ BOOST_AUTO_TEST_CASE(a_callback_and_a_progress_functor_stop_the_search)
   std::size_t count = 0;
   BOOST_CHECK(CGAL::periodic_fixed_radius_near_neighbors(
     points, unit_square, CGAL::within_distance(1),
-    [&](std::size_t, std::size_t, const Offset_of<2>&) { ++count; },
+    counter(count),
     CGAL::parameters::callback(tell)));
   BOOST_CHECK_EQUAL(count, 50 * 49 / 2 * 5 + 50 * 2); // itself and four images at distance 1
   BOOST_CHECK(std::is_sorted(told.begin(), told.end()));
@@ -218,7 +224,7 @@ BOOST_AUTO_TEST_CASE(a_grid_with_its_periods_needs_no_exact_numbers)
   std::size_t count = 0;
   CGAL::periodic_fixed_radius_near_neighbors(
     points, Plain::Iso_rectangle_2(0, 0, 40, 40), CGAL::within_distance(1),
-    [&](std::size_t, std::size_t, const Offset_of<2>&) { ++count; }, profile);
+    counter(count), profile);
   BOOST_CHECK_EQUAL(count, 2 * 1600);
   BOOST_CHECK_EQUAL(profile.tier(), CGAL::Arithmetic_tier::DOUBLE);
   BOOST_CHECK_EQUAL(profile.decided(CGAL::Arithmetic_tier::FILTERED_EXACT), 0u);
@@ -233,7 +239,7 @@ BOOST_AUTO_TEST_CASE(a_bound_beyond_the_domain_needs_no_exact_numbers_on_a_grid)
   std::size_t count = 0;
   CGAL::periodic_fixed_radius_near_neighbors(
     points, Plain::Iso_rectangle_2(0, 0, 4, 4), CGAL::within_distance(10),
-    [&](std::size_t, std::size_t, const Offset_of<2>&) { ++count; }, profile);
+    counter(count), profile);
   BOOST_CHECK_GT(count, 60u);
   BOOST_CHECK_EQUAL(profile.tier(), CGAL::Arithmetic_tier::DOUBLE);
   BOOST_CHECK_EQUAL(profile.decided(CGAL::Arithmetic_tier::FILTERED_EXACT), 0u);
@@ -256,23 +262,13 @@ struct Counting_map
   }
 };
 
-template <class Points, class Domain>
-std::size_t reads_of_pairs(const Points& points, const Domain& domain, double r)
+// Of the search of one range, or between two.
+template <class Domain, class Points, class... Others>
+std::size_t reads_of(const Domain& domain, double r, const Points& points, const Others&... others)
 {
   std::size_t reads = 0;
   const Counting_map<typename Points::value_type> map{&reads};
-  CGAL::periodic_fixed_radius_near_neighbors(points, domain, CGAL::within_distance(r),
-                                             [](std::size_t, std::size_t, const auto&) {},
-                                             CGAL::parameters::point_map(map));
-  return reads;
-}
-
-template <class Points, class Domain>
-std::size_t reads_between(const Points& a, const Points& b, const Domain& domain, double r)
-{
-  std::size_t reads = 0;
-  const Counting_map<typename Points::value_type> map{&reads};
-  CGAL::periodic_fixed_radius_near_neighbors(a, b, domain, CGAL::within_distance(r),
+  CGAL::periodic_fixed_radius_near_neighbors(points, others..., domain, CGAL::within_distance(r),
                                              [](std::size_t, std::size_t, const auto&) {},
                                              CGAL::parameters::point_map(map));
   return reads;
@@ -295,11 +291,11 @@ BOOST_AUTO_TEST_CASE(a_search_makes_as_many_images_anywhere)
   for(const double start : {0x1p20, -0x1p40, 0x1p48, -0x1p50}) {
     const auto at_zero = quarters<Plain>(0), far = quarters<Plain>(start);
     const auto box = [](double x) { return Plain::Iso_cuboid_3(x, x, x, x + 1, x + 1, x + 1); };
-    BOOST_CHECK_LE(reads_of_pairs(far, box(start), .25),
-                   reads_of_pairs(at_zero, box(0), .25) + far.size());
+    BOOST_CHECK_LE(reads_of(box(start), .25, far),
+                   reads_of(box(0), .25, at_zero) + far.size());
     for(const Vector& w : {Vector(0, 0, 1), Vector(.25, .5, 1), Vector(5, -3, 1)}) {
       const CGAL::Periodic_lattice_d lattice(Vector(1, 0, 0), Vector(.25, 1, 0), w);
-      BOOST_CHECK_EQUAL(reads_of_pairs(far, lattice, .25), reads_of_pairs(at_zero, lattice, .25));
+      BOOST_CHECK_EQUAL(reads_of(lattice, .25, far), reads_of(lattice, .25, at_zero));
     }
   }
 }
@@ -312,8 +308,8 @@ BOOST_AUTO_TEST_CASE(a_search_makes_as_many_images_of_exact_points_anywhere)
     const auto at_zero = quarters<Lazy>(Lazy::FT(0) / 3), far = quarters<Lazy>(Lazy::FT(start) / 3);
     for(const Vector& w : {Vector(0, 0, 1), Vector(.25, .5, 1)}) {
       const CGAL::Periodic_lattice_d lattice(Vector(1, 0, 0), Vector(0, 1, 0), w);
-      const std::size_t reads = reads_of_pairs(at_zero, lattice, .25);
-      BOOST_CHECK_LE(reads_of_pairs(far, lattice, .25), 12 * reads); // exact tests read points, too
+      const std::size_t reads = reads_of(lattice, .25, at_zero);
+      BOOST_CHECK_LE(reads_of(lattice, .25, far), 12 * reads); // exact tests read points, too
     }
   }
 }
@@ -322,21 +318,22 @@ BOOST_AUTO_TEST_CASE(no_image_is_made_if_a_range_is_empty)
 {
   const std::vector<Plain::Point_2> points(1000, Plain::Point_2(.5, .5)), none;
   const double radius = 1e6; // there would be too many images
-  BOOST_CHECK_LE(reads_between(none, points, unit_square, radius), 10 * points.size());
-  BOOST_CHECK_LE(reads_between(points, none, unit_square, radius), 10 * points.size());
+  BOOST_CHECK_LE(reads_of(unit_square, radius, none, points), 10 * points.size());
+  BOOST_CHECK_LE(reads_of(unit_square, radius, points, none), 10 * points.size());
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  BOOST_CHECK_THROW(reads_between(none, {{nan, 0}}, CGAL::Periodic_lattice_d(unit_square), 1),
+  const std::vector<Plain::Point_2> not_finite = {{nan, 0}}, outside = {{2, 0}};
+  BOOST_CHECK_THROW(reads_of(CGAL::Periodic_lattice_d(unit_square), 1, none, not_finite),
                     std::invalid_argument);
-  BOOST_CHECK_THROW(reads_between(none, {{2, 0}}, unit_square, 1), std::invalid_argument);
-  BOOST_CHECK_THROW(reads_between(points, none, unit_square, 1e9), std::length_error);
+  BOOST_CHECK_THROW(reads_of(unit_square, 1, none, outside), std::invalid_argument);
+  BOOST_CHECK_THROW(reads_of(unit_square, 1e9, points, none), std::length_error);
 }
 
 BOOST_AUTO_TEST_CASE(images_are_those_of_the_range_that_has_fewer)
 {
   const std::vector<Plain::Point_2> many(1000, Plain::Point_2(.5, .5)), one = {{.25, .5}};
   const std::size_t images = 81 * 81;
-  BOOST_CHECK_LE(reads_between(one, many, unit_square, 40), 20 * images);
-  BOOST_CHECK_LE(reads_between(many, one, unit_square, 40), 20 * images);
+  BOOST_CHECK_LE(reads_of(unit_square, 40, one, many), 20 * images);
+  BOOST_CHECK_LE(reads_of(unit_square, 40, many, one), 20 * images);
 }
 
 // The images are counted before one is made.
@@ -362,7 +359,7 @@ BOOST_AUTO_TEST_CASE(a_progress_functor_stops_the_making_of_images)
     std::size_t pairs = 0;
     double last = 0;
     CGAL::Scene_profile profile;
-    const auto count = [&](std::size_t, std::size_t, const Offset_of<2>&) { ++pairs; };
+    const auto count = counter(pairs);
     const auto stop = CGAL::parameters::callback([&](double done) {
       last = done;
       return done < end;
@@ -395,7 +392,7 @@ BOOST_AUTO_TEST_CASE(many_images_are_counted_as_a_formula_counts_them)
   CGAL::Scene_profile profile;
   CGAL::periodic_fixed_radius_near_neighbors(
     points, unit_square, CGAL::within_distance(radius),
-    [&](std::size_t, std::size_t, const Offset_of<2>&) { ++pairs; }, profile);
+    counter(pairs), profile);
   BOOST_CHECK_EQUAL(pairs, expected);
   BOOST_CHECK_GE(profile.range(0).second, radius);
   BOOST_CHECK_LE(profile.range(1).first, -radius);

@@ -264,26 +264,11 @@ private:
         if(std::ldexp(distance, -scene_.exponent) == *bound.distance)
           return f(CGAL::Distance_bound<double>(distance, false, bound.is_open));
       }
-    const CGAL::Exact_rational unit = CGAL::Exact_rational(
-      power_of_two(scene_.exponent) / CGAL::Exact_rational(Maker::is_exact ? 3 : 1));
-    const CGAL::Exact_rational square(exact(bound.square) * unit * unit);
-    f(CGAL::Distance_bound<CGAL::Exact_rational>(square, true, bound.is_open));
-  }
-
-  static CGAL::Exact_rational exact(const Rational& x)
-  {
-    return CGAL::Exact_rational(exact(numerator(x)) / exact(denominator(x)));
-  }
-  static CGAL::Exact_rational exact(const Integer& x)
-  {
-    CGAL::Exact_rational number;
-    std::istringstream(x.str()) >> number;
-    return number;
-  }
-
-  static CGAL::Exact_rational power_of_two(int exponent)
-  {
-    return CGAL::Exact_rational(std::ldexp(1., exponent));
+    const CGAL::Exact_rational unit
+      = CGAL::Exact_rational(std::ldexp(1., scene_.exponent)) / (Maker::is_exact ? 3 : 1);
+    CGAL::Exact_rational square;
+    std::istringstream(bound.square.str()) >> square;
+    f(CGAL::Distance_bound<CGAL::Exact_rational>(square * unit * unit, true, bound.is_open));
   }
 
   template <class Search>
