@@ -1,17 +1,54 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The work of a search, and the searches.
+// The scene of a recipe, the searches that are made of it, and their work.
 
 #ifndef THICK_INTERSECTION_BENCHMARK_BAD_SCENES_WORK_H
 #define THICK_INTERSECTION_BENCHMARK_BAD_SCENES_WORK_H
 
-#include "bad_scenes/Made_scene.h"
+#include "bad_scenes/Recipe.h"
 
+#include <CGAL/Dimension.h>
+
+#include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace thick_benchmark {
+
+// Coordinates along up to five axes.
+struct Made_box
+{
+  std::array<double, 5> low = {};
+  std::array<double, 5> extent = {};
+};
+
+// Boxes, of which a search for points takes the lower corners.
+struct Made_scene
+{
+  int dimension = 0;
+  std::vector<Made_box> boxes;
+  double reach = 0;
+  std::size_t first_size = 0; // of the first of two sets
+};
+
+// Makes the scene of a recipe, in some dimension.
+Made_scene make_scene(const Recipe& recipe, int dimension);
+
+template <class Point>
+std::vector<Point> points_of(const Made_scene& scene)
+{
+  std::vector<Point> points;
+  for(const Made_box& box : scene.boxes)
+    if constexpr(CGAL::Ambient_dimension<Point>::value == 2)
+      points.emplace_back(box.low[0], box.low[1]);
+    else if constexpr(CGAL::Ambient_dimension<Point>::value == 3)
+      points.emplace_back(box.low[0], box.low[1], box.low[2]);
+    else
+      points.emplace_back(box.low);
+  return points;
+}
 
 struct Work
 {
@@ -27,7 +64,6 @@ struct Subject_search
 {
   std::string name;
   int dimension;
-  bool has_extents; // the objects are boxes
   Work (*run)(const Made_scene& scene);
   double reach_of_pairs; // uniform points have (reach_of_pairs reach^dimension n^2 / 2) pairs
 };

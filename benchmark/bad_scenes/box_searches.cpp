@@ -67,12 +67,12 @@ Work run_boxes(const Made_scene& scene)
 // Two cubes meet if their corners differ by less than a side along each axis.
 std::vector<Subject_search> box_searches()
 {
-  return {{"boxes2", 2, true, run_boxes<2, false>, 4},
-          {"boxes3", 3, true, run_boxes<3, false>, 8},
-          {"boxes4", 4, true, run_boxes<4, false>, 16},
-          {"boxes2_sets", 2, true, run_boxes<2, true>, 4},
-          {"boxes3_sets", 3, true, run_boxes<3, true>, 8},
-          {"boxes4_sets", 4, true, run_boxes<4, true>, 16}};
+  return {{"boxes2", 2, run_boxes<2, false>, 4},
+          {"boxes3", 3, run_boxes<3, false>, 8},
+          {"boxes4", 4, run_boxes<4, false>, 16},
+          {"boxes2_sets", 2, run_boxes<2, true>, 4},
+          {"boxes3_sets", 3, run_boxes<3, true>, 8},
+          {"boxes4_sets", 4, run_boxes<4, true>, 16}};
 }
 
 } // namespace thick_benchmark

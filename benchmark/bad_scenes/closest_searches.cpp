@@ -34,33 +34,19 @@ public:
     };
   };
 
-  explicit Point_5(const Made_box& box) : x_(box.low) {}
+  explicit Point_5(const std::array<double, 5>& x) : x_(x) {}
   int dimension() const { return 5; }
   double cartesian(int axis) const { return x_[static_cast<std::size_t>(axis)]; }
 
 private:
-  std::array<double, max_scene_dimension> x_;
+  std::array<double, 5> x_;
 };
-
-template <class Point>
-std::vector<Point> make_points(const Made_scene& scene)
-{
-  std::vector<Point> points;
-  for(const Made_box& box : scene.boxes)
-    if constexpr(std::is_same_v<Point, Kernel::Point_2>)
-      points.emplace_back(box.low[0], box.low[1]);
-    else if constexpr(std::is_same_v<Point, Kernel::Point_3>)
-      points.emplace_back(box.low[0], box.low[1], box.low[2]);
-    else
-      points.emplace_back(box);
-  return points;
-}
 
 // Runs search(points), on points that count.
 template <class Point, class Search>
 Work run_counted(const Made_scene& scene, const Search& search)
 {
-  const std::vector<Point> points = make_points<Point>(scene);
+  const auto points = points_of<Point>(scene);
   std::size_t looks = 0;
   const test_support::Counted_points<Point> counted = {points, looks};
   Work work;
@@ -90,12 +76,12 @@ Work run_close(const Made_scene& scene)
 
 std::vector<Subject_search> closest_searches()
 {
-  return {{"closest2", 2, false, run_closest<Kernel::Point_2>, 0},
-          {"closest3", 3, false, run_closest<Kernel::Point_3>, 0},
-          {"closest5", 5, false, run_closest<Point_5>, 0},
-          {"close2", 2, false, run_close<Kernel::Point_2>, 0},
-          {"close3", 3, false, run_close<Kernel::Point_3>, 0},
-          {"close5", 5, false, run_close<Point_5>, 0}};
+  return {{"closest2", 2, run_closest<Kernel::Point_2>, 0},
+          {"closest3", 3, run_closest<Kernel::Point_3>, 0},
+          {"closest5", 5, run_closest<Point_5>, 0},
+          {"close2", 2, run_close<Kernel::Point_2>, 0},
+          {"close3", 3, run_close<Kernel::Point_3>, 0},
+          {"close5", 5, run_close<Point_5>, 0}};
 }
 
 } // namespace thick_benchmark

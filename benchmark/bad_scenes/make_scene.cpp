@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#include "bad_scenes/Made_scene.h"
+#include "bad_scenes/Work.h"
+#include "support/point_generators.h"
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <stdexcept>
 #include <utility>
 
@@ -13,18 +13,7 @@ namespace thick_benchmark {
 namespace {
 
 using Positions = std::vector<std::size_t>;
-
-// Random numbers that do not depend on the standard library.
-class Random
-{
-public:
-  explicit Random(unsigned int seed) : engine_(seed) {}
-  double unit() { return std::ldexp(static_cast<double>(engine_() >> 11), -53); }
-  std::size_t below(std::size_t n) { return static_cast<std::size_t>(engine_() % n); }
-
-private:
-  std::mt19937_64 engine_;
-};
+using test_support::Random;
 
 // A change as it applies to one axis of the boxes at some positions.
 struct Task
@@ -50,7 +39,7 @@ struct Task
 // Equally likely numbers below 1 that depend on two indices alone.
 double hashed(std::size_t i, std::size_t axis)
 {
-  return Random(static_cast<unsigned int>(7919 * i + axis)).unit();
+  return Random(static_cast<unsigned int>(7919 * i + axis)).uniform();
 }
 
 std::size_t number_of(double a)
@@ -73,7 +62,7 @@ void sort_boxes(const Task& t)
 void set_spans(const Task& t)
 {
   for(std::size_t i = 0; i < t.positions.size(); ++i) {
-    const std::pair<double, double> ends = std::minmax({t.random.unit(), t.random.unit()});
+    const std::pair<double, double> ends = std::minmax({t.random.uniform(), t.random.uniform()});
     t.low(i) = t.a + ends.first * t.b;
     t.extent(i) = (ends.second - ends.first) * std::fabs(t.b);
   }
@@ -91,11 +80,11 @@ std::vector<Kind> placing_kinds()
   return {
     // anew between a and a + b
     {"place", [](const Task& t) {
-       t.set([&](double, std::size_t) { return t.a + t.b * t.random.unit(); });
+       t.set([&](double, std::size_t) { return t.a + t.b * t.random.uniform(); });
      }},
     // a decades below b, as many in each
     {"log", [](const Task& t) {
-       t.set([&](double, std::size_t) { return t.b * std::pow(10, -t.a * t.random.unit()); });
+       t.set([&](double, std::size_t) { return t.b * std::pow(10, -t.a * t.random.uniform()); });
      }},
     // b (1 + a)^i
     {"nested", [](const Task& t) {
@@ -147,13 +136,13 @@ std::vector<Kind> extent_kinds()
     // between a and a + b
     {"extent", [](const Task& t) {
        for(std::size_t i = 0; i < t.positions.size(); ++i)
-         t.extent(i) = std::fabs(t.a + t.b * t.random.unit());
+         t.extent(i) = std::fabs(t.a + t.b * t.random.uniform());
      }},
     // at least a, larger than e with probability (a / e)^(1/b)
     {"law", [](const Task& t) {
        for(std::size_t i = 0; i < t.positions.size(); ++i)
          t.extent(i)
-           = (std::min)(1., std::fabs(t.a) * std::pow(t.random.unit() + 1e-12, -std::fabs(t.b)));
+           = (std::min)(1., std::fabs(t.a) * std::pow(t.random.uniform() + 1e-12, -std::fabs(t.b)));
      }},
     // between two random places of [a, a + b]
     {"span", set_spans}};
@@ -194,7 +183,7 @@ const std::vector<Place_of_change>& places()
     {"last", [](Size i, Size n, double share, Random&) {
        return static_cast<double>(i) >= (1 - share) * static_cast<double>(n);
      }},
-    {"random", [](Size, Size, double share, Random& random) { return random.unit() < share; }},
+    {"random", [](Size, Size, double share, Random& random) { return random.uniform() < share; }},
     {"every", [](Size i, Size, double share, Random&) { // of 1/share
        return i % (std::max)(Size(1), static_cast<Size>(1 / share)) == 0;
      }},
@@ -244,7 +233,7 @@ Made_scene make_scene(const Recipe& recipe, int dimension)
   Random random(recipe.seed);
   for(Made_box& box : scene.boxes)
     for(int axis = 0; axis < dimension; ++axis) {
-      box.low[static_cast<std::size_t>(axis)] = random.unit();
+      box.low[static_cast<std::size_t>(axis)] = random.uniform();
       box.extent[static_cast<std::size_t>(axis)] = scene.reach;
     }
   for(const Change& change : recipe.changes)

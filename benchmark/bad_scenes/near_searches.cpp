@@ -9,7 +9,6 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
 
-
 #include <limits>
 #include <type_traits>
 
@@ -18,23 +17,11 @@ namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
 
-template <class Point>
-std::vector<Point> make_points(const Made_scene& scene)
-{
-  std::vector<Point> points;
-  for(const Made_box& box : scene.boxes)
-    if constexpr(CGAL::Ambient_dimension<Point>::value == 2)
-      points.emplace_back(box.low[0], box.low[1]);
-    else
-      points.emplace_back(box.low[0], box.low[1], box.low[2]);
-  return points;
-}
-
 template <int Dimension, bool AreTwoSets>
 Work run_near(const Made_scene& scene)
 {
   using Point = std::conditional_t<Dimension == 2, Kernel::Point_2, Kernel::Point_3>;
-  const std::vector<Point> points = make_points<Point>(scene);
+  const std::vector<Point> points = points_of<Point>(scene);
   const auto bound = CGAL::within_distance(scene.reach);
   const double limit = max_pairs_per_element * static_cast<double>(points.size());
   Work work;
@@ -62,10 +49,10 @@ const double pi = std::acos(-1);
 
 std::vector<Subject_search> near_searches()
 {
-  return {{"near2", 2, false, run_near<2, false>, pi},
-          {"near3", 3, false, run_near<3, false>, 4 * pi / 3},
-          {"near2_sets", 2, false, run_near<2, true>, pi},
-          {"near3_sets", 3, false, run_near<3, true>, 4 * pi / 3}};
+  return {{"near2", 2, run_near<2, false>, pi},
+          {"near3", 3, run_near<3, false>, 4 * pi / 3},
+          {"near2_sets", 2, run_near<2, true>, pi},
+          {"near3_sets", 3, run_near<3, true>, 4 * pi / 3}};
 }
 
 } // namespace thick_benchmark
