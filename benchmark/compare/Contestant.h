@@ -22,7 +22,6 @@ struct Contestant : Method<Tally>
 {
   bool is_exact;     // must find our pairs
   std::size_t max_n; // more points would take minutes
-  bool is_variant = false; // measured on the scenes of time against n only
 };
 
 using Contestants = std::vector<Contestant>;
@@ -35,10 +34,9 @@ auto on_epick(const Search& search)
 }
 
 void add_ours(Contestants& all);
-void add_recursive_routes(Contestants& all);
+void add_recursive_route(Contestants& all);
 void add_boxes(Contestants& all);
-void add_delaunay_epick(Contestants& all);
-void add_delaunay_epeck(Contestants& all);
+void add_delaunay(Contestants& all);
 void add_trees(Contestants& all);
 
 } // namespace thick_benchmark

@@ -10,21 +10,12 @@ namespace thick_benchmark {
 void add_boxes(Contestants& all)
 {
   for(const std::ptrdiff_t cutoff : {10, 30, 100, 300, 1000}) {
-    const std::string name = "box_self_intersection_d, cutoff " + std::to_string(cutoff);
-    const auto sequential = on_epick([=](const auto& points, double r, Tally& tally) {
+    const auto boxes = on_epick([=](const auto& points, double r, Tally& tally) {
       box_intersection<CGAL::Sequential_tag>(boxes_around(points, r, outwards),
                                              is_near_exactly(points, r), tally, cutoff);
     });
-    all.push_back({{name, sequential}, true, cutoff == 300 ? 10000000u : 1000000u});
-#ifdef CGAL_LINKED_WITH_TBB
-    const auto parallel = on_epick([=](const auto& points, double r, Tally& tally) {
-      const Parallel_tally sum;
-      box_intersection<CGAL::Parallel_tag>(boxes_around(points, r, outwards),
-                                           is_near_exactly(points, r), sum, cutoff);
-      tally = sum.sum();
-    });
-    all.push_back({{name + ", 2 threads", parallel}, true, 1000000, true});
-#endif
+    all.push_back({{"box_self_intersection_d, cutoff " + std::to_string(cutoff), boxes}, true,
+                   cutoff == 300 ? 10000000u : 1000000u});
   }
 }
 

@@ -1,10 +1,9 @@
 #!/usr/bin/env python3
 """Measures how long one call takes to compile, in the time of the kernel alone, and its code.
 
-  measure.py [--quick] [--rounds <n>] [--text] [<word>]...
+  measure.py [--quick] [--text] [<word>]...
 
-  --quick        one round
-  --rounds <n>   7 rounds unless said otherwise
+  --quick        one round instead of 7
   --text         the code instead of the time: what one call adds to that of the kernel. Fails if it
                  is beyond its limit. Sizes repeat exactly, for one compiler
   <word>         the calls with this word in their name in calls.cpp; the kernel in any case
@@ -131,7 +130,6 @@ def main():
     """Prints a table in Markdown."""
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("--quick", action="store_true")
-    parser.add_argument("--rounds", type=int, default=7)
     parser.add_argument("--text", action="store_true")
     parser.add_argument("words", nargs="*")
     options = parser.parse_args()
@@ -141,7 +139,7 @@ def main():
     if options.text:
         with tempfile.TemporaryDirectory() as folder:
             return 0 if print_texts(names, folder) else 1
-    print_times(names, 1 if options.quick else options.rounds)
+    print_times(names, 1 if options.quick else 7)
     return 0
 
 

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The processes of a measurement: their shares of a scene, and times that all of them agree on.
+// The processes of a measurement: their shares of a scene, times that all of them agree on, and the
+// tables.
 
 #ifndef THICK_INTERSECTION_BENCHMARK_DISTRIBUTED_PROCESSES_H
 #define THICK_INTERSECTION_BENCHMARK_DISTRIBUTED_PROCESSES_H
@@ -50,19 +51,11 @@ inline Tally sum(Tally tally)
   return tally;
 }
 
-// Where the points of a process begin in a scene, and where those of the last one end.
-inline std::size_t first_of(int rank, const Scene& scene)
-{
-  return scene.size() * static_cast<std::size_t>(rank)
-         / static_cast<std::size_t>(process_count());
-}
-
 inline Scene share_of(const Scene& scene)
 {
-  const auto dimension = static_cast<std::ptrdiff_t>(scene.dimension);
-  const auto place = [&](int rank) {
+  const auto place = [&](int rank) { // where the points of a process begin
     return scene.coordinates.begin()
-           + static_cast<std::ptrdiff_t>(first_of(rank, scene)) * dimension;
+           + static_cast<std::ptrdiff_t>(scene.size()) * rank / process_count() * scene.dimension;
   };
   return {scene.name, scene.dimension, {place(rank()), place(rank() + 1)}, scene.r};
 }
@@ -114,6 +107,14 @@ Job timed_on_first(const Function& function)
     return maximum(seconds);
   };
 }
+
+// ---- tables: all processes call these functions together ----------------------------------------
+
+// Two processes beside two threads of one process.
+void print_threads(bool is_quick);
+
+// The peak of memory, to be measured once in a process.
+void print_memory(bool is_quick);
 
 } // namespace thick_benchmark
 

@@ -6,17 +6,12 @@
 //
 //   mpiexec -n <processes> distributed_table <table> [--quick]
 //
-//   facts      no table: the machine, the compiler, the version
 //   threads    two processes beside two threads of one process
-//   trees      beside the distributed tree of ArborX; nothing without it
 //   memory     the peak of memory
 //
 // It ends with status 1 if pairs are not those of one process.
 
 #include "Processes.h"
-#include "tables.h"
-
-#include "measuring/run_facts.h"
 
 #include <mpi.h>
 
@@ -31,18 +26,11 @@ namespace {
 
 void print_rows(const std::string& table, bool is_quick)
 {
-  if(table == "facts") {
-    if(rank() == 0)
-      print_run_facts(std::cout);
-  } else if(table == "threads")
+  if(table == "threads")
     print_threads(is_quick);
   else if(table == "memory")
     print_memory(is_quick);
-  else if(table == "trees") {
-#ifdef THICK_BENCHMARK_HAS_DISTRIBUTED_ARBORX
-    print_trees(is_quick);
-#endif
-  } else
+  else
     throw std::invalid_argument("there is no table of this name");
 }
 

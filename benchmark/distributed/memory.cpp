@@ -4,7 +4,6 @@
 // The peak of memory of a process, as Linux tells it, for each of its points.
 
 #include "Processes.h"
-#include "tables.h"
 
 #include "table/print.h"
 

@@ -5,8 +5,6 @@
 // told by two searches of half of the points each, which have nothing to do with each other.
 
 #include "Processes.h"
-#include "search_by_processes.h"
-#include "tables.h"
 
 #include "scenes/generators.h"
 #include "table/print.h"
@@ -50,6 +48,18 @@ Tally search_by_threads(const Points& points, double r)
 #else
   return search(points, r);
 #endif
+}
+
+// Returns the tally of the pairs that this process reports.
+template <class Points>
+Tally search_by_processes(const Points& points, double r, CGAL::Point_distribution distribution)
+{
+  Tally tally;
+  CGAL::Distributed_profile profile(distribution);
+  CGAL::distributed_fixed_radius_near_neighbors(
+    MPI_COMM_WORLD, points, CGAL::within_distance(r),
+    [&](std::uint64_t i, std::uint64_t j) { tally(i, j); }, profile);
+  return tally;
 }
 
 template <int Dimension>

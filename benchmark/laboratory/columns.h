@@ -50,7 +50,7 @@ using Column = Column_for<Scene>;
 using Columns = std::vector<Column>;
 
 // In the order in which tables have them.
-Columns plain_columns();    // forms, grids, nanoflann, Boost
+Columns plain_columns();    // forms, grids, nanoflann
 Columns cgal_columns();     // squared distances, Kd_tree, boxes
 Columns delaunay_columns(); // CGAL, too
 Columns package_columns();  // ours

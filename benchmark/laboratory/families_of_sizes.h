@@ -21,7 +21,7 @@
 
 namespace lab {
 
-using test_support::Integer;
+using test_support::Rational;
 
 // ---- families -----------------------------------------------------------------------------------
 
@@ -79,40 +79,17 @@ inline std::vector<Family> families_of_sizes(std::size_t n, std::size_t dense)
 
 // ---- the truth: a sweep along the first axis ----------------------------------------------------
 
-// In units of the least positive double.
-inline Integer in_least_units(double x)
+// Of three coordinates and a radius each.
+inline bool do_balls_meet(const double* a, const double* b)
 {
-  int exponent;
-  const double fraction = std::frexp(x, &exponent);
-  const Integer significand(std::ldexp(fraction, 53));
-  const int shift = exponent - 53 + 1074;
-  return shift >= 0 ? Integer(significand << shift) : Integer(significand >> -shift);
+  Rational square = 0;
+  for(int axis = 0; axis < 3; ++axis) {
+    const Rational difference = Rational(a[axis]) - Rational(b[axis]);
+    square += difference * difference;
+  }
+  const Rational sum = Rational(a[3]) + Rational(b[3]);
+  return square <= sum * sum;
 }
-
-class Exact_balls
-{
-public:
-  explicit Exact_balls(const Object_scene& balls)
-  {
-    for(const double x : balls.numbers)
-      numbers_.push_back(in_least_units(x));
-  }
-
-  bool do_intersect(std::size_t i, std::size_t j) const
-  {
-    const Integer *a = &numbers_[4 * i], *b = &numbers_[4 * j];
-    Integer square = 0;
-    for(int axis = 0; axis < 3; ++axis) {
-      const Integer difference = a[axis] - b[axis];
-      square += difference * difference;
-    }
-    const Integer sum = a[3] + b[3];
-    return square <= sum * sum;
-  }
-
-private:
-  std::vector<Integer> numbers_; // three coordinates and a radius each
-};
 
 struct Swept_box
 {
@@ -147,7 +124,6 @@ inline Swept_box swept_box(const Object_scene& scene, std::size_t position)
 inline Pairs true_pairs(const Object_scene& scene)
 {
   const bool are_balls = scene.shape == Shape::BALL;
-  const Exact_balls exact(are_balls ? scene : Object_scene{"", Shape::BALL, 3, {}});
   std::vector<Swept_box> boxes;
   for(std::size_t i = 0; i < scene.size(); ++i)
     boxes.push_back(swept_box(scene, i));
@@ -156,7 +132,8 @@ inline Pairs true_pairs(const Object_scene& scene)
   Pairs pairs;
   for(auto a = boxes.begin(); a != boxes.end(); ++a)
     for(auto b = a + 1; b != boxes.end() && b->low[0] <= a->high[0]; ++b)
-      if(a->meets(*b) && (!are_balls || exact.do_intersect(a->position, b->position)))
+      if(a->meets(*b)
+         && (!are_balls || do_balls_meet(scene.object(a->position), scene.object(b->position))))
         pairs.push_back(std::minmax(a->position, b->position));
   return test_support::sorted(std::move(pairs));
 }

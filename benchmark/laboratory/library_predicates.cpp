@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Libraries: predicates of the plane in twice as many bits, and the adaptive predicates of Shewchuk
-// in our tests of objects.
+// A library: the predicates of GEOS in the plane, in twice as many bits.
 
 #include "predicate_columns.h"
 
@@ -14,17 +13,8 @@
 #include <utility>
 #endif
 
-#ifdef THICK_BENCHMARK_HAS_GTS
-#include "Gts_orientation.h"
-
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
-#endif
-
 namespace lab {
 namespace {
-
-// ---- GEOS ---------------------------------------------------------------------------------------
 
 #ifdef THICK_BENCHMARK_HAS_GEOS
 using Geos = std::unique_ptr<GEOSContextHandle_HS, void (*)(GEOSContextHandle_t)>;
@@ -61,38 +51,6 @@ Answers ask_geos(const Object_questions& questions, double milliseconds)
 }
 #endif
 
-// ---- GTS ----------------------------------------------------------------------------------------
-
-#ifdef THICK_BENCHMARK_HAS_GTS
-// Our test of two objects, with the orientations of the library.
-template <class Object>
-bool do_intersect_by_gts(const Object& a, const Object& b)
-{
-  using namespace CGAL::Thick_intersection_d::internal;
-  constexpr std::size_t count = corner_count_v<Object>;
-  using Orientation = Gts_orientation<vertex_dimension_v<Object>>;
-  typename Orientation::template Vertices<2 * count> vertices;
-  const auto read = [&](const Object& object, std::size_t first) {
-    read_vertices(object, [&](std::size_t k, int axis, double x) {
-      vertices[first + k].x[static_cast<std::size_t>(axis)] = x;
-    });
-  };
-  read(a, 0);
-  read(b, count);
-  CGAL::Arithmetic_tier tier = CGAL::Arithmetic_tier::FILTERED_EXACT;
-  return have_common_vertex<count>(vertices)
-         || do_vertices_intersect<Orientation, shape_v<Object>, shape_v<Object>>(vertices, tier);
-}
-
-Predicate_column shewchuk()
-{
-  return predicate_column<CGAL::Simple_cartesian<double>>(
-    "Shewchuk (GTS)", "library", [](const auto&) {
-      return [](const auto& a, const auto& b) { return do_intersect_by_gts(a, b); };
-    });
-}
-#endif
-
 } // namespace
 
 Predicate_columns library_predicates()
@@ -100,9 +58,6 @@ Predicate_columns library_predicates()
   return {
 #ifdef THICK_BENCHMARK_HAS_GEOS
     {"GEOS", "library", [](const Kind& kind) { return kind.dimension == 2; }, ask_geos},
-#endif
-#ifdef THICK_BENCHMARK_HAS_GTS
-    shewchuk(),
 #endif
   };
 }

@@ -149,18 +149,6 @@ void run_squared_radii(int bits)
                         Degree_number::input(std::ldexp(8., bits - 5))));
 }
 
-// The curves, not the disks, by CGAL's own predicate.
-void run_circles_of_the_kernel(int bits)
-{
-  const auto balls = degree_balls<Point_2, 2>(bits);
-  const Predicate_at_site<Kernel::Do_intersect_2> do_intersect(Kernel::Do_intersect_2(),
-                                                               "Do_intersect_2");
-  for(const auto& a : balls)
-    for(const auto& b : balls)
-      do_intersect(Kernel::Circle_2(a.first, a.second * a.second),
-                   Kernel::Circle_2(b.first, b.second * b.second));
-}
-
 // Objects of which many touch.
 template <class Maker>
 auto degree_objects(int bits)
@@ -248,7 +236,6 @@ std::vector<Algorithm> algorithms()
     {"Thick_ball_traits_d 3D", true, run_ball_traits<Point_3, 3>},
     {"disks stored by squared radius", false, run_squared_radii<Kernel::Circle_2, Point_2, 2>},
     {"balls stored by squared radius", false, run_squared_radii<Kernel::Sphere_3, Point_3, 3>},
-    {"do_intersect(Circle_2, Circle_2)", false, run_circles_of_the_kernel},
     {"Thick_object_traits_d<Segment_2>", true, run_object_traits<Segments_2>},
     {"Thick_object_traits_d<Triangle_2>", true, run_object_traits<Triangles_2>},
     {"Thick_object_traits_d<Iso_rectangle_2>", true, run_object_traits<Rectangles_2>},

@@ -31,8 +31,6 @@ struct Bezout
 };
 
 using Integer_vector = test_support::Hull_vector<Integer>;
-using test_support::cross;
-using test_support::dot;
 
 // Subtracts the multiple of u that leaves the least part of d along the direction of a vector.
 inline void reduce(Integer_vector& d, const Integer_vector& u, const Integer_vector& direction)

@@ -5,8 +5,7 @@
 
 #include "methods/box_intersection.h"
 #include "methods/boxes_of_objects.h"
-#include "methods/recursive_route.h"
-#include "methods/rtree_of_boxes.h"
+#include "support/recursion_variants.h"
 
 #include <CGAL/Thick_object_traits_d.h>
 #include <CGAL/thick_intersection_d.h>
@@ -18,7 +17,6 @@ namespace {
 
 using CGAL::Box_intersection_d::CLOSED;
 using CGAL::Box_intersection_d::HALF_OPEN;
-using CGAL::Box_intersection_d::ID_EXPLICIT;
 using CGAL::Box_intersection_d::Topology;
 
 template <class Answer, class Search>
@@ -104,29 +102,8 @@ template <class NT, class Test, class Round>
 auto by_boxes(const Round& round, std::ptrdiff_t cutoff, Topology topology = CLOSED)
 {
   return [=](const auto& objects, auto& answer) {
-    box_intersection<CGAL::Sequential_tag>(boxes_of<NT, ID_EXPLICIT>(objects, round),
+    box_intersection<CGAL::Sequential_tag>(boxes_of<NT>(objects, round),
                                            test_of<Test>(objects), answer, cutoff, topology);
-  };
-}
-
-// As programs write it: boxes as computed, balls tested in doubles.
-auto by_rtree()
-{
-  return [](const auto& objects, auto& answer) {
-    const auto boxes = boxes_of<double, ID_EXPLICIT>(objects, as_written);
-    constexpr int dimension = object_dimension<std::decay_t<decltype(objects[0])>>;
-    std::vector<Rtree_box<dimension>> numbered;
-    numbered.reserve(boxes.size());
-    for(const auto& box : boxes)
-      numbered.push_back(
-        {{rtree_corner_at<dimension>([&](int axis) { return box.min_coord(axis); }),
-          rtree_corner_at<dimension>([&](int axis) { return box.max_coord(axis); })},
-         box.info()});
-    const auto do_meet = test_of<Squared_in<double>>(objects);
-    rtree_search_boxes(numbered, [&](std::size_t i, std::size_t j) {
-      if(i < j && do_meet(i, j))
-        answer(i, j);
-    });
   };
 }
 
@@ -152,7 +129,7 @@ auto by_search()
 auto by_recursive_route()
 {
   return [](const auto& objects, auto& answer) {
-    search_by_variant(objects, traits_of(objects), Recursion_variant(), answer);
+    test_support::search_by_variant(objects, traits_of(objects), {}, answer);
   };
 }
 
@@ -174,7 +151,6 @@ std::vector<Object_column> object_columns(Shape shape)
           column("boxes, Sphere_3", "library", by_boxes<double, As_spheres>(outwards, 1000)),
         })
       columns.push_back(other);
-  columns.push_back(column("Boost rtree", "library", by_rtree()));
   columns.push_back(column("ours", "ours", by_search()));
   columns.push_back(column("ours, recursive route", "ours", by_recursive_route()));
   return columns;

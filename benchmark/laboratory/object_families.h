@@ -7,6 +7,7 @@
 #ifndef THICK_INTERSECTION_BENCHMARK_LABORATORY_OBJECT_FAMILIES_H
 #define THICK_INTERSECTION_BENCHMARK_LABORATORY_OBJECT_FAMILIES_H
 
+#include "support/hull_oracle.h"
 #include "support/point_generators.h"
 
 #include <algorithm>
@@ -57,18 +58,11 @@ struct Object_set
 
 // ---- lattices -----------------------------------------------------------------------------------
 
-using Place = std::array<std::int64_t, 3>;
+using Place = test_support::Hull_vector<std::int64_t>;
 using Places = std::vector<Place>; // the vertices of an object
-
-inline Place difference(const Place& p, const Place& q)
-{
-  return {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
-}
-
-inline Place cross_product(const Place& u, const Place& v)
-{
-  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-}
+using test_support::cross;
+using test_support::difference;
+using test_support::dot;
 
 // Of small integers. The last coordinate of places in the plane is zero.
 inline bool is_degenerate(const Places& object)
@@ -76,11 +70,9 @@ inline bool is_degenerate(const Places& object)
   const Place u = difference(object[1], object[0]);
   if(object.size() == 2)
     return u == Place{};
-  const Place normal = cross_product(u, difference(object[2], object[0]));
-  if(object.size() == 3)
-    return normal == Place{};
-  const Place w = difference(object[3], object[0]);
-  return normal[0] * w[0] + normal[1] * w[1] + normal[2] * w[2] == 0;
+  const Place normal = cross(u, difference(object[2], object[0]));
+  return object.size() == 3 ? normal == Place{}
+                            : dot(normal, difference(object[3], object[0])) == 0;
 }
 
 constexpr std::size_t objects_per_family = 300;

@@ -2,16 +2,22 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 // All families of segments, triangles and tetrahedra by all predicates: wrong answers about the
-// pairs whose boxes meet, and the time of one answer.
+// pairs whose boxes meet, and the time of one answer. And which arithmetic decides these pairs, and
+// which one would be enough for all determinants of the scene.
 //
-//   object_predicates <folder for object_families.csv> <milliseconds per measurement>
+//   object_predicates <folder for object_families.csv and object_stages.csv>
+//                     <milliseconds per measurement>
 
 #include "predicate_columns.h"
 
 #include "measuring/Csv_file.h"
 
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/thick_intersection_d.h>
+
 #include <algorithm>
 #include <iostream>
+#include <sstream>
 
 namespace {
 
@@ -66,6 +72,36 @@ void write_rows(const Object_questions& questions, double milliseconds,
   }
 }
 
+// ---- which arithmetic decides -------------------------------------------------------------------
+
+CGAL::Scene_profile profile_of(const Object_set& set)
+{
+  return with_maker(set.kind, [&](auto maker) {
+    CGAL::Scene_profile profile;
+    CGAL::thick_self_intersection_d(objects_of<CGAL::Simple_cartesian<double>>(maker, set),
+                                    [](std::size_t, std::size_t) {}, profile);
+    return profile;
+  });
+}
+
+std::string name_of(CGAL::Arithmetic_tier tier)
+{
+  std::ostringstream name;
+  name << tier;
+  return name.str();
+}
+
+void write_stages(const Object_set& set, thick_benchmark::Csv_file& csv)
+{
+  using CGAL::Arithmetic_tier;
+  const CGAL::Scene_profile profile = profile_of(set);
+  csv.row(set.kind.dimension, set.kind.name, set.family, profile.degree(),
+          profile.difference_bits(), profile.bits(), name_of(profile.needed_tier()),
+          profile.decided(Arithmetic_tier::DOUBLE), profile.decided(Arithmetic_tier::INT64),
+          profile.decided(Arithmetic_tier::INT128), profile.decided(Arithmetic_tier::INT192),
+          profile.decided(Arithmetic_tier::FILTERED_EXACT));
+}
+
 } // namespace
 
 int main(int, char** arguments)
@@ -76,7 +112,13 @@ int main(int, char** arguments)
     "the origin in the hull of differences, in GMP integers (test/support/hull_oracle.h)",
     "dimension,kind,family,questions,true_pairs,method,group,status,missing,extra,undecided,"
     "asymmetric,ns");
+  thick_benchmark::Csv_file stages(arguments[1], "object_stages.csv",
+                                   "none: the profiles of searches (CGAL/Scene_profile.h, decided)",
+                                   "dimension,kind,family,degree,difference_bits,bits,needed_tier,"
+                                   "double,int64,int128,int192,exact");
   for(const Kind& kind : kinds())
-    for(const Object_set& set : object_families(kind))
+    for(const Object_set& set : object_families(kind)) {
       write_rows(questions_about(set), milliseconds, csv);
+      write_stages(set, stages);
+    }
 }

@@ -4,15 +4,11 @@
 // The pairs that searches of domains that repeat lose or find too often on perfect lattices, within
 // distances that pairs are exactly or nearly at.
 //
-//   periodic_pairs <folder for periodic_pairs.csv> <points per lattice row> [<folder for scenes>]
-//
-// The scenes are written for benchmark/compare/periodic_rivals.py, which adds rows.
+//   periodic_pairs <folder for periodic_pairs.csv> <points per lattice row>
 
 #include "measuring/Csv_file.h"
 #include "methods/periodic_methods.h"
-#include "methods/periodic_scene_file.h"
-
-#include <boost/multiprecision/gmp.hpp>
+#include "support/periodic_oracle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +20,8 @@
 namespace {
 
 using namespace thick_benchmark;
-using Rational = boost::multiprecision::mpq_rational;
+using test_support::Rational;
+using Pairs_of_images = std::vector<test_support::Image_pair<3>>;
 using Steps = std::array<std::array<int, 3>, 3>; // of a lattice, for each period
 
 // The points of a cube of the lattice with a unit, in a domain whose periods are lattice vectors.
@@ -57,69 +54,53 @@ std::vector<Periodic_scene> scenes(int row)
   return scenes;
 }
 
-// All pairs within the distance, of which some are exactly at it.
-struct Truth
+// The scene as the oracle of the tests takes it.
+test_support::Lattice_scene<3> in_numbers(const Periodic_scene& scene)
 {
-  Image_pairs pairs;
-  std::vector<bool> are_ties;
-};
-
-int compare_exactly(const Periodic_scene& scene, const Image_pair& pair)
-{
-  Rational sum = 0;
-  for(std::size_t axis = 0; axis < 3; ++axis) {
-    Rational d = Rational(scene.points[static_cast<std::size_t>(pair.i)][axis])
-                 - Rational(scene.points[static_cast<std::size_t>(pair.j)][axis]);
-    for(std::size_t k = 0; k < 3; ++k)
-      d -= pair.offset[k] * Rational(scene.vectors[k][axis]);
-    sum += d * d;
+  test_support::Lattice_scene<3> result;
+  for(const auto& p : scene.points)
+    result.points.emplace_back(p.begin(), p.end());
+  for(std::size_t k = 0; k < 3; ++k) {
+    result.repeats[k] = true;
+    for(std::size_t axis = 0; axis < 3; ++axis)
+      result.vectors[k][axis] = Rational(scene.vectors[k][axis]);
   }
-  return sum.compare(Rational(Rational(scene.r) * Rational(scene.r)));
+  result.square = Rational(scene.r) * Rational(scene.r);
+  return result;
 }
 
-// Tries all pairs and all offsets that any of these scenes needs. Rationals decide what doubles may
-// not decide.
+// The pairs within the distance, in ascending order, and of these the ones that are exactly at it.
+struct Truth
+{
+  Pairs_of_images pairs, ties;
+};
+
 Truth truth_of(const Periodic_scene& scene)
 {
-  constexpr int most = 2;
-  Truth truth;
-  const auto size = static_cast<std::int32_t>(scene.points.size());
-  Image_pair pair = {};
-  std::array<std::int32_t, 3>& o = pair.offset;
-  for(o[0] = -most; o[0] <= most; ++o[0])
-    for(o[1] = -most; o[1] <= most; ++o[1])
-      for(o[2] = -most; o[2] <= most; ++o[2]) {
-        std::array<double, 3> move = {};
-        for(std::size_t k = 0; k < 3; ++k)
-          for(std::size_t axis = 0; axis < 3; ++axis)
-            move[axis] += o[k] * scene.vectors[k][axis];
-        for(pair.i = 0; pair.i < size; ++pair.i)
-          for(pair.j = pair.i + 1; pair.j < size; ++pair.j) {
-            double square = 0;
-            for(std::size_t axis = 0; axis < 3; ++axis) {
-              const double d = scene.points[static_cast<std::size_t>(pair.i)][axis]
-                               - scene.points[static_cast<std::size_t>(pair.j)][axis] - move[axis];
-              square += d * d;
-            }
-            if(square > scene.r * scene.r * 1.001)
-              continue;
-            const int sign = compare_exactly(scene, pair);
-            if(sign <= 0) {
-              truth.pairs.push_back(pair);
-              truth.are_ties.push_back(sign == 0);
-            }
-          }
-      }
+  const test_support::Lattice_scene<3> exact = in_numbers(scene);
+  const test_support::Periodic_oracle<3> oracle(exact);
+  Truth truth = {oracle.pairs(), {}};
+  for(const auto& pair : truth.pairs)
+    if(oracle.square(pair) == exact.square)
+      truth.ties.push_back(pair);
   return truth;
 }
 
-// How many of the sorted pairs are not in others, with repetitions.
-std::size_t size_of_difference(const Image_pairs& pairs, const Image_pairs& others)
+Pairs_of_images found_by(const Periodic_method& method, const Periodic_scene& scene)
 {
-  Image_pairs difference;
+  const Image_pairs found = method.prepare(scene).pairs();
+  Pairs_of_images pairs(found.begin(), found.end());
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+// The sorted pairs that are not in others, with repetitions.
+Pairs_of_images difference(const Pairs_of_images& pairs, const Pairs_of_images& others)
+{
+  Pairs_of_images difference;
   std::set_difference(pairs.begin(), pairs.end(), others.begin(), others.end(),
                       std::back_inserter(difference));
-  return difference.size();
+  return difference;
 }
 
 std::vector<Periodic_method> methods()
@@ -133,29 +114,21 @@ std::vector<Periodic_method> methods()
 
 } // namespace
 
-int main(int count, char** arguments)
+int main(int, char** arguments)
 {
   Csv_file csv(arguments[1], "periodic_pairs.csv",
-               "all pairs and offsets, in GMP rationals (benchmark/laboratory/periodic_pairs.cpp)",
+               "all pairs and offsets, in GMP rationals (test/support/periodic_oracle.h)",
                "scene,points,true_pairs,at_the_radius,method,rule,missing,extra");
   for(const Periodic_scene& scene : scenes(std::stoi(arguments[2]))) {
     const Truth truth = truth_of(scene);
-    const auto ties = std::count(truth.are_ties.begin(), truth.are_ties.end(), true);
     std::cout << scene.name << ", " << truth.pairs.size() << " pairs" << std::endl;
-    if(count > 3)
-      write_scene(arguments[3], scene, truth.pairs, truth.are_ties);
     for(const Periodic_method& method : methods()) {
-      Image_pairs expected;
-      for(std::size_t k = 0; k < truth.pairs.size(); ++k)
-        if(!method.is_open || !truth.are_ties[k])
-          expected.push_back(truth.pairs[k]);
-      Image_pairs found = method.prepare(scene).pairs();
-      std::sort(expected.begin(), expected.end());
-      std::sort(found.begin(), found.end());
-      csv.row(scene.name, scene.points.size(), expected.size(), ties,
-              method.name.substr(0, method.name.find(',')),
-              method.is_open ? "<" : "<=", size_of_difference(expected, found),
-              size_of_difference(found, expected));
+      const Pairs_of_images expected
+        = method.is_open ? difference(truth.pairs, truth.ties) : truth.pairs;
+      const Pairs_of_images found = found_by(method, scene);
+      csv.row(scene.name, scene.points.size(), expected.size(), truth.ties.size(),
+              method.name.substr(0, method.name.find(',')), method.is_open ? "<" : "<=",
+              difference(expected, found).size(), difference(found, expected).size());
     }
   }
 }

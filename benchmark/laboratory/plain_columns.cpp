@@ -1,15 +1,13 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Methods without a kernel: the forms of distance_forms.h, cells, nanoflann and Boost's R-tree.
+// Methods without a kernel: the forms of distance_forms.h, cells and nanoflann.
 
 #include "columns.h"
 
 #include "methods/Cell_list.h"
-#include "methods/box_intersection.h"
 #include "methods/distance_forms.h"
 #include "methods/nanoflann.h"
-#include "methods/rtree.h"
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -71,26 +69,12 @@ auto by_nanoflann(double (*square)(double))
 double open_square(double r) { return r * r; }
 #endif
 
-// Is_near(p, q, r), on Boost's points.
-template <class Is_near>
-auto by_rtree(const Is_near& is_near)
-{
-  return on_points<Found, Double_kernel>([is_near](const auto& points, double r, Found& found) {
-    rtree_search(points, r, as_written, [&](const auto& a, const auto& b) {
-      if(a.second != b.second && is_near(a.first, b.first, r))
-        found.neighbour(a.second, b.second);
-    });
-  });
-}
-
 } // namespace
 
 Columns plain_columns()
 {
-  namespace bg = boost::geometry;
   return {
     {{"double", by_form<Squared_in<double>>()}, "form"},
-    {{"double, fma", by_form<Squared_with_fma>()}, "form"},
     {{"double, sqrt", by_form<With_square_root>()}, "form"},
     {{"double, hypot", by_form<With_hypot>()}, "form"},
     {{"double, expanded", by_form<Expanded>()}, "form"},
@@ -102,14 +86,6 @@ Columns plain_columns()
     {{"nanoflann, open", by_nanoflann(open_square)}, "library"},
     {{"nanoflann, closed", by_nanoflann(nanoflann_closed)}, "library"},
 #endif
-    {{"Boost rtree, squared", by_rtree([](const auto& p, const auto& q, double r) {
-        return bg::comparable_distance(p, q) <= r * r;
-      })},
-     "library"},
-    {{"Boost rtree, distance", by_rtree([](const auto& p, const auto& q, double r) {
-        return bg::distance(p, q) <= r;
-      })},
-     "library"},
   };
 }
 

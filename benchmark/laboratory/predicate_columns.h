@@ -44,7 +44,7 @@ using Predicate_columns = std::vector<Predicate_column>;
 
 // In the order in which the table has them. Each kernel is compiled in one file.
 Predicate_columns plain_predicates();   // in doubles, and with intervals of them
-Predicate_columns library_predicates(); // GEOS, Shewchuk
+Predicate_columns library_predicates(); // GEOS
 Predicate_columns cgal_predicates();    // CGAL's exact ones
 Predicate_columns package_predicates(); // ours
 

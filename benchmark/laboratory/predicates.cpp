@@ -13,13 +13,11 @@
 #include "scenes/from_tests.h"
 
 #include "support/exact_points.h"
-#include "support/mpfr_kernel_number.h"
 #include "support/point_generators.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Gmpzf.h>
 #include <CGAL/Mpzf.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Thick_point_traits_d.h>
@@ -216,17 +214,6 @@ public:
     });
   }
 
-  template <class Kernel>
-  void bounded_side(const char* name) const
-  {
-    using Point = typename Kernel::Point_3;
-    put<Kernel>(name, "kernel", [](double r) {
-      return [square = square_in<Kernel>(r)](const Point& p, const Point& q) {
-        return !typename Kernel::Sphere_3(p, square).has_on_unbounded_side(q);
-      };
-    });
-  }
-
   // Ours: the filter, then exact numbers.
   template <class Kernel>
   void ours(const char* name) const
@@ -294,12 +281,6 @@ void measure_all_predicates(const std::vector<Pair_set>& sets, double millisecon
   on.template form<With_square_root>("double, sqrt");
   on.template form<With_hypot>("double, hypot");
   on.template form<Expanded>("double, expanded");
-  on.template bounded_side<Epick>("EPICK Sphere_3");
-  on.template compare_squared_distance<CGAL::Simple_cartesian<CGAL::Gmpzf>>("Gmpzf");
-  on.template compare_squared_distance<CGAL::Simple_cartesian<test_support::Mpfr_number<16>>>(
-    "MPFR 55 bits");
-  on.template compare_squared_distance<CGAL::Simple_cartesian<test_support::Mpfr_number<76>>>(
-    "MPFR 255 bits");
 }
 
 const char* const truth = "GMP integers (test/support/exact_points.h, are_within_radius)";

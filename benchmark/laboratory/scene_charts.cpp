@@ -10,12 +10,12 @@
 #include "measuring/Csv_file.h"
 #include "measuring/Tally.h"
 #include "methods/Cell_list.h"
-#include "methods/recursive_route.h"
 
 #include "support/data_facts.h"
 #include "support/kernels.h"
 #include "support/lattice_traits.h"
 #include "support/point_generators.h"
+#include "support/recursion_variants.h"
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -25,7 +25,6 @@
 namespace {
 
 using namespace test_support;
-using thick_benchmark::Base_case;
 using thick_benchmark::Csv_file;
 using thick_benchmark::Tally;
 

@@ -12,12 +12,11 @@
 #include "measuring/timing.h"
 #include "methods/Method.h"
 #include "methods/all_pairs.h"
-#include "methods/recursive_route.h"
-#include "methods/sort_of_x.h"
 #include "scenes/from_tests.h"
 
 #include "support/paper_traits.h"
 #include "support/point_generators.h"
+#include "support/recursion_variants.h"
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -136,8 +135,9 @@ private:
     const test_support::Paper_point_traits<Double_kernel::Point_2, 2> traits(scene_.r);
     write_on_points<Double_kernel>("[V03] as in its section 3, in double", 2,
                                    [traits](const auto& points, Tally& tally) {
-                                     search_by_variant(points, traits,
-                                                       {Pivot::RANDOM, Base_case::WALK, 1}, tally);
+                                     using test_support::Base_case, test_support::Pivot;
+                                     test_support::search_by_variant(
+                                       points, traits, {Pivot::RANDOM, Base_case::WALK, 1}, tally);
                                    });
   }
 

@@ -54,7 +54,7 @@ int main(int, char** arguments)
 {
   const std::size_t n = std::stoul(arguments[2]), dense = std::stoul(arguments[3]);
   Csv_file csv(arguments[1], "sizes.csv",
-               "a sweep along an axis, then GMP integers (laboratory/families_of_sizes.h)",
+               "a sweep along an axis, then GMP rationals (laboratory/families_of_sizes.h)",
                "shape,family,objects,true_pairs,method,group,status,seconds,missing,extra");
   for(const Family& family : families_of_sizes(n, dense))
     write_rows(family, csv);

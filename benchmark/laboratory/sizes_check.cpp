@@ -60,5 +60,4 @@ BOOST_AUTO_TEST_CASE(half_open_and_rounded_methods_are_wrong)
   BOOST_TEST(count_wrong_pairs("boxes, half-open") > 0u);
   BOOST_TEST(count_wrong_pairs("boxes of floats") > 0u);
   BOOST_TEST(count_wrong_pairs("boxes, test in double") > 0u);
-  BOOST_TEST(count_wrong_pairs("Boost rtree") > 0u);
 }

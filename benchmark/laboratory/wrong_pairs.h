@@ -11,11 +11,9 @@
 
 #include "measuring/timing.h"
 
-#include "support/point_generators.h"
 
 #include <algorithm>
 #include <iterator>
-#include <numeric>
 
 namespace lab {
 
@@ -77,39 +75,6 @@ inline std::size_t count_asymmetric(const Found& found)
     if(pair.first > pair.second)
       back.emplace_back(pair.second, pair.first);
   return size_of_difference(reported(found), test_support::sorted(std::move(back)));
-}
-
-// The same points in another order, and where each of them was.
-inline Scene reordered(const Scene& scene, std::vector<std::size_t>& positions)
-{
-  test_support::Random random(scene.size());
-  positions.resize(scene.size());
-  std::iota(positions.begin(), positions.end(), std::size_t(0));
-  for(std::size_t i = positions.size(); i > 1; --i)
-    std::swap(positions[i - 1], positions[random.below(i)]);
-  Scene result = scene;
-  result.coordinates.clear();
-  for(std::size_t i : positions)
-    result.coordinates.insert(result.coordinates.end(), scene.point(i),
-                              scene.point(i) + scene.dimension);
-  return result;
-}
-
-// Counts the pairs that are answered differently when the input is in another order.
-inline std::size_t count_order_dependent(const Column& column, const Scene& scene,
-                                         unsigned int limit)
-{
-  std::vector<std::size_t> positions;
-  const Scene other = reordered(scene, positions);
-  const Outcome in_order = find_in_child(column, scene, limit);
-  Outcome outcome = find_in_child(column, other, limit);
-  if(!in_order.is_ok() || !outcome.is_ok())
-    return 0;
-  for(Pair& pair : outcome.found.pairs) {
-    const std::size_t i = positions[pair.first], j = positions[pair.second];
-    pair = outcome.found.is_directed ? Pair(i, j) : Pair(std::minmax(i, j));
-  }
-  return size_of_difference(reported(in_order.found), reported(outcome.found));
 }
 
 // Compares what a method has found with the sorted true pairs.

@@ -7,8 +7,6 @@
 #ifndef THICK_INTERSECTION_BENCHMARK_MEASURING_CSV_FILE_H
 #define THICK_INTERSECTION_BENCHMARK_MEASURING_CSV_FILE_H
 
-#include "processor.h"
-
 #include <CGAL/version.h>
 
 #include <fstream>
@@ -16,6 +14,20 @@
 #include <string>
 
 namespace thick_benchmark {
+
+// The name and the family of the processor, as Linux tells them.
+inline std::string processor()
+{
+  std::ifstream in("/proc/cpuinfo");
+  std::string family; // the name of a virtual processor may not tell one generation from another
+  for(std::string line; std::getline(in, line);) {
+    if(line.rfind("cpu family", 0) == 0)
+      family = ", family " + line.substr(line.find(':') + 2);
+    if(line.rfind("model name", 0) == 0)
+      return line.substr(line.find(':') + 2) + family;
+  }
+  return "unknown";
+}
 
 class Csv_file
 {

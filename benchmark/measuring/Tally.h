@@ -1,18 +1,22 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The callback of all measurements: it counts the pairs and combines their positions, so that the
-// pairs cannot be left uncomputed, and two methods can be compared.
+// The callbacks of all measurements. One counts the pairs and combines their positions, so that the
+// pairs cannot be left uncomputed, and two methods can be compared. Another one keeps the pairs.
 
 #ifndef THICK_INTERSECTION_BENCHMARK_MEASURING_TALLY_H
 #define THICK_INTERSECTION_BENCHMARK_MEASURING_TALLY_H
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/enumerable_thread_specific.h>
@@ -95,6 +99,26 @@ private:
 };
 
 #endif // CGAL_LINKED_WITH_TBB
+
+// To tell how many pairs differ between two searches.
+struct Pair_list
+{
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+
+  // Searches of one set give i < j.
+  void operator()(std::size_t i, std::size_t j) { pairs.emplace_back(i, j); }
+};
+
+// How many pairs of `a` are not in `b`.
+inline std::size_t count_missing(Pair_list a, Pair_list b)
+{
+  std::sort(a.pairs.begin(), a.pairs.end());
+  std::sort(b.pairs.begin(), b.pairs.end());
+  Pair_list missing;
+  std::set_difference(a.pairs.begin(), a.pairs.end(), b.pairs.begin(), b.pairs.end(),
+                      std::back_inserter(missing.pairs));
+  return missing.pairs.size();
+}
 
 } // namespace thick_benchmark
 

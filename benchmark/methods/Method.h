@@ -11,6 +11,7 @@
 
 #include "scenes/Scene.h"
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <string>
@@ -28,6 +29,13 @@ struct Method
   // Makes the points or objects in the method's own type. What it returns can be run as often as
   // wanted.
   std::function<Run<Answer>(const Scene&)> prepare;
+};
+
+// A way to the pairs of a scene that tells how many there are.
+struct Counted
+{
+  std::string name;
+  Run<std::size_t> count;
 };
 
 // ---- to make them -------------------------------------------------------------------------------
@@ -61,6 +69,17 @@ auto on_points(const Search& search)
       scene, [search, r = scene.r](const auto& points, Answer& answer) {
         search(points, r, answer);
       });
+  };
+}
+
+// std::sort of the x-coordinates, the measure of all methods. It finds nothing.
+template <class Answer>
+Run<Answer> sort_of_x(const Scene& scene)
+{
+  return [unsorted = x_coordinates(scene)] {
+    std::vector<double> x = unsorted;
+    std::sort(x.begin(), x.end());
+    return Answer();
   };
 }
 

@@ -22,11 +22,10 @@ constexpr int object_dimension = CGAL::Ambient_dimension<Object>::value;
 template <>
 inline constexpr int object_dimension<Ball_3> = 3;
 
-template <class NT, int Dimension, class Id>
-using Box_of_object
-  = CGAL::Box_intersection_d::Box_with_info_d<NT, Dimension, std::uint32_t, Id>;
+template <class NT, int Dimension>
+using Box_of_object = CGAL::Box_intersection_d::Box_with_info_d<NT, Dimension, std::uint32_t>;
 
-template <class NT, class Id, class Object, class Round>
+template <class NT, class Object, class Round>
 auto box_of(const Object& object, std::uint32_t position, const Round&)
 {
   const auto bbox = object.bbox();
@@ -36,11 +35,11 @@ auto box_of(const Object& object, std::uint32_t position, const Round&)
     low[axis] = static_cast<NT>((bbox.min)(axis));
     high[axis] = static_cast<NT>((bbox.max)(axis));
   }
-  return Box_of_object<NT, dimension, Id>(low, high, position);
+  return Box_of_object<NT, dimension>(low, high, position);
 }
 
 // round(x, infinity) rounds the ends; see box_intersection.h.
-template <class NT, class Id, class Round>
+template <class NT, class Round>
 auto box_of(const Ball_3& ball, std::uint32_t position, const Round& round)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -49,16 +48,16 @@ auto box_of(const Ball_3& ball, std::uint32_t position, const Round& round)
     low[axis] = static_cast<NT>(round(ball.first[axis] - ball.second, -infinity));
     high[axis] = static_cast<NT>(round(ball.first[axis] + ball.second, infinity));
   }
-  return Box_of_object<NT, 3, Id>(low, high, position);
+  return Box_of_object<NT, 3>(low, high, position);
 }
 
-template <class NT, class Id, class Object, class Round>
+template <class NT, class Object, class Round>
 auto boxes_of(const std::vector<Object>& objects, const Round& round)
 {
-  std::vector<decltype(box_of<NT, Id>(objects[0], 0, round))> boxes;
+  std::vector<decltype(box_of<NT>(objects[0], 0, round))> boxes;
   boxes.reserve(objects.size());
   for(std::size_t i = 0; i < objects.size(); ++i)
-    boxes.push_back(box_of<NT, Id>(objects[i], static_cast<std::uint32_t>(i), round));
+    boxes.push_back(box_of<NT>(objects[i], static_cast<std::uint32_t>(i), round));
   return boxes;
 }
 

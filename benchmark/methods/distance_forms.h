@@ -41,22 +41,6 @@ struct Squared_in
   }
 };
 
-// As compilers contract the sum on machines with fused multiplication.
-struct Squared_with_fma
-{
-  template <std::size_t Dimension>
-  static bool is_near(const Array_point<Dimension>& p, const Array_point<Dimension>& q, double r)
-  {
-    const double first = p[0] - q[0];
-    double sum = first * first;
-    for(std::size_t i = 1; i < p.size(); ++i) {
-      const double difference = p[i] - q[i];
-      sum = std::fma(difference, difference, sum);
-    }
-    return sum <= r * r;
-  }
-};
-
 struct With_square_root
 {
   template <std::size_t Dimension>

@@ -95,23 +95,6 @@ void nanoflann_search(const std::vector<Point>& points, double square, Answer& a
   }
 }
 
-// The least squared distance of a point and its nearest neighbour. The first of two neighbours is
-// the point itself.
-template <class Point>
-double nanoflann_closest(const std::vector<Point>& points)
-{
-  const Nanoflann_points<Point> adapted{points};
-  const Nanoflann_tree<Point> tree(dimension_of<Point>, adapted);
-  double least = std::numeric_limits<double>::infinity();
-  for(std::size_t i = 0; i < points.size(); ++i) {
-    std::uint32_t positions[2];
-    double squares[2];
-    tree.knnSearch(adapted.center(i).data(), 2, positions, squares);
-    least = std::min(least, squares[1]);
-  }
-  return least;
-}
-
 } // namespace thick_benchmark
 
 #endif // __has_include(<nanoflann.hpp>)

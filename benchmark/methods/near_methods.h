@@ -9,8 +9,8 @@
 
 #include "Method.h"
 
-#include "measuring/Pair_list.h"
-#include "scenes/Near_scene.h"
+#include "measuring/Tally.h"
+#include "scenes/Object_scene.h"
 
 namespace thick_benchmark {
 
@@ -29,6 +29,10 @@ Near_method near_by_embree();
 
 // Slowly, in rational numbers, by the oracle of the tests.
 Pair_list near_pairs_by_oracle(const Near_scene& scene);
+
+// Segments between random points of the unit cube, and the small triangles at random places in it
+// that they meet: by thick_intersection_d, and by an AABB_tree that is asked for each segment.
+std::vector<Counted> ways_of_rays(std::size_t ray_count, std::size_t triangle_count);
 
 } // namespace thick_benchmark
 

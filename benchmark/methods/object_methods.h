@@ -9,7 +9,6 @@
 
 #include "ours.h"
 
-#include "measuring/Pair_list.h"
 #include "scenes/Object_scene.h"
 
 #include <vector>
@@ -40,11 +39,15 @@ Object_method boxes_of_objects(std::ptrdiff_t cutoff);
 Object_method boxes_d(std::ptrdiff_t cutoff);
 Method<Tally> boxes_of_points_d(std::ptrdiff_t cutoff, Dimension_kind kind);
 
-// For scenes in one set: as self_intersections() of Polygon_mesh_processing calls it.
-Object_method boxes_by_address();
+// The searches of the faces of a mesh that intersect. They share one Surface_mesh.
+struct Mesh_searches
+{
+  Run<Tally> ours;            // thick_mesh_self_intersections
+  Run<Tally> as_in_pmp;       // self_intersections of Polygon_mesh_processing
+  Run<Tally> boxes_that_meet; // thick_self_intersection_d of the boxes of faces
+};
 
-// For scenes of boxes in one set, which must outlive the runs.
-Object_method bvh_of_boxes();
+Mesh_searches mesh_searches(const Mesh_scene& scene);
 
 } // namespace thick_benchmark
 

@@ -47,11 +47,10 @@ public:
     Image_pairs pairs;
     for(std::size_t k = 0; k < list_.length; ++k) {
       const auto& shift = list_.shifts[k];
-      const Image_pair pair = {static_cast<std::int32_t>(list_.pairs[k][0]),
-                               static_cast<std::int32_t>(list_.pairs[k][1]),
-                               {shift[0], shift[1], shift[2]}};
+      const Image_pair pair(list_.pairs[k][0], list_.pairs[k][1],
+                            Offset{shift[0], shift[1], shift[2]});
       const Image_pair in_order = ordered(pair);
-      if(!is_full || (!(pair < in_order) && !(in_order < pair)))
+      if(!is_full || pair == in_order)
         pairs.push_back(in_order);
     }
     return pairs;

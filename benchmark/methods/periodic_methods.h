@@ -25,24 +25,17 @@ struct Periodic_scene
 };
 
 // The point i and the point j moved by the offset: i < j, or i = j and a positive offset.
-struct Image_pair
-{
-  std::int32_t i, j;
-  std::array<std::int32_t, 3> offset;
-
-  friend bool operator<(const Image_pair& a, const Image_pair& b)
-  {
-    return std::tie(a.i, a.j, a.offset) < std::tie(b.i, b.j, b.offset);
-  }
-};
+using Offset = std::array<std::int32_t, 3>;
+using Image_pair = std::tuple<std::int32_t, std::int32_t, Offset>;
 using Image_pairs = std::vector<Image_pair>;
 
 // Returns a pair in the order of Image_pair.
 inline Image_pair ordered(const Image_pair& pair)
 {
-  if(pair.i < pair.j || (pair.i == pair.j && pair.offset > std::array<std::int32_t, 3>{}))
+  const auto& [i, j, offset] = pair;
+  if(i < j || (i == j && offset > Offset{}))
     return pair;
-  return {pair.j, pair.i, {-pair.offset[0], -pair.offset[1], -pair.offset[2]}};
+  return {j, i, Offset{-offset[0], -offset[1], -offset[2]}};
 }
 
 // What a method makes of a scene, which outlives it.

@@ -15,7 +15,6 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Lattice = CGAL::Periodic_lattice_d<Kernel::Vector_3>;
-using Offset = std::array<int, 3>;
 
 // The scene in the types of the kernel, and the domain: an iso-box if the vectors are its sides.
 struct Kernel_scene
@@ -56,7 +55,7 @@ struct Kernel_scene
   {
     Image_pairs pairs;
     const auto store = [&pairs](std::size_t i, std::size_t j, const Offset& offset) {
-      pairs.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(j), offset});
+      pairs.emplace_back(i, j, offset);
     };
     search(store);
     return pairs;

@@ -279,16 +279,13 @@ def short(number):
     return f"{number}" if number < 10000 else f"{number // 1000}k"
 
 
-NO_DETAILS = {"status": "ok", "asymmetric": "0", "order_dependent": "0"}  # of some tables
-
-
 def cell_of(row):
     """The number that colours a cell, and its text: wrong pairs of 100 true ones."""
     if row["status"] != "ok":
         return None, row["status"].replace("SIG", "")
     missing, extra = int(row["missing"]), int(row["extra"])
     text = (f"−{short(missing)}" if missing else "") + (f"+{short(extra)}" if extra else "")
-    if int(row["asymmetric"]) or int(row["order_dependent"]):
+    if int(row["asymmetric"]):
         text += "*"
     share = 100 * (missing + extra) / max(int(row["true_pairs"]), 1)
     return share, text.replace("+", "\n+") if missing and extra else text
@@ -483,8 +480,7 @@ def draw_sizes(rows):
         is_ours = row["method"] == "ours"
         text = f"{of_two_digits(nanoseconds_of(row))} ns" if is_ours else of_two_digits(time)
         times[place_of(row), row["method"]] = time, text
-    wrong = {(place_of(r), r["method"]): cell_of({**NO_DETAILS, **r})
-             for r in rows}
+    wrong = {(place_of(r), r["method"]): cell_of({"asymmetric": "0", **r}) for r in rows}
     figure = draw_times_and_wrong(rows, methods, times, wrong, 7.6, (0.5, 100),
                                   ("time over ours; of ours, per object and pair",
                                    "missing (−) and extra (+) pairs; color: per 100 true pairs"))
@@ -715,9 +711,8 @@ def draw_work(rows):
 
 # ---- answers that change, and the paper once more -----------------------------------------------
 
-@figure_of("stability.csv", "fused.csv")
-def draw_stability(of_one_build, of_two_builds):
-    rows = of_one_build + of_two_builds
+@figure_of("stability.csv")
+def draw_stability(rows):
     methods, changes = in_order(rows, "method"), in_order(rows, "change")
     cells = {(m, c): (0, "") for m in methods for c in changes}
     for row in rows:
@@ -766,27 +761,6 @@ def draw_section_3(rows):
     return figure, "lab_section_3.png"
 
 
-# ---- domains that repeat ------------------------------------------------------------------------
-
-@figure_of("periodic_pairs.csv")
-def draw_periodic_pairs(rows):
-    methods, scenes = in_order(rows, "method"), in_order(rows, "scene")
-    rules = {r["method"]: r["rule"].replace("<=", "≤") for r in rows}
-    cells = {(r["scene"], r["method"]): cell_of({**r, **NO_DETAILS}) for r in rows}
-    counts = {r["scene"]: r["true_pairs"] for r in reversed(rows) if r["rule"] == "<="}
-    figure, ((axes,),) = panels(1, 1, (9, 6.6))
-    image = draw_cells(axes, scenes, methods, cells, cmap=viridis_on_white(),
-                       norm=LogNorm(0.1, 200))
-    label_cells(axes, [f"{m}, {rules[m]}" for m in methods],
-                [f"{s}   ({counts[s]})" for s in scenes],
-                lambda method: method.startswith("Thick"), 30)
-    draw_lines_between(axes, methods, scenes)
-    axes.set_title("Missing (−) and extra (+) pairs of images. White: none. Gray: not taken. In brackets: true "
-                   "pairs at most at the distance", fontsize=9)
-    bar = figure.colorbar(image, ax=axes, shrink=0.6, pad=0.01)
-    bar.set_label("wrong pairs per 100 true pairs")
-    return figure, "lab_periodic_pairs.png"
-
 # ---- methods -------------------------------------------------------------------------------------
 
 OURS = "Thick_intersection_d"
@@ -794,20 +768,16 @@ OURS_2 = OURS + ", 2 threads"
 SORT = "std::sort of x"
 BOX_DEFAULT = "box_self_intersection_d, cutoff 10"
 BOX_BEST = "box_self_intersection_d, best cutoff"
-PAPER = "[V03]"
 
 STYLES = {  # colour, marker, line
     OURS: (RED, "o", "-"),
     OURS_2: (RED, "o", ":"),
     SORT: (BLACK, "", "--"),
-    PAPER: (BLUE, "s", "-"),
+    "[V03]": (BLUE, "s", "-"),
     BOX_BEST: (GREEN, "^", "-"),
     "Delaunay EPICK + search": (PINK, "D", "-"),
-    "Delaunay EPECK + search": (PINK, "D", ":"),
     "Kd_tree + Fuzzy_sphere": (ORANGE, "v", "-"),
     "nanoflann": (SKY, "P", "-"),
-    "Boost.Geometry rtree": (YELLOW, "X", "-"),
-    "ANN": (GREY, "*", "-"),
     "all pairs": (GREY, "", ":"),
 }
 
@@ -817,25 +787,22 @@ CLOSEST_STYLES = {
     "has_close_pair, yes": (GREEN, "^", "-"),
     SORT: (BLACK, "", "--"),
     "divide and conquer": (RED, "o", ":"),
-    "incremental grid": (RED, "X", ":"),
-    "grid of cells r, hashing, no": (BLUE, "s", ":"),
-    "grid of cells r, order, no": (BLUE, "P", ":"),
+    "grid of cells r, no": (BLUE, "s", ":"),
     "Delaunay": (PINK, "D", "-"),
     "Kd_tree": (ORANGE, "v", "-"),
-    "nanoflann": (SKY, "P", "-"),
 }
 
-Result = collections.namedtuple("Result", "dimension kind neighbours n method k ms")
+Result = collections.namedtuple("Result", "dimension neighbours n method k ms")
 
 
 def results_of(rows):
     """The results of a table, and as a method of its own the best cutoff for each scene."""
-    results = [Result(r["dimension"], r["kind"], float(r["neighbours"]), int(r["n"]), r["method"],
+    results = [Result(r["dimension"], float(r["neighbours"]), int(r["n"]), r["method"],
                       int(r["k"]), float(r["ms"])) for r in rows]
     best = {}
     for result in results:
-        if result.method.startswith("box_self") and not result.method.endswith("threads"):
-            place = result[:4]
+        if result.method.startswith("box_self"):
+            place = result[:3]
             best[place] = min(best.get(place, result), result, key=lambda r: r.ms)
     return results + [result._replace(method=BOX_BEST) for result in best.values()]
 
@@ -878,7 +845,7 @@ def draw_time_against_n(rows):
     for line, dimension, x in zip(grid, ("2D", "3D"), ("", "points n")):
         for axes, neighbours, y in zip(line, (0.5, 10.0), ("time per point (ns)", "")):
             prepare_axes(axes, f"{dimension}, uniform, k ≈ {words(neighbours)}", x, y)
-            draw_lines(axes, results, lambda r: r[:3] == (dimension, "uniform", neighbours),
+            draw_lines(axes, results, lambda r: r[:2] == (dimension, neighbours),
                        lambda r: (r.n, 1e6 * r.ms / r.n))
     legend_below(figure, 3)
     return figure, "time_against_n.svg"
@@ -896,7 +863,7 @@ def draw_time_against_k(rows):
     figure, (grid,) = panels(1, 2, (8, 5), sharey=True)
     for axes, dimension, y in zip(grid, ("2D", "3D"), ("time (ms)", "")):
         prepare_axes(axes, f"{dimension}, uniform, n = {plain(n)}", "pairs per point k/n", y)
-        draw_lines(axes, results, lambda r: r[:2] == (dimension, "uniform") and r.n == n,
+        draw_lines(axes, results, lambda r: r.dimension == dimension and r.n == n,
                    lambda r: (r.k / r.n, r.ms))
     legend_below(figure, 3)
     return figure, "time_against_k.svg"
@@ -905,56 +872,41 @@ def draw_time_against_k(rows):
 def draw_bars(axes, methods, times, unit):
     """A bar per method, from the time `unit` to its own."""
     for place, method in enumerate(reversed(methods)):
-        if method in times:
-            ratio = times[method] / unit
-            axes.barh(place, ratio - 1, left=1, height=0.62,
-                      color=RED if method.startswith(OURS) else BLUE)
-            axes.annotate(f"{ratio:.2f}" if ratio < 10 else f"{ratio:.0f}", (ratio, place),
-                          xytext=(4 if ratio >= 1 else -4, 0), textcoords="offset points",
-                          va="center", ha="left" if ratio >= 1 else "right", fontsize=8)
+        ratio = times[method] / unit
+        axes.barh(place, ratio - 1, left=1, height=0.62,
+                  color=RED if method.startswith(OURS) else BLUE)
+        axes.annotate(f"{ratio:.2f}" if ratio < 10 else f"{ratio:.0f}", (ratio, place),
+                      xytext=(4 if ratio >= 1 else -4, 0), textcoords="offset points",
+                      va="center", ha="left" if ratio >= 1 else "right", fontsize=8)
     axes.axvline(1, color=BLACK, linewidth=1)
     axes.set_yticks(range(len(methods)), reversed(methods), fontsize=9)
     axes.tick_params(axis="y", length=0)
     hide_sides(axes, "top", "right", "left")
 
 
-def draw_scenes(results, name, methods, reference, label, scale):
-    """Bars on the four uniform scenes, the methods in the order of their geometric means."""
+@figure_of("methods.csv")
+def draw_rivals(rows):
+    """Bars on four scenes, the methods in the order of their geometric means."""
+    results = results_of(rows)
     n = largest_common_n(results)
     scenes = [(dimension, k) for dimension in ("2D", "3D") for k in (0.5, 10.0)]
-    times = [{r.method: r.ms for r in results
-              if (r.dimension, r.neighbours, r.kind, r.n) == (*scene, "uniform", n)}
+    times = [{r.method: r.ms for r in results if (r.dimension, r.neighbours, r.n) == (*scene, n)}
              for scene in scenes]
-    methods = sorted((m for m in methods if m in times[0]),
-                     key=lambda m: statistics.geometric_mean(t[m] for t in times if m in t))
-
+    methods = sorted((m for m in [*STYLES, BOX_DEFAULT] if m != SORT and m in times[0]),
+                     key=lambda m: statistics.geometric_mean(t[m] for t in times))
     figure, grid = panels(2, 2, (8.4, 1.5 + 0.44 * len(methods)), sharex=True, sharey=True)
     for axes, scene, scene_times in zip(grid.flat, scenes, times):
-        unit = scene_times[reference]
-        axes.set_xscale(scale)
+        unit = scene_times[SORT]
+        axes.set_xscale("log")
         draw_bars(axes, methods, scene_times, unit)
         axes.set_title(f"{scene[0]}, k ≈ {words(scene[1])}: 1 is {unit:.0f} ms", fontsize=10,
                        loc="left")
         show_plainly(axes.xaxis)
     low, high = grid[0, 0].get_xlim()
-    grid[0, 0].set_xlim((low / 3, 2 * high) if scale == "log" else (low - 0.2, high + 0.2))
-    figure.supxlabel(label, fontsize=10)
+    grid[0, 0].set_xlim(low / 3, 2 * high)
+    figure.supxlabel("time / time of std::sort", fontsize=10)
     figure.suptitle(f"uniform, n = {plain(n)}", fontsize=11)
-    return figure, name
-
-
-@figure_of("methods.csv")
-def draw_rivals(rows):
-    methods = [m for m in STYLES if m not in (SORT, "all pairs")] + [BOX_DEFAULT]
-    return draw_scenes(results_of(rows), "rivals.svg", methods, SORT, "time / time of std::sort",
-                       "log")
-
-
-@figure_of("methods.csv")
-def draw_paper_variants(rows):
-    methods = sorted(m for m in in_order(rows, "method") if m.startswith(PAPER + ","))
-    return draw_scenes(results_of(rows), "book_variants.svg", methods, PAPER,
-                       "time / time of [V03] with median pivot, sweep and reach D", "linear")
+    return figure, "rivals.svg"
 
 
 @figure_of("closest_pair.csv")

@@ -1,12 +1,14 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// A scene of objects with an extent, in one set or in two.
+// Scenes of objects with an extent, in one set or in two.
 
 #ifndef THICK_INTERSECTION_BENCHMARK_SCENES_OBJECT_SCENE_H
 #define THICK_INTERSECTION_BENCHMARK_SCENES_OBJECT_SCENE_H
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -37,6 +39,22 @@ struct Object_scene
   }
   std::size_t size() const { return numbers.size() / numbers_per_object(); }
   const double* object(std::size_t i) const { return numbers.data() + i * numbers_per_object(); }
+};
+
+// Segments or triangles in one set, and the distance within which they are near.
+struct Near_scene
+{
+  std::string name;
+  Object_scene objects;
+  double r;
+};
+
+// A triangle mesh.
+struct Mesh_scene
+{
+  std::string name;
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<std::uint32_t, 3>> faces; // counterclockwise from one side
 };
 
 } // namespace thick_benchmark

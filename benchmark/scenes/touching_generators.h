@@ -12,7 +12,6 @@
 #ifndef THICK_INTERSECTION_BENCHMARK_SCENES_TOUCHING_GENERATORS_H
 #define THICK_INTERSECTION_BENCHMARK_SCENES_TOUCHING_GENERATORS_H
 
-#include "Mesh_scene.h"
 #include "Object_scene.h"
 
 namespace thick_benchmark {
@@ -72,6 +71,14 @@ Mesh_scene floor_mesh(std::size_t n);
 
 // The same mesh, with its faces in random order.
 Mesh_scene with_shuffled_faces(Mesh_scene mesh);
+
+// ---- near objects -------------------------------------------------------------------------------
+
+// Segments or triangles whose corners are on a lattice, at most two steps apart along each axis.
+// About half of the places of the lattice are the first corner of an object, and objects within one
+// step are near: many are at exactly this distance. Coordinates are multiples of the step, each
+// rounded to a double. No object is degenerate.
+Near_scene lattice_scene(Shape shape, int dimension, std::size_t n, double step);
 
 } // namespace thick_benchmark
 

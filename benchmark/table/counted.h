@@ -7,7 +7,7 @@
 #define THICK_INTERSECTION_BENCHMARK_TABLE_COUNTED_H
 
 #include "measuring/timing.h"
-#include "methods/Counted.h"
+#include "methods/Method.h"
 
 #include <algorithm>
 #include <limits>

@@ -4,20 +4,16 @@
 // The program of each table, which it prints in Markdown.
 //
 //   <table>_table [--quick] [--large] [--chart] [--only=<word>] [--data=<folder>]
-//                 [--scenes=<folder>]
 //
 //   --quick      few elements: does it work? The figures mean nothing
 //   --large      larger scenes as well
 //   --chart      what the chart of the table is drawn from, as CSV
 //   --only       only rows with this in their names
 //   --data       where pba38478.tsp lies, for the row that needs it
-//   --scenes     where the table of domains that repeat leaves its scenes for other programs
 //
 // It ends with status 1 if two methods disagree about the pairs.
 
 #include "table.h"
-#include "measuring/run_facts.h"
-
 #include <exception>
 #include <iostream>
 #include <stdexcept>
@@ -39,8 +35,6 @@ void read_option(const std::string& option, Settings& settings)
     settings.only = value;
   else if(begins_with("--data="))
     settings.data = value;
-  else if(begins_with("--scenes="))
-    settings.scenes = value;
   else
     throw std::invalid_argument("There is no option " + option);
 }
@@ -54,10 +48,6 @@ try {
   Settings settings;
   for(int i = 1; i < argc; ++i)
     read_option(argv[i], settings);
-  if(!settings.is_chart) {
-    print_run_facts(std::cout);
-    std::cout << '\n';
-  }
   print_table(settings);
   return 0;
 }

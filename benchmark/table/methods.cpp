@@ -15,16 +15,16 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
-#include <sstream>
+#include <vector>
 
 namespace thick_benchmark {
 namespace {
 
-struct Scene_kind
+struct Uniform_scene
 {
-  std::string name;  // for the first columns: the dimension, the scene, k/n aimed at
-  bool has_variants; // whether the variants of methods are measured as well
-  std::function<Scene()> make;
+  int dimension;
+  double neighbours; // k/n aimed at
+  std::size_t n;
 };
 
 // The median of three times of at least 0.05 seconds. What takes more than a second is not
@@ -47,57 +47,40 @@ double seconds_of_run(const Contestant& method, const Scene& scene, const Tally&
   return median(times, [](const Seconds& s) { return s[0]; }) / count;
 }
 
-std::string columns(int dimension, const char* kind, double neighbours)
+// Time against n, and against k/n.
+std::vector<Uniform_scene> uniform_scenes(std::size_t max_n)
 {
-  std::ostringstream text;
-  text << dimension << "D," << kind << ',' << neighbours;
-  return text.str();
-}
-
-// Time against n, against k/n, and on other scenes.
-std::vector<Scene_kind> scene_kinds(std::size_t max_n)
-{
-  std::vector<Scene_kind> kinds;
-  const std::size_t n = std::min<std::size_t>(max_n, 1000000);
-  const auto add_uniform = [&](int d, double neighbours, std::size_t size, bool has_variants) {
-    kinds.push_back({columns(d, "uniform", neighbours), has_variants, [=] {
-                       return uniform(d, size, neighbours * static_cast<double>(size));
-                     }});
-  };
+  std::vector<Uniform_scene> scenes;
   for(int d : {2, 3}) {
-    for(std::size_t size = 1000; size <= max_n; size *= 10)
+    for(std::size_t n = 1000; n <= max_n; n *= 10)
       for(double neighbours : {0.5, 10.})
-        add_uniform(d, neighbours, size, true);
+        scenes.push_back({d, neighbours, n});
     for(double neighbours : {0.01, 0.1, 2., 40., 100.})
-      add_uniform(d, neighbours, n, false);
-    kinds.push_back({columns(d, "clusters", 2), false, [=] {
-                       return with_fitting_distance(clusters(d, n), count_pairs);
-                     }});
+      scenes.push_back({d, neighbours, std::min<std::size_t>(max_n, 1000000)});
   }
-  return kinds;
+  return scenes;
 }
 
 Contestants all_contestants()
 {
   Contestants all;
   add_ours(all);
-  add_recursive_routes(all);
+  add_recursive_route(all);
   add_boxes(all);
-  add_delaunay_epick(all);
-  add_delaunay_epeck(all);
+  add_delaunay(all);
   add_trees(all);
   return all;
 }
 
-void print_times(const Scene_kind& kind, const Contestants& methods)
+void print_times(const Uniform_scene& u, const Contestants& methods)
 {
-  const Scene scene = kind.make();
+  const Scene scene = uniform(u.dimension, u.n, u.neighbours * static_cast<double>(u.n));
   const Tally expected = search_epick(scene).sequential();
   for(const Contestant& method : methods)
-    if(scene.size() <= method.max_n && (kind.has_variants || !method.is_variant))
-      std::cout << kind.name << ',' << scene.size() << ",\"" << method.name << "\","
-                << expected.pairs << ',' << 1000 * seconds_of_run(method, scene, expected)
-                << std::endl;
+    if(u.n <= method.max_n)
+      std::cout << u.dimension << "D," << u.neighbours << ',' << u.n << ",\"" << method.name
+                << "\"," << expected.pairs << ','
+                << 1000 * seconds_of_run(method, scene, expected) << std::endl;
 }
 
 } // namespace
@@ -107,9 +90,9 @@ void print_table(const Settings& settings)
 #ifdef CGAL_LINKED_WITH_TBB
   const Two_threads two_threads;
 #endif
-  std::cout << "dimension,kind,neighbours,n,method,k,ms\n";
-  for(const Scene_kind& kind : scene_kinds(settings.is_quick ? 10000 : 10000000))
-    print_times(kind, all_contestants());
+  std::cout << "dimension,neighbours,n,method,k,ms\n";
+  for(const Uniform_scene& scene : uniform_scenes(settings.is_quick ? 10000 : 10000000))
+    print_times(scene, all_contestants());
 }
 
 } // namespace thick_benchmark

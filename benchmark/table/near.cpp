@@ -1,14 +1,13 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Segments and triangles within a distance, two meshes that meet, and rays, by our searches and by
-// what else there is: times, and how many pairs are wrong.
+// Segments and triangles within a distance, and rays, by our searches and by what else there is:
+// times, and how many pairs are wrong.
 
 #include "counted.h"
 #include "print.h"
 #include "table.h"
 
-#include "methods/contact_methods.h"
 #include "methods/near_methods.h"
 #include "scenes/object_generators.h"
 #include "scenes/touching_generators.h"
@@ -133,22 +132,7 @@ void print_wrong_pairs(std::size_t n)
   }
 }
 
-// ---- contacts -----------------------------------------------------------------------------------
-
-void print_contacts(std::size_t n, int rounds)
-{
-  std::cout << "\nTwo meshes of " << n << " faces each.\n\n";
-  print_head({"meshes", "method", ">found", ">ms", ">time / ours"});
-  const auto print = [&](const std::string& name, const std::vector<Counted>& ways) {
-    for(const Counted_times& one : time_in_turns(ways, rounds))
-      print_line(name, one.name, one.count, digits(one.median), digits(one.over_first));
-  };
-  for(const Two_meshes& meshes : two_meshes(n)) {
-    print(meshes.name + (meshes.do_meet ? ", 1 is right" : ", 0 is right"),
-          ways_to_any_contact(meshes));
-    print(meshes.name, ways_to_all_contacts(meshes));
-  }
-}
+// ---- rays ---------------------------------------------------------------------------------------
 
 void print_rays(std::size_t n, int rounds)
 {
@@ -175,7 +159,6 @@ void print_table(const Settings& settings)
   const int rounds = is_quick ? 1 : 7;
   print_all_times(is_quick ? 3000 : 300000, rounds);
   print_wrong_pairs(is_quick ? 300 : 3000);
-  print_contacts(is_quick ? 3000 : 200000, rounds);
   print_rays(is_quick ? 2000 : 200000, rounds);
 }
 

@@ -75,18 +75,9 @@ Rows measure_against(const Subject& subject, const Goal& goal,
 
 // ---- objects ------------------------------------------------------------------------------------
 
-// What else is measured: nothing, the speed-up by two threads, and the other methods besides.
-enum class Extras { NONE, THREADS, RIVALS };
-
-std::vector<Object_method> rivals([[maybe_unused]] const Object_scene& scene)
-{
-  std::vector<Object_method> methods = {boxes_of_objects(10), boxes_by_address()};
-#ifdef THICK_BENCHMARK_HAS_ARBORX
-  if(scene.shape == Shape::BOX)
-    methods.push_back(bvh_of_boxes());
-#endif
-  return methods;
-}
+// What else is measured: nothing, the speed-up by two threads, and the default cutoff of boxes
+// besides.
+enum class Extras { NONE, THREADS, DEFAULT_CUTOFF };
 
 using Make_objects = std::function<Object_scene(std::size_t)>;
 
@@ -96,11 +87,8 @@ Rows measure_objects(const std::string& name, const Goal& goal, const Make_objec
   const Object_scene scene = make(n);
   std::vector<Entrant> entrants = {best_boxes(name, scene, boxes_of_objects)};
   const Tally expected = entrants.front().tally;
-  if(extras == Extras::RIVALS)
-    for(const Object_method& method : rivals(scene)) {
-      entrants.push_back(make_entrant(method, scene));
-      check_equal(name + ": " + method.name, expected, entrants.back().tally);
-    }
+  if(extras == Extras::DEFAULT_CUTOFF)
+    entrants.push_back(make_entrant(boxes_of_objects(10), scene));
   const Subject subject = make_subject(name, scene.size(), search_objects(scene), expected);
   Rows rows = measure_against(subject, goal, entrants);
 #ifdef CGAL_LINKED_WITH_TBB
@@ -131,176 +119,147 @@ Rows measure_boxes_d(const std::string& name, const Goal& goal, int dimension, s
 
 // ---- the table ----------------------------------------------------------------------------------
 
+// Main rows are measured with the default cutoff and with 10^6 objects as well, dense ones with few
+// objects.
+enum class Importance { OTHER, MAIN, DENSE };
+
+struct Object_row
+{
+  std::string name;
+  Goal goal;
+  Make_objects make;
+  Importance importance = Importance::OTHER;
+};
+using Object_rows = std::vector<Object_row>;
+
+Object_rows boxes_of_the_plane()
+{
+  const Goal goal = at_most(0.25, 0.14);
+  return {{"2D rectangles, k ~ n/2", goal, [](auto n) { return uniform_boxes(2, n, n / 2); },
+           Importance::MAIN},
+          {"2D rectangles, k ~ 10 n", goal, [](auto n) { return uniform_boxes(2, n, 10 * n); }},
+          {"2D squares by a power law", goal, [](auto n) { return power_law_boxes(2, n, n); },
+           Importance::MAIN},
+          {"2D squares of six decades", goal, [](auto n) { return log_uniform_boxes(2, n, n); }},
+          {"2D thin rectangles", goal, [](auto n) { return thin_boxes(n, n); }},
+          {"2D rectangles and a giant", goal, [](auto n) { return boxes_with_giant(2, n, n / 2); }},
+          {"2D squares in clusters", goal, [](auto n) { return clustered_boxes(2, n); }},
+          {"2D long along one axis", goal, [](auto n) { return long_boxes(2, n, n); }}};
+}
+
+Object_rows boxes_of_space()
+{
+  const Goal even = at_most(0.2, 0.1), skewed = at_most(0.25, 0.12);
+  return {{"3D cuboids, k ~ n/2", even, [](auto n) { return uniform_boxes(3, n, n / 2); },
+           Importance::MAIN},
+          {"3D cuboids, k ~ 10 n", even, [](auto n) { return uniform_boxes(3, n, 10 * n); },
+           Importance::MAIN},
+          {"3D cubes by a power law", skewed, [](auto n) { return power_law_boxes(3, n, n); }},
+          {"3D cubes of six decades", skewed, [](auto n) { return log_uniform_boxes(3, n, n); },
+           Importance::MAIN},
+          {"3D cuboids and a giant", skewed, [](auto n) { return boxes_with_giant(3, n, n / 2); }},
+          {"3D beams", skewed, [](auto n) { return beams(n, n); }},
+          {"3D cubes in clusters", skewed, [](auto n) { return clustered_boxes(3, n); }},
+          {"3D long along one axis", skewed, [](auto n) { return long_boxes(3, n, n); }}};
+}
+
+// With the exact test, which takes most of the time of both sides where segments in space meet at
+// their ends, so paths have no target.
+Object_rows other_shapes()
+{
+  const Goal goal = at_most(0.3, 0.2), of_mesh = at_most(0.3, 0.18);
+  return {{"3D balls of radii .3 to .5", at_most(0.2, 0.1),
+           [](auto n) { return uniform_balls(n, n); }, Importance::MAIN},
+          {"3D balls by a power law", at_most(0.25, 0.12),
+           [](auto n) { return power_law_balls(n, n); }},
+          {"2D segments", goal, [](auto n) { return uniform_segments(2, n, n / 2); },
+           Importance::MAIN},
+          {"3D segments", goal, [](auto n) { return uniform_segments(3, n, n / 2); }},
+          {"2D roads", goal, roads},
+          {"3D paths", Goal(), [](auto n) { return paths(n, n / 2); }},
+          {"3D triangles", goal, [](auto n) { return uniform_triangles(n, n / 2); },
+           Importance::MAIN},
+          {"2D boxes of a mesh", of_mesh, [](auto n) { return mesh_boxes(2, n); },
+           Importance::MAIN},
+          {"3D boxes of a mesh", of_mesh, [](auto n) { return mesh_boxes(3, n); },
+           Importance::MAIN}};
+}
+
 std::string in_space(int dimension, const std::string& name)
 {
   return std::to_string(dimension) + "D " + name;
 }
 
-std::string suffix_of(Dimension_kind kind)
+// Where no cut helps, and then two sets.
+Object_rows hard_boxes_and_two_sets()
 {
-  return kind == Dimension_kind::STATIC ? "" : ", dynamic dimension";
+  const Goal goal = at_most(0.6, 0.3);
+  Object_rows rows;
+  for(int d : {2, 3}) {
+    rows.push_back({in_space(d, "overlap on one axis"), goal,
+                    [=](auto n) { return boxes_on_one_axis(d, n, n / 2); }});
+    rows.push_back({in_space(d, "trap for trees"), goal, [=](auto n) { return trap(d, n); }});
+    rows.push_back({in_space(d, "nested"), goal, [=](auto n) { return nested_boxes(d, n); },
+                    Importance::DENSE});
+    rows.push_back({in_space(d, "identical"), goal, [=](auto n) { return identical_boxes(d, n); },
+                    Importance::DENSE});
+  }
+  for(int d : {2, 3})
+    rows.push_back({in_space(d, "boxes of two sets, k ~ n/2"), at_most(0.3, 0.15),
+                    [=](auto n) { return in_two_sets(uniform_boxes(d, n, n)); }});
+  return rows;
 }
 
-const Goal in_four_dimensions = at_most(0.25, 0.12), in_six_dimensions = at_most(0.45, 0.3);
-
-class Object_experiments
+void add_objects(Experiments& all, const Object_row& row, const Settings& settings)
 {
-public:
-  explicit Object_experiments(const Settings& settings) : settings_(settings) {}
+  const auto add = [&](const std::string& name, std::size_t n, Extras extras) {
+    all.push_back({name, [=, fitted = settings.is_quick ? n / 30 : n] {
+                     return measure_objects(name, row.goal, row.make, fitted, extras);
+                   }});
+  };
+  const bool is_main = row.importance == Importance::MAIN;
+  const bool is_dense = row.importance == Importance::DENSE;
+  add(row.name, is_dense ? 20000 : 300000, is_main ? Extras::DEFAULT_CUTOFF : Extras::NONE);
+  if(is_main ? !settings.is_quick : settings.is_large && !is_dense)
+    add(row.name + ", 10^6", 1000000, is_main ? Extras::THREADS : Extras::NONE);
+}
 
-  void add_boxes_of_the_plane()
-  {
-    const Goal goal = at_most(0.25, 0.14);
-    add_main("2D rectangles, k ~ n/2", goal, [](auto n) { return uniform_boxes(2, n, n / 2); });
-    add("2D rectangles, k ~ 10 n", goal, [](auto n) { return uniform_boxes(2, n, 10 * n); });
-    add_main("2D squares by a power law", goal, [](auto n) { return power_law_boxes(2, n, n); });
-    add("2D squares of six decades", goal, [](auto n) { return log_uniform_boxes(2, n, n); });
-    add("2D thin rectangles", goal, [](auto n) { return thin_boxes(n, n); });
-    add("2D rectangles and a giant", goal, [](auto n) { return boxes_with_giant(2, n, n / 2); });
-    add("2D squares in clusters", goal, [](auto n) { return clustered_boxes(2, n); });
-    add("2D long along one axis", goal, [](auto n) { return long_boxes(2, n, n); });
+// Boxes have the targets of points, and what the compiler knows less about has the same targets.
+void add_more_dimensions(Experiments& all, const Settings& settings)
+{
+  const Goal in_four = at_most(0.25, 0.12), in_six = at_most(0.45, 0.3);
+  const auto add = [&](const auto& measure, const char* what, int dimension, const Goal& goal,
+                       Dimension_kind kind, std::size_t n = 200000) {
+    const std::string name = in_space(dimension, what)
+                             + (kind == Dimension_kind::STATIC ? "" : ", dynamic dimension");
+    all.push_back({name, [=, fitted = settings.is_quick ? n / 30 : n] {
+                     return measure(name, goal, dimension, fitted, kind);
+                   }});
+  };
+  for(const auto kind : {Dimension_kind::STATIC, Dimension_kind::DYNAMIC}) {
+    const bool is_static = kind == Dimension_kind::STATIC;
+    add(measure_points, "points, k ~ n/2", 4, in_four, kind);
+    if(is_static)
+      add(measure_points, "points, k ~ n/2", 5, at_most(0.35, 0.2), kind);
+    add(measure_points, "points, k ~ n/2", 6, in_six, kind);
+    if(is_static)
+      add(measure_points, "points, k ~ n/2", 8, at_most(0.7, 0.5), kind, 30000);
+    add(measure_boxes_d, "boxes, k ~ n/2", 4, in_four, kind);
+    add(measure_boxes_d, "boxes, k ~ n/2", 6, in_six, kind);
   }
-
-  void add_boxes_of_space()
-  {
-    const Goal even = at_most(0.2, 0.1), skewed = at_most(0.25, 0.12);
-    add_main("3D cuboids, k ~ n/2", even, [](auto n) { return uniform_boxes(3, n, n / 2); });
-    add_main("3D cuboids, k ~ 10 n", even, [](auto n) { return uniform_boxes(3, n, 10 * n); });
-    add("3D cubes by a power law", skewed, [](auto n) { return power_law_boxes(3, n, n); });
-    add_main("3D cubes of six decades", skewed, [](auto n) { return log_uniform_boxes(3, n, n); });
-    add("3D cuboids and a giant", skewed, [](auto n) { return boxes_with_giant(3, n, n / 2); });
-    add("3D beams", skewed, [](auto n) { return beams(n, n); });
-    add("3D cubes in clusters", skewed, [](auto n) { return clustered_boxes(3, n); });
-    add("3D long along one axis", skewed, [](auto n) { return long_boxes(3, n, n); });
-  }
-
-  // With the exact test, which takes most of the time of both sides where segments in space meet at
-  // their ends, so paths have no target.
-  void add_other_shapes()
-  {
-    const Goal goal = at_most(0.3, 0.2);
-    add_main("3D balls of radii .3 to .5", at_most(0.2, 0.1),
-             [](auto n) { return uniform_balls(n, n); });
-    add("3D balls by a power law", at_most(0.25, 0.12),
-        [](auto n) { return power_law_balls(n, n); });
-    add_main("2D segments", goal, [](auto n) { return uniform_segments(2, n, n / 2); });
-    add("3D segments", goal, [](auto n) { return uniform_segments(3, n, n / 2); });
-    add("2D roads", goal, roads);
-    add("3D paths", Goal(), [](auto n) { return paths(n, n / 2); });
-    add_main("3D triangles", goal, [](auto n) { return uniform_triangles(n, n / 2); });
-    for(int d : {2, 3})
-      add_main(in_space(d, "boxes of a mesh"), at_most(0.3, 0.18),
-               [=](auto n) { return mesh_boxes(d, n); });
-  }
-
-  // Where no cut helps.
-  void add_hard()
-  {
-    const Goal goal = at_most(0.6, 0.3);
-    for(int d : {2, 3}) {
-      add(in_space(d, "overlap on one axis"), goal,
-          [=](auto n) { return boxes_on_one_axis(d, n, n / 2); });
-      add(in_space(d, "trap for trees"), goal, [=](auto n) { return trap(d, n); });
-      add_dense(in_space(d, "nested"), goal, [=](auto n) { return nested_boxes(d, n); });
-      add_dense(in_space(d, "identical"), goal, [=](auto n) { return identical_boxes(d, n); });
-    }
-  }
-
-  void add_two_sets()
-  {
-    for(int d : {2, 3})
-      add(in_space(d, "boxes of two sets, k ~ n/2"), at_most(0.3, 0.15),
-          [=](auto n) { return in_two_sets(uniform_boxes(d, n, n)); });
-  }
-
-  void add_points()
-  {
-    add_points(4, in_four_dimensions, 200000);
-    add_points(5, at_most(0.35, 0.2), 200000);
-    add_points(6, in_six_dimensions, 200000);
-    add_points(8, at_most(0.7, 0.5), 30000);
-  }
-
-  // With the targets of points.
-  void add_boxes_of_more_dimensions()
-  {
-    add_boxes(4, in_four_dimensions, Dimension_kind::STATIC);
-    add_boxes(6, in_six_dimensions, Dimension_kind::STATIC);
-  }
-
-  // With the targets of what the compiler knows more about.
-  void add_dynamic_dimension()
-  {
-    add_points(4, in_four_dimensions, 200000, Dimension_kind::DYNAMIC);
-    add_points(6, in_six_dimensions, 200000, Dimension_kind::DYNAMIC);
-    add_boxes(4, in_four_dimensions, Dimension_kind::DYNAMIC);
-    add_boxes(6, in_six_dimensions, Dimension_kind::DYNAMIC);
-  }
-
-  const Experiments& all() const { return all_; }
-
-private:
-  void add(const std::string& name, const Goal& goal, const Make_objects& make)
-  {
-    add_objects(name, goal, make, 300000, Extras::NONE);
-    if(settings_.is_large)
-      add_objects(name + ", 10^6", goal, make, 1000000, Extras::NONE);
-  }
-  void add_main(const std::string& name, const Goal& goal, const Make_objects& make)
-  {
-    add_objects(name, goal, make, 300000, Extras::RIVALS);
-    if(!settings_.is_quick)
-      add_objects(name + ", 10^6", goal, make, 1000000, Extras::THREADS);
-  }
-  void add_dense(const std::string& name, const Goal& goal, const Make_objects& make)
-  {
-    add_objects(name, goal, make, 20000, Extras::NONE);
-  }
-
-  void add_objects(const std::string& name, const Goal& goal, const Make_objects& make,
-                   std::size_t n, Extras extras)
-  {
-    add_row(name, measure_objects, goal, make, fitted(n), extras);
-  }
-  void add_points(int dimension, const Goal& goal, std::size_t n,
-                  Dimension_kind kind = Dimension_kind::STATIC)
-  {
-    add_row(in_space(dimension, "points, k ~ n/2") + suffix_of(kind), measure_points, goal,
-            dimension, fitted(n), kind);
-  }
-  void add_boxes(int dimension, const Goal& goal, Dimension_kind kind)
-  {
-    add_row(in_space(dimension, "boxes, k ~ n/2") + suffix_of(kind), measure_boxes_d, goal,
-            dimension, fitted(200000), kind);
-  }
-
-  template <class Measurement, class... Arguments>
-  void add_row(const std::string& name, const Measurement& measurement,
-               const Arguments&... arguments)
-  {
-    all_.push_back({name, [=] { return measurement(name, arguments...); }});
-  }
-
-  std::size_t fitted(std::size_t n) const { return settings_.is_quick ? n / 30 : n; }
-
-  const Settings settings_;
-  Experiments all_;
-};
+}
 
 } // namespace
 
 void print_table(const Settings& settings)
 {
-  Object_experiments all(settings);
-  all.add_boxes_of_the_plane();
-  all.add_boxes_of_space();
-  all.add_other_shapes();
-  all.add_hard();
-  all.add_two_sets();
-  all.add_points();
-  all.add_boxes_of_more_dimensions();
-  all.add_dynamic_dimension();
-  print_rows(all.all(), settings);
+  Experiments all;
+  for(const auto& rows : {boxes_of_the_plane(), boxes_of_space(), other_shapes(),
+                          hard_boxes_and_two_sets()})
+    for(const Object_row& row : rows)
+      add_objects(all, row, settings);
+  add_more_dimensions(all, settings);
+  print_rows(all, settings);
 }
 
 } // namespace thick_benchmark

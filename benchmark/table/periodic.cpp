@@ -8,7 +8,6 @@
 #include "table.h"
 
 #include "methods/periodic_methods.h"
-#include "methods/periodic_scene_file.h"
 
 #include "support/point_generators.h"
 
@@ -51,20 +50,12 @@ Image_pairs sorted_pairs(const Periodic_method& method, const Periodic_scene& sc
   return pairs;
 }
 
-bool are_equal(const Image_pairs& a, const Image_pairs& b)
-{
-  return a.size() == b.size()
-         && std::equal(a.begin(), a.end(), b.begin(), [](const auto& p, const auto& q) {
-              return !(p < q) && !(q < p);
-            });
-}
-
 // Random points have no ties, so that methods agree, whether they are exact or not.
 void check_pairs(const Periodic_scene& scene)
 {
   const Image_pairs pairs = sorted_pairs(periodic_stored(), scene);
   for(const Periodic_method& method : methods())
-    if(!are_equal(sorted_pairs(method, scene), pairs))
+    if(sorted_pairs(method, scene) != pairs)
       throw std::runtime_error(method.name + " finds other pairs");
 }
 
@@ -80,12 +71,6 @@ void print_times(const Periodic_scene& scene, int rounds)
                digits(one.over_second, 4));
 }
 
-void write_scene(const std::string& folder, const Periodic_scene& scene)
-{
-  const Image_pairs pairs = sorted_pairs(periodic_stored(), scene);
-  write_scene(folder, scene, pairs, std::vector<bool>(pairs.size()));
-}
-
 } // namespace
 
 void print_table(const Settings& settings)
@@ -94,12 +79,8 @@ void print_table(const Settings& settings)
   std::vector<std::size_t> sizes = {100000, 1000000};
   if(settings.is_quick)
     sizes = {3000};
-  for(const std::size_t n : sizes) {
-    const Periodic_scene scene = uniform_scene(n);
-    print_times(scene, settings.is_quick ? 1 : 7);
-    if(!settings.scenes.empty())
-      write_scene(settings.scenes, scene);
-  }
+  for(const std::size_t n : sizes)
+    print_times(uniform_scene(n), settings.is_quick ? 1 : 7);
 }
 
 } // namespace thick_benchmark

@@ -18,7 +18,6 @@ struct Settings
   bool is_chart = false;
   std::string only;
   std::string data;
-  std::string scenes;
 };
 
 // Prints the table in Markdown, or what a chart is drawn from. Throws if two methods disagree.

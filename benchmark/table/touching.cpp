@@ -3,7 +3,6 @@
 
 #include "rows.h"
 
-#include "methods/mesh_methods.h"
 #include "methods/object_methods.h"
 #include "scenes/object_generators.h"
 #include "scenes/touching_generators.h"
@@ -49,11 +48,9 @@ struct Mesh_goals
 
 // The time in that of the boxes alone and of a predicate for each of the K pairs of boxes, and in
 // that of CGAL.
-Rows measure_mesh(const std::string& name, const Mesh_goals& goals, const Make_mesh& make,
-                  std::size_t n)
+Rows measure_mesh(const std::string& name, const Mesh_goals& goals, const Mesh_scene& scene)
 {
   const double for_boxes = 1.5, for_pair = 40e-9;
-  const Mesh_scene scene = make(n);
   const Mesh_searches searches = mesh_searches(scene);
   const Tally found = searches.ours();
   check_equal(name, searches.as_in_pmp(), found);
@@ -72,95 +69,72 @@ Rows measure_mesh(const std::string& name, const Mesh_goals& goals, const Make_m
 
 // ---- the table ----------------------------------------------------------------------------------
 
-class Touching_experiments
+struct Object_row
 {
-public:
-  explicit Touching_experiments(const Settings& settings) : settings_(settings) {}
-
-  // With few exact ties.
-  void add_general()
-  {
-    const Goal goal = at_most(1.2, 1);
-    add("2D segments", goal, [](auto n) { return uniform_segments(2, n, n / 2); });
-    add("3D triangles", goal, [](auto n) { return uniform_triangles(n, n / 2); });
-    add("2D roads", goal, roads);
-    add("2D streets", goal, streets);
-  }
-
-  // What shares vertices.
-  void add_joined()
-  {
-    const Goal goal = at_most(1.2, 0.8);
-    add("3D paths", goal, [](auto n) { return paths(n, n / 2); });
-    add("3D beams", goal, frame_of_beams);
-    add("2D triangulation", goal, triangulation);
-    add("3D terrain", goal, terrain);
-  }
-
-  // In one plane, or nearly so.
-  void add_flat()
-  {
-    const Goal goal = at_most(1.5, 1.1);
-    add("2D rows of triangles", goal, rows_of_triangles);
-    add("3D floor", goal, floor_of_triangles);
-    add("3D tilted bricks", goal, bricks_of_decimals);
-    add("3D tilted bricks in one plane", goal, bricks_of_floats);
-    add("3D walls on floors", goal, walls_on_floors);
-  }
-
-  void add_tetrahedra()
-  {
-    const Goal goal = at_most(0.8, 0.5);
-    add_row("3D tetrahedra of a mesh", measure_objects, goal, tetrahedra_of_mesh, 40000);
-    add_row("3D tetrahedra, shifted", measure_objects, goal, shifted_tetrahedra, 40000);
-  }
-
-  void add_meshes()
-  {
-    add_mesh("mesh of a sphere", Goal(), sphere_mesh);
-    add_mesh("mesh of a terrain", at_most(0.2), terrain_mesh);
-    add_mesh("mesh of a floor", at_most(0.2), floor_mesh);
-  }
-
-  const Experiments& all() const { return all_; }
-
-private:
-  void add(const std::string& name, const Goal& goal, const Make_objects& make)
-  {
-    add_row(name, measure_objects, goal, make, 100000);
-  }
-
-  // And with its faces in random order, without goals: then memory takes most of the time.
-  void add_mesh(const std::string& name, const Goal& pmp, const Make_mesh& make)
-  {
-    const Make_mesh make_shuffled = [=](std::size_t n) { return with_shuffled_faces(make(n)); };
-    add_row(name, measure_mesh, Mesh_goals{at_most(1), pmp}, make, 200000);
-    add_row(name + ", shuffled", measure_mesh, Mesh_goals{}, make_shuffled, 200000);
-  }
-
-  template <class Measurement, class Goals, class Make>
-  void add_row(const std::string& name, const Measurement& measurement, const Goals& goals,
-               const Make& make, std::size_t n)
-  {
-    const std::size_t fitted = settings_.is_quick ? n / 30 : n;
-    all_.push_back({name, [=] { return measurement(name, goals, make, fitted); }});
-  }
-
-  const Settings settings_;
-  Experiments all_;
+  std::string name;
+  Goal goal;
+  Make_objects make;
+  std::size_t n = 100000;
 };
+
+// With few exact ties; what shares vertices; what is in one plane, or nearly so; tetrahedra.
+std::vector<Object_row> object_rows()
+{
+  const Goal general = at_most(1.2, 1), joined = at_most(1.2, 0.8), flat = at_most(1.5, 1.1);
+  const Goal solid = at_most(0.8, 0.5);
+  return {{"2D segments", general, [](auto n) { return uniform_segments(2, n, n / 2); }},
+          {"3D triangles", general, [](auto n) { return uniform_triangles(n, n / 2); }},
+          {"2D roads", general, roads},
+          {"2D streets", general, streets},
+          {"3D paths", joined, [](auto n) { return paths(n, n / 2); }},
+          {"3D beams", joined, frame_of_beams},
+          {"2D triangulation", joined, triangulation},
+          {"3D terrain", joined, terrain},
+          {"2D rows of triangles", flat, rows_of_triangles},
+          {"3D floor", flat, floor_of_triangles},
+          {"3D tilted bricks", flat, bricks_of_decimals},
+          {"3D tilted bricks in one plane", flat, bricks_of_floats},
+          {"3D walls on floors", flat, walls_on_floors},
+          {"3D tetrahedra of a mesh", solid, tetrahedra_of_mesh, 40000},
+          {"3D tetrahedra, shifted", solid, shifted_tetrahedra, 40000}};
+}
+
+struct Mesh_row
+{
+  std::string name;
+  Goal pmp;
+  Make_mesh make;
+};
+
+std::vector<Mesh_row> mesh_rows()
+{
+  return {{"mesh of a sphere", Goal(), sphere_mesh},
+          {"mesh of a terrain", at_most(0.2), terrain_mesh},
+          {"mesh of a floor", at_most(0.2), floor_mesh}};
+}
 
 } // namespace
 
+// Meshes are measured with their faces in random order as well, without goals: then memory takes
+// most of the time.
 void print_table(const Settings& settings)
 {
-  Touching_experiments all(settings);
-  all.add_general();
-  all.add_joined();
-  all.add_flat();
-  all.add_tetrahedra();
-  all.add_meshes();
-  print_rows(all.all(), settings);
+  Experiments all;
+  for(const Object_row& row : object_rows())
+    all.push_back({row.name, [=, n = settings.is_quick ? row.n / 30 : row.n] {
+                     return measure_objects(row.name, row.goal, row.make, n);
+                   }});
+  const std::size_t n = settings.is_quick ? 6666 : 200000;
+  for(const Mesh_row& row : mesh_rows()) {
+    all.push_back({row.name, [=] {
+                     return measure_mesh(row.name, {at_most(1), row.pmp}, row.make(n));
+                   }});
+    all.push_back({row.name + ", shuffled", [=] {
+                     return measure_mesh(row.name + ", shuffled", {},
+                                         with_shuffled_faces(row.make(n)));
+                   }});
+  }
+  print_rows(all, settings);
 }
 
 } // namespace thick_benchmark

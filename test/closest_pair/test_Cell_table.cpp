@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 // Strips. Buckets, and the two ways to those of adjacent cells, against a map of the standard
-// library. The dictionary is a method of the benchmarks.
+// library.
 
-#include "../../benchmark/methods/Bucket_dictionary.h"
 #include "support/unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Cell_table.h>
@@ -90,7 +89,6 @@ BOOST_AUTO_TEST_CASE(buckets_are_those_of_a_map)
         check_buckets(table, map);
         const internal::Forward_offsets offsets(axis_count);
         check_finder(internal::Sorted_bucket_finder(table, offsets, 0), offsets, map);
-        check_finder(thick_benchmark::Bucket_dictionary(table, offsets, 0), offsets, map);
       }
 }
 

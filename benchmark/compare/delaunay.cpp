@@ -7,7 +7,7 @@
 
 namespace thick_benchmark {
 
-void add_delaunay_epick(Contestants& all)
+void add_delaunay(Contestants& all)
 {
   const auto delaunay = on_epick([](const auto& points, double r, Tally& tally) {
     delaunay_search<Epick>(points, is_near_exactly(points, r), tally);
