@@ -4,19 +4,16 @@
     charts.py <source> <folder for the charts>
 
 The source is a folder of the laboratory's tables, or one file: methods.csv, closest_pair.csv or
-near.md of scripts/benchmark, or scaling.json. The last one is a list of what near_pairs_mpi prints
-for uniform points in space with about 4 n pairs: n points on one process, and 2 n points on two.
+near.md of scripts/benchmark.
 
-Nothing is computed here but shares, quotients, their means and medians, the Pareto fronts, and the
-model of the search on many processes. Needs matplotlib 3.6. Colours are those of Okabe and Ito,
-which the colour-blind can tell apart.
+Nothing is computed here but shares, quotients, their means and medians, and the Pareto fronts.
+Needs matplotlib 3.6. Colours are those of Okabe and Ito, which the colour-blind can tell apart.
 
 SPDX-License-Identifier: LGPL-3.0-or-later
 """
 
 import collections
 import csv
-import json
 import math
 import pathlib
 import re
@@ -45,8 +42,6 @@ def read_tables(path):
     if not path.exists():
         return [[]]
     lines = path.read_text(encoding="utf-8").splitlines()
-    if path.suffix == ".json":
-        return [json.loads("\n".join(lines))]
     if path.suffix == ".csv":
         return [list(csv.DictReader(line for line in lines if not line.startswith("#")))]
     tables, head = [], None
@@ -993,118 +988,6 @@ def draw_near_objects(times, wrong, *_):
     bars = [grid[0, 1].barh(0, 0, color=colour) for colour in (ORANGE, SKY)]
     grid[0, 1].legend(bars, ("missing", "extra"), fontsize=8, frameon=False, loc="center right")
     return figure, "near_objects.svg"
-
-# ---- a model of many processes -------------------------------------------------------------------
-
-# Assumptions about the network, for each process.
-BYTES_PER_SECOND = 1e9
-LATENCY = 2e-6  # seconds for a message, also if it is empty
-
-# Measured by itself: sorting a sample of 524,288 points and cutting it on the way to one of 1024
-# parts takes 92 ms. For 64 parts, 131,072 points take 17 ms.
-SECONDS_PER_CUT = 92e-3 / 524288  # for a point of a sample
-BYTES_PER_CUT = 100
-
-REACH = (8 * 3 / (4 * math.pi)) ** (1 / 3)  # for 8 neighbors, if there is a point per unit cube
-BYTES_PER_POINT = 32
-
-PHASE_STYLES = {  # in the order in which they are drawn
-    "search": (RED, "o"),
-    "check": (GREY, "s"),
-    "migration": (BLUE, "^"),
-    "halo": (GREEN, "v"),
-    "partition": (ORANGE, "D"),
-    "uneven parts": (PINK, "P"),
-    "all": (BLACK, "", "-"),
-}
-
-
-def costs_of(run):
-    """The points of a process, and for each of them the seconds of each phase."""
-    profile = run["profile"]
-    points = sum(rank["points"] for rank in profile) / len(profile)
-    return points, {key[len("seconds_"):]: max(rank[key] for rank in profile) / points
-                    for key in profile[0] if key.startswith("seconds_")}
-
-
-def sample_size(processes):
-    """As sample_size_of_parts() of parts/Point_sample.h."""
-    return 1024 * processes / max(1, math.sqrt(processes / 64))
-
-
-def halo(processes, points):
-    """The points that a process receives: half of those near a cube, at its inner sides."""
-    inner = 1 - processes ** (-1 / 3)
-    return points * ((1 + 2 * REACH / points ** (1 / 3) * inner) ** 3 - 1) / 2
-
-
-def gather(processes, all_bytes):
-    return math.ceil(math.log2(processes)) * LATENCY + all_bytes / BYTES_PER_SECOND
-
-
-class Model:
-    def __init__(self, one, two):
-        (_, self.alone), (self.points_of_two, self.shared) = costs_of(one), costs_of(two)
-
-    def seconds(self, processes, points):
-        """The time of each phase, for so many points on each process."""
-        times = {"check": self.alone["check"] * points, "search": self.alone["search"] * points,
-                 "migration": 0, "halo": 0, "partition": 0, "uneven parts": 0}
-        if processes > 1:
-            times["search"] += self.alone["search"] * halo(processes, points)
-            times["partition"] = self.partition(processes, points)
-            times["migration"] = self.migration(processes, points)
-            times["halo"] = self.halo(processes, points)
-            deviation = math.sqrt(processes / sample_size(processes))  # of the points of a part
-            largest = deviation * math.sqrt(2 * math.log(processes))  # of so many parts
-            times["uneven parts"] = largest * times["search"]
-        times["all"] = sum(times.values())
-        return times
-
-    def partition(self, processes, points):
-        """Two samples and all cuts are gathered on all processes; counts of cells are added up."""
-        size = sample_size(processes)
-        looks = self.shared["partition"] * min(points, self.points_of_two)  # 2^17 points at most
-        slots = 2 ** (math.ceil(math.log2(size)) + 1)
-        return (looks + 2 * size * SECONDS_PER_CUT
-                + 2 * gather(processes, size * BYTES_PER_POINT)
-                + gather(processes, processes * BYTES_PER_CUT)
-                + 2 * gather(processes, slots * 8))
-
-    def migration(self, processes, points):
-        """As if points that stay cost nothing: half of them moved between two processes."""
-        moved = points * (1 - 1 / processes)
-        return (2 * self.shared["migration"] * moved + moved * BYTES_PER_POINT / BYTES_PER_SECOND
-                + 2 * processes * LATENCY)
-
-    def halo(self, processes, points):
-        return (self.shared["halo"] * points
-                + halo(processes, points) * BYTES_PER_POINT / BYTES_PER_SECOND
-                + processes * LATENCY)
-
-
-def draw_scaling_of(axes, model, counts, points_of, title):
-    prepare(axes, title, "processes", "seconds, of the model", ("log", "log"))
-    for phase, style in PHASE_STYLES.items():
-        times = [(p, model.seconds(p, points_of(p))[phase]) for p in counts]
-        draw_line(axes, [point for point in times if point[1] > 0], style, phase)
-
-
-@figure_of("scaling.json")
-def draw_scaling(runs):
-    """Prints the times that it draws. Those for more than two processes are of the model."""
-    model = Model(*runs)
-    figure, ((left, right),) = panels(1, 2, (9, 4.4))
-    counts = [2 ** i for i in range(11)]
-    draw_scaling_of(left, model, counts[4:], lambda p: 1e9 / p, "10⁹ points on all processes")
-    draw_scaling_of(right, model, counts, lambda p: 1e6, "10⁶ points on each process")
-    for p in counts:
-        for points in [1e6] + [1e9 / p] * (p >= 16):
-            print(p, f"{points:.0f} points on each, halo {halo(p, points) / points:.3f}",
-                  *(f"{phase} {s:.3f}" for phase, s in model.seconds(p, points).items()))
-    legend_below(figure, 4)
-    return figure, "distributed_scaling.svg"
-
 
 def main():
     if len(sys.argv) != 3:
