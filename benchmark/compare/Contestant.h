@@ -37,7 +37,6 @@ void add_ours(Contestants& all);
 void add_recursive_route(Contestants& all);
 void add_boxes(Contestants& all);
 void add_delaunay(Contestants& all);
-void add_trees(Contestants& all);
 
 } // namespace thick_benchmark
 

@@ -9,19 +9,8 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/intersections.h>
 
 namespace lab {
-namespace {
-
-auto by_do_intersect()
-{
-  return [](const auto&) {
-    return [](const auto& a, const auto& b) { return CGAL::do_intersect(a, b); };
-  };
-}
-
-} // namespace
 
 Predicate_columns cgal_predicates()
 {

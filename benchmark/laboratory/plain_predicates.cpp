@@ -9,19 +9,11 @@
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Uncertain.h>
-#include <CGAL/intersections.h>
 
 #include <memory>
 
 namespace lab {
 namespace {
-
-auto by_do_intersect()
-{
-  return [](const auto&) {
-    return [](const auto& a, const auto& b) { return CGAL::do_intersect(a, b); };
-  };
-}
 
 // Intervals need the processor to round upwards.
 auto by_intervals()

@@ -14,6 +14,8 @@
 
 #include "support/object_makers.h"
 
+#include <CGAL/intersections.h>
+
 #include <functional>
 #include <string>
 #include <vector>
@@ -126,6 +128,14 @@ Predicate_column predicate_column(const std::string& name, const std::string& gr
     });
   };
   return {name, group, knows_all, ask};
+}
+
+// CGAL's predicate.
+inline auto by_do_intersect()
+{
+  return [](const auto&) {
+    return [](const auto& a, const auto& b) { return CGAL::do_intersect(a, b); };
+  };
 }
 
 // ---- to ask them --------------------------------------------------------------------------------

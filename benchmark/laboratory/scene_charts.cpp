@@ -145,18 +145,16 @@ void write_work(int dimension, std::size_t n, Csv_file& csv)
     csv.row(dimension, n, k, method, calls,
             static_cast<double>(calls) / static_cast<double>(n + k));
   };
-  const auto write_variant = [&](const char* method, Base_case base_case, long reach) {
+  const auto write_search = [&](const char* method, long reach) {
     Calls calls;
     const Lattice_traits traits(dimension, distance, reach, calls);
     Tally tally;
-    search_by_variant(sites, traits, {Pivot::MEDIAN, base_case, 0}, tally);
+    search_by_variant(sites, traits, {}, tally);
     k = tally.pairs;
     write(method, calls.do_intersect);
   };
-  write_variant("sweep, reach r", Base_case::SWEEP, distance);
-  write_variant("sweep, reach 2 r", Base_case::SWEEP, 2 * distance);
-  write_variant("walk, reach r", Base_case::WALK, distance);
-  write_variant("walk, reach 2 r", Base_case::WALK, 2 * distance);
+  write_search("sweep, reach r", distance);
+  write_search("sweep, reach 2 r", 2 * distance);
   write("grid of cells r", dimension == 2 ? count_cell_candidates<2>(sites, distance)
                                           : count_cell_candidates<3>(sites, distance));
   write("sweep along x alone", count_within_along_x(sites, distance));

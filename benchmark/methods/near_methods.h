@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The searches of near objects: ours, and what else there is. Each library is compiled in a file of
-// its own. All of them list the pairs, and decide by the doubles of the scene.
+// The searches of near objects: ours, and what else there is. Each other library is compiled in a
+// file of its own. All of them list the pairs, and decide by the doubles of the scene.
 
 #ifndef THICK_INTERSECTION_BENCHMARK_METHODS_NEAR_METHODS_H
 #define THICK_INTERSECTION_BENCHMARK_METHODS_NEAR_METHODS_H

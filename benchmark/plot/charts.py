@@ -275,15 +275,15 @@ def short(number):
 
 
 def cell_of(row):
-    """The number that colours a cell, and its text: wrong pairs of 100 true ones."""
+    """The number that colours a cell, and its text: wrong answers per 100 true pairs."""
     if row["status"] != "ok":
         return None, row["status"].replace("SIG", "")
-    missing, extra = int(row["missing"]), int(row["extra"])
-    text = (f"−{short(missing)}" if missing else "") + (f"+{short(extra)}" if extra else "")
-    if int(row["asymmetric"]):
-        text += "*"
-    share = 100 * (missing + extra) / max(int(row["true_pairs"]), 1)
-    return share, text.replace("+", "\n+") if missing and extra else text
+    counts = [(sign, int(row.get(name, 0))) for sign, name in
+              (("−", "missing"), ("+", "extra"), ("?", "undecided"))]
+    wrong = sum(count for _, count in counts)
+    text = "\n".join(sign + short(count) for sign, count in counts if count)
+    star = "*" * (row.get("asymmetric", "0") != "0")
+    return 100 * wrong / max(int(row["true_pairs"]), 1), text + star
 
 
 def is_dark(colour):
@@ -309,20 +309,13 @@ def draw_cells(axes, places, methods, cells, fontsize=6, **options):
     return image
 
 
-def label_cells(axes, columns, rows, is_ours, rotation=60):
+def label_cells(axes, columns, rows, is_ours):
     """Names of columns, of which ours are green, and texts of rows, and lines between all cells."""
-    axes.set_xticks(range(len(columns)), columns, rotation=rotation, ha="right", fontsize=8,
+    axes.set_xticks(range(len(columns)), columns, rotation=60, ha="right", fontsize=8,
                     rotation_mode="anchor")
     for label, name in zip(axes.get_xticklabels(), columns):
         label.set_color(GREEN if is_ours(name) else "black")
     axes.set_yticks(range(len(rows)), rows, fontsize=7.5)
-
-
-def draw_lines_between(axes, columns, rows):
-    axes.set_xticks([x - 0.5 for x in range(1, len(columns))], minor=True)
-    axes.set_yticks([y - 0.5 for y in range(1, len(rows))], minor=True)
-    axes.grid(which="minor")
-    axes.tick_params(which="minor", length=0)
 
 
 def draw_families(rows, dimension):
@@ -336,7 +329,10 @@ def draw_families(rows, dimension):
                        norm=LogNorm(0.01, 10000))
     label_cells(axes, methods, [f"{f}   ({counts[f]})" for f in families],
                 lambda method: groups[method] == "ours")
-    draw_lines_between(axes, methods, families)
+    axes.set_xticks([x - 0.5 for x in range(1, len(methods))], minor=True)
+    axes.set_yticks([y - 0.5 for y in range(1, len(families))], minor=True)
+    axes.grid(which="minor")
+    axes.tick_params(which="minor", length=0)
     axes.set_title(f"Missing (−) and extra (+) pairs in dimension {dimension}. White: none. Black: "
                    "crashed. *: some pairs are found from one of their points only. In brackets: "
                    "true pairs", fontsize=9)
@@ -475,7 +471,7 @@ def draw_sizes(rows):
         is_ours = row["method"] == "ours"
         text = f"{of_two_digits(nanoseconds_of(row))} ns" if is_ours else of_two_digits(time)
         times[place_of(row), row["method"]] = time, text
-    wrong = {(place_of(r), r["method"]): cell_of({"asymmetric": "0", **r}) for r in rows}
+    wrong = {(place_of(r), r["method"]): cell_of(r) for r in rows}
     figure = draw_times_and_wrong(rows, methods, times, wrong, 7.6, (0.5, 100),
                                   ("time over ours; of ours, per object and pair",
                                    "missing (−) and extra (+) pairs; color: per 100 true pairs"))
@@ -511,17 +507,6 @@ def draw_chart_of_sizes(rows):
 
 # ---- segments, triangles and tetrahedra ---------------------------------------------------------
 
-def wrong_cell(row):
-    """The number that colors a cell, and its text: wrong answers per 100 true pairs."""
-    if row["status"] != "ok":
-        return None, row["status"].replace("SIG", "")
-    counts = [(sign, int(row[name])) for sign, name in
-              (("−", "missing"), ("+", "extra"), ("?", "undecided"))]
-    wrong = sum(count for _, count in counts)
-    text = "\n".join(sign + short(count) for sign, count in counts if count)
-    return 100 * wrong / max(int(row["true_pairs"]), 1), text + "*" * (row["asymmetric"] != "0")
-
-
 def time_cells(rows, own_method):
     """Times over those of our method; the text of our columns is their time."""
     own = {place_of(r): float(r["ns"]) for r in where(rows, method=own_method)}
@@ -540,7 +525,7 @@ def draw_object_families(rows, dimension, height):
     rows = [{**r, "shape": r["kind"], "objects": r["questions"]}
             for r in where(rows, dimension=dimension)]
     methods = in_order(rows, "method")
-    wrong = {(place_of(r), r["method"]): wrong_cell(r) for r in rows}
+    wrong = {(place_of(r), r["method"]): cell_of(r) for r in rows}
     times = time_cells(rows, "ours, EPICK")
     figure = draw_times_and_wrong(rows, methods, times, wrong, height, (0.1, 1000),
                                   ("time over \"ours, EPICK\"; of ours, ns per answer",
@@ -690,7 +675,6 @@ def draw_certificates(rows):
 @figure_of("work.csv")
 def draw_work(rows):
     styles = {"sweep, reach r": (GREEN, "D"), "sweep, reach 2 r": (GREEN, "D", ":"),
-              "walk, reach r": (BLUE, "s"), "walk, reach 2 r": (BLUE, "s", ":"),
               "grid of cells r": (ORANGE, "o"), "sweep along x alone": (GREY, "^")}
     figure, (grid,) = panels(1, 2, (9, 4.2), sharey=True)
     for axes, dimension in zip(grid, "23"):
@@ -948,8 +932,7 @@ def draw_near_times(axes, rows, methods):
         axes.barh(place, milliseconds, height=0.62, color=colour)
         annotate(axes, milliseconds, place, f"{milliseconds:.0f}")
     axes.set_xscale("log")
-    axes.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
-    axes.xaxis.set_minor_formatter(NullFormatter())
+    show_plainly(axes.xaxis)
     axes.set_yticks(range(len(methods)), reversed(methods), fontsize=9)
 
 

@@ -9,6 +9,8 @@
 
 #include "measuring/speed_up.h"
 #include "measuring/timing.h"
+#include "methods/kd_tree.h"
+#include "methods/nanoflann.h"
 #include "methods/ours.h"
 #include "scenes/generators.h"
 
@@ -59,6 +61,20 @@ std::vector<Uniform_scene> uniform_scenes(std::size_t max_n)
       scenes.push_back({d, neighbours, std::min<std::size_t>(max_n, 1000000)});
   }
   return scenes;
+}
+
+void add_trees(Contestants& all)
+{
+  const auto kd_tree = on_epick([](const auto& points, double r, Tally& tally) {
+    kd_tree_search<Epick>(points, r, tally);
+  });
+  all.push_back({{"Kd_tree + Fuzzy_sphere", kd_tree}, false, 1000000});
+#ifdef THICK_BENCHMARK_HAS_NANOFLANN
+  const auto nanoflann = on_epick([](const auto& points, double r, Tally& tally) {
+    nanoflann_search(points, nanoflann_closed(r), tally);
+  });
+  all.push_back({{"nanoflann", nanoflann}, false, 10000000});
+#endif
 }
 
 Contestants all_contestants()

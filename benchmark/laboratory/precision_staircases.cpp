@@ -1,10 +1,12 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The share of wrong answers against the precision, when this package's decisions about segments,
-// triangles and tetrahedra are made on a kernel of rounded numbers.
+// The share of wrong answers against the precision: of predicates of degree 1, 2, 4 and 5, and when
+// this package's decisions about segments, triangles and tetrahedra are made on a kernel of rounded
+// numbers.
 //
-//   object_staircase <folder for object_staircase.csv> <questions per set>
+//   precision_staircases <folder for staircase.csv and object_staircase.csv>
+//                        <questions per set> <questions about objects per set>
 
 #include "near_contacts.h"
 #include "predicate_columns.h"
@@ -30,6 +32,39 @@ constexpr bool has_exact_predicates_v<test_support::Mpfr_number<Digits>> = true;
 namespace {
 
 using namespace lab;
+
+// ---- predicates about points --------------------------------------------------------------------
+
+template <class Predicate>
+void measure(int input_bits, bool is_near, std::size_t count, thick_benchmark::Csv_file& csv)
+{
+  const Questions<Predicate> questions(input_bits, is_near, count);
+  for_each_precision(
+    questions,
+    [&](int precision, std::size_t wrong) {
+      csv.row(Predicate::name, Predicate::degree, input_bits, Predicate::bits(input_bits),
+              is_near ? "near-degenerate" : "random", precision, questions.size(), wrong);
+    },
+    Precisions());
+}
+
+void write_staircase(const std::string& folder, std::size_t count)
+{
+  thick_benchmark::Csv_file csv(
+    folder, "staircase.csv", "the same polynomial in GMP integers (staircase.h, Questions)",
+    "predicate,degree,input_bits,bits_by_theory,set,precision,questions,wrong");
+  for(int input_bits : {10, 16, 24})
+    for(bool is_near : {true, false}) {
+      measure<Compare_x>(input_bits, is_near, count, csv);
+      measure<Compare_distance>(input_bits, is_near, count, csv);
+      measure<Compare_distance_of_disks>(input_bits, is_near, count, csv);
+      measure<Side_of_circle>(input_bits, is_near, count, csv);
+      measure<Side_of_circle_by_products>(input_bits, is_near, count, csv);
+      measure<Side_of_sphere>(input_bits, is_near, count, csv);
+    }
+}
+
+// ---- objects ------------------------------------------------------------------------------------
 
 // How many answers differ when Number computes them. Coordinates are rounded if it has too few bits
 // for them.
@@ -63,15 +98,12 @@ void write_rows(Maker maker, int input_bits, const char* set, const Object_quest
    ...);
 }
 
-} // namespace
-
-int main(int, char** arguments)
+void write_object_staircase(const std::string& folder, std::size_t count)
 {
   thick_benchmark::Csv_file csv(
-    arguments[1], "object_staircase.csv",
+    folder, "object_staircase.csv",
     "the origin in the hull of differences, in GMP integers (test/support/hull_oracle.h)",
     "kind,degree,input_bits,bits_by_theory,set,precision,questions,true_pairs,wrong");
-  const std::size_t count = std::stoul(arguments[2]);
   for(int input_bits : {10, 16, 24})
     for(const Kind& kind : kinds())
       for(bool is_near : {true, false}) {
@@ -81,4 +113,12 @@ int main(int, char** arguments)
                      Precisions());
         });
       }
+}
+
+} // namespace
+
+int main(int, char** arguments)
+{
+  write_staircase(arguments[1], std::stoul(arguments[2]));
+  write_object_staircase(arguments[1], std::stoul(arguments[3]));
 }

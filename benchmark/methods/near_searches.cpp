@@ -5,10 +5,13 @@
 
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/box_intersection_d.h>
+#include <CGAL/fixed_radius_near_neighbors.h>
 #include <CGAL/squared_distance_2.h>
 #include <CGAL/squared_distance_3.h>
+#include <CGAL/thick_intersection_d.h>
 
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace thick_benchmark {
@@ -33,6 +36,25 @@ void search_boxes(const std::vector<Object>& objects, double r, Pair_list& pairs
 }
 
 } // namespace
+
+Near_method near_objects()
+{
+  return {"Thick_intersection_d", on_near_objects([](const auto& objects, double r,
+                                                     Pair_list& pairs) {
+            CGAL::fixed_radius_near_neighbors(objects, CGAL::within_distance(r), pairs);
+          })};
+}
+
+Near_method grown_boxes()
+{
+  return {"grown boxes alone", on_near_objects([](const auto& objects, double r, Pair_list& pairs) {
+            std::vector<std::decay_t<decltype(objects.front().bbox())>> boxes;
+            boxes.reserve(objects.size());
+            for(const auto& object : objects)
+              boxes.push_back(grown(object.bbox(), r / 2));
+            CGAL::thick_self_intersection_d(boxes, pairs);
+          })};
+}
 
 Near_method near_by_boxes(std::ptrdiff_t cutoff)
 {
