@@ -17,24 +17,16 @@ namespace internal {
 template class Narrow_scale<2>;
 template bool search_near<2, double, true>(
   Near_points<2>&, const Near_task<2>&, Result_taker&);
-template bool search_near<2, double, true>(
-  Near_points<2>&, const Near_task<2>&, List_taker&);
 template bool search_near<2, std::int32_t, true>(
   Near_points<2>&, const Near_task<2>&, Result_taker&);
-template bool search_near<2, std::int32_t, true>(
-  Near_points<2>&, const Near_task<2>&, List_taker&);
 template void collect_few_pairs<2>(
   const Run<2, double>&, const Run<2, double>*, const Near_question<double>&, Near_pairs&,
   const Flush&);
 template class Narrow_scale<3>;
 template bool search_near<3, double, true>(
   Near_points<3>&, const Near_task<3>&, Result_taker&);
-template bool search_near<3, double, true>(
-  Near_points<3>&, const Near_task<3>&, List_taker&);
 template bool search_near<3, std::int32_t, true>(
   Near_points<3>&, const Near_task<3>&, Result_taker&);
-template bool search_near<3, std::int32_t, true>(
-  Near_points<3>&, const Near_task<3>&, List_taker&);
 template void collect_few_pairs<3>(
   const Run<3, double>&, const Run<3, double>*, const Near_question<double>&, Near_pairs&,
   const Flush&);

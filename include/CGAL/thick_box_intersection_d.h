@@ -12,7 +12,7 @@
 #include <CGAL/Thick_intersection_d/internal/boxes/Numbered_boxes.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/box_ranges_search.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
-#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
+#include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
 
 #include <cstddef>
 #include <iterator>

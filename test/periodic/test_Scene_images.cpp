@@ -16,7 +16,7 @@
 #include <CGAL/Thick_intersection_d/internal/periodic/Lattice_basis.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Scene_images.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
-#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
+#include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -21,7 +21,6 @@
 #include <CGAL/Thick_intersection_d/internal/recursion/Recursive_route.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 #include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
-#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>

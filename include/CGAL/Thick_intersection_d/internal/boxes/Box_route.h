@@ -18,7 +18,6 @@
 #include <CGAL/Thick_intersection_d/internal/boxes/Cut_boxes.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/tuning.h>
-#include <CGAL/Thick_intersection_d/internal/machine/Stop_flag.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 
 #include <algorithm>

@@ -13,7 +13,7 @@
 #include <CGAL/Thick_intersection_d/internal/lanes/Near_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Run.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/with_lanes.h>
-#include <CGAL/Thick_intersection_d/internal/machine/Stop_flag.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 
 #include <boost/config.hpp> // BOOST_NOINLINE
 

@@ -13,7 +13,7 @@
 #include <CGAL/Thick_intersection_d/internal/boxes/Box_client.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Group_scan.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
-#include <CGAL/Thick_intersection_d/internal/machine/Stop_flag.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 
 #include <boost/config.hpp> // BOOST_NOINLINE
 

@@ -16,7 +16,6 @@
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_tier.h>
-#include <CGAL/Thick_intersection_d/internal/arithmetic/squared_sums.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Twofold_distance.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>

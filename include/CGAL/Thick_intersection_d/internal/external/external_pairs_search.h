@@ -28,7 +28,7 @@
 #include <CGAL/Thick_intersection_d/internal/near_points/near_points_search.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_points.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
-#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
+#include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_task.h>
 
 #include <CGAL/assertions.h> // CGAL_unreachable

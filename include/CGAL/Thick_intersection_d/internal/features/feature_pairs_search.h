@@ -26,7 +26,7 @@
 #include <CGAL/Thick_intersection_d/internal/objects/near_objects_search.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
-#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
+#include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -23,8 +23,9 @@
 #include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/near_points/Callback_taker.h>
 #include <CGAL/Thick_intersection_d/internal/reports/List_bins.h>
-#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
+#include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_task.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/list_search.h>
 
 #include <algorithm>
 #include <atomic>

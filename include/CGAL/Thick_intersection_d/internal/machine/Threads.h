@@ -17,6 +17,7 @@
 #include <tbb/task_arena.h>
 #endif
 
+#include <atomic>
 #include <cstddef>
 #include <exception>
 #include <memory>
@@ -204,6 +205,33 @@ private:
   void (*run_)(std::size_t, const Block_task&);
   std::unique_ptr<Thread_pointers> (*make_pointers_)();
   bool are_many_;
+};
+
+// Whether a search was stopped, as all of its threads see it.
+class Stop_flag
+{
+public:
+  void set() { is_set_.store(true, std::memory_order_relaxed); }
+  bool is_set() const { return is_set_.load(std::memory_order_relaxed); }
+
+  // Calls task(first, last) on blocks that cover the indices [0, count). What one of them throws
+  // stops the others.
+  template <class Task>
+  void run_blocks(const Threads& threads, std::size_t count, const Task& task)
+  {
+    threads.run_blocks(count, [&](std::size_t first, std::size_t last) {
+      try {
+        task(first, last);
+      }
+      catch(...) {
+        set();
+        throw;
+      }
+    });
+  }
+
+private:
+  std::atomic<bool> is_set_ = false;
 };
 
 } // namespace internal

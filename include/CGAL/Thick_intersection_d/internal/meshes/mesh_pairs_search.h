@@ -28,7 +28,7 @@
 #include <CGAL/Thick_intersection_d/internal/predicates/Staged_orientation.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_kernel_objects_intersect.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
-#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
+#include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>

@@ -10,7 +10,7 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Near_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
-#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
+#include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_task.h>
 
 #include <cstddef>

@@ -18,7 +18,7 @@
 #include <CGAL/Thick_intersection_d/internal/objects/Stretched_objects.h>
 #include <CGAL/Thick_intersection_d/internal/objects/Stretches.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
-#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
+#include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
 
 #include <cstddef>
 #include <numeric>

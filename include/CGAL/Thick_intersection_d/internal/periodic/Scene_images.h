@@ -27,7 +27,7 @@
 #include <CGAL/Thick_intersection_d/internal/periodic/Images.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Lattice_basis.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Periods.h>
-#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
+#include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
 
 #include <boost/config.hpp> // BOOST_NOINLINE
 

@@ -17,7 +17,7 @@
 #include <CGAL/Thick_intersection_d/internal/periodic/periodic_search.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/periodic_sets.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
-#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
+#include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -9,10 +9,10 @@
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Double_grid.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
-#include <CGAL/Thick_intersection_d/internal/arithmetic/squared_sums.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/wide_integers.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
 #include <CGAL/Uncertain.h>
 
 #include <array>

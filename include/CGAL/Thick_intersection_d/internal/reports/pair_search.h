@@ -12,13 +12,29 @@
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
-#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
 
+#include <cstddef>
 #include <tuple>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
+
+// A search reports the pairs in one set, or the pairs between two sets. A type says which, so a call
+// compiles only one of the two searches.
+//
+// All elements.
+struct One_set
+{
+  static constexpr bool are_two = false;
+};
+
+// The first `first_size` elements, and all other elements.
+struct Two_sets
+{
+  static constexpr bool are_two = true;
+  std::size_t first_size;
+};
 
 // Returns task(elements, sets) for the elements of one range, or of two in one numbering.
 template <class Task, class Elements>

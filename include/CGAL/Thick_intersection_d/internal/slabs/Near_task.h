@@ -15,7 +15,6 @@
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Integer_distance.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Scaled_filter.h>
-#include <CGAL/Thick_intersection_d/internal/reports/List_bins.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Narrow_scale.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
 
@@ -120,6 +119,8 @@ public:
 protected:
   ~Result_taker() = default;
 };
+
+class List_bins; // of reports/List_bins.h, which those who make lists include
 
 class List_taker : public Result_taker
 {

@@ -36,12 +36,7 @@ inline constexpr bool may_share_slabs = has_tbb;
 // scale of the task is usable, or double. Returns false iff the search was stopped.
 template <int Dimension, class Number, bool MayBeShared>
 bool search_near(Near_points<Dimension>& points, const Near_task<Dimension>& task,
-                       Result_taker& taker);
-
-// The same for the lists of neighbors of one set, as List_route.h says.
-template <int Dimension, class Number, bool MayBeShared>
-bool search_near(Near_points<Dimension>& points, const Near_task<Dimension>& task,
-                       List_taker& taker);
+                 Result_taker& taker);
 
 // Collects the pairs of few points: those of one run if `b` is null, or those of two runs.
 template <int Dimension>
@@ -53,24 +48,16 @@ void collect_few_pairs(const Run<Dimension, double>& a, const Run<Dimension, dou
 extern template class Narrow_scale<2>;
 extern template bool search_near<2, double, true>(
   Near_points<2>&, const Near_task<2>&, Result_taker&);
-extern template bool search_near<2, double, true>(
-  Near_points<2>&, const Near_task<2>&, List_taker&);
 extern template bool search_near<2, std::int32_t, true>(
   Near_points<2>&, const Near_task<2>&, Result_taker&);
-extern template bool search_near<2, std::int32_t, true>(
-  Near_points<2>&, const Near_task<2>&, List_taker&);
 extern template void collect_few_pairs<2>(
   const Run<2, double>&, const Run<2, double>*, const Near_question<double>&, Near_pairs&,
   const Flush&);
 extern template class Narrow_scale<3>;
 extern template bool search_near<3, double, true>(
   Near_points<3>&, const Near_task<3>&, Result_taker&);
-extern template bool search_near<3, double, true>(
-  Near_points<3>&, const Near_task<3>&, List_taker&);
 extern template bool search_near<3, std::int32_t, true>(
   Near_points<3>&, const Near_task<3>&, Result_taker&);
-extern template bool search_near<3, std::int32_t, true>(
-  Near_points<3>&, const Near_task<3>&, List_taker&);
 extern template void collect_few_pairs<3>(
   const Run<3, double>&, const Run<3, double>*, const Near_question<double>&, Near_pairs&,
   const Flush&);
