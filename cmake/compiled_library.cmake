@@ -12,6 +12,7 @@ endif()
 add_library(Thick_intersection_d_compiled ${thick_only_for_programs}
   ${PROJECT_SOURCE_DIR}/src/boxes.cpp
   ${PROJECT_SOURCE_DIR}/src/closest_pair.cpp
+  ${PROJECT_SOURCE_DIR}/src/hash.cpp
   ${PROJECT_SOURCE_DIR}/src/lists.cpp
   ${PROJECT_SOURCE_DIR}/src/near_points.cpp
   ${PROJECT_SOURCE_DIR}/src/objects.cpp)

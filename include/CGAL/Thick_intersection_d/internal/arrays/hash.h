@@ -7,10 +7,13 @@
 
 // Hashes of sequences of integers, such as the numbers of a cell along the axes.
 
+#ifndef CGAL_THICK_INTERSECTION_D_COMPILED
+#include <CGAL/Thick_intersection_d/internal/arrays/seed_of_process.inc>
+#endif
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <random>
 #include <type_traits>
 #include <vector>
 
@@ -19,14 +22,12 @@ namespace Thick_intersection_d {
 namespace internal {
 
 // Returns a seed that the process draws once. No input can be made to suit it.
-inline std::uint64_t seed_of_process()
-{
-  static const std::uint64_t seed = [] {
-    std::random_device device;
-    return std::uint64_t(device()) << 32 ^ device();
-  }();
-  return seed;
-}
+template <class Word = std::uint64_t>
+Word seed_of_process();
+
+#ifdef CGAL_THICK_INTERSECTION_D_COMPILED
+extern template std::uint64_t seed_of_process<std::uint64_t>();
+#endif
 
 // Moves the seed on, and returns 64 bits of it, mixed: SplitMix64. [Steele, Lea, Flood: Fast
 // splittable pseudorandom number generators, 2014]

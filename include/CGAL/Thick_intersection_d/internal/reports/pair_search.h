@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// A search reports the pairs in one set, or the pairs between two sets. A type says which, so a call
+// A search reports the pairs in one set, or the pairs between two sets. A type says which: a call
 // compiles only one of the two searches.
 //
 // All elements.
