@@ -21,7 +21,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/print_profile.h>
 #include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
-#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
+#include <CGAL/Thick_intersection_d/internal/machine/hints.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 
 #include <algorithm>

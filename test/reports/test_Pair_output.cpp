@@ -7,7 +7,7 @@
 #include "support/unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
-#include <CGAL/Thick_intersection_d/internal/reports/sets.h>
+#include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
 
 #include <CGAL/Element_callback.h>
 

@@ -9,6 +9,7 @@
 #include "check_objects.h"
 #include "feature_oracle.h"
 #include "feature_scenes.h"
+#include "kernel_types.h"
 #include "pairs.h"
 #include "parallel_pairs.h"
 

@@ -7,7 +7,7 @@
 
 // The coarsest grid 2^e Z that holds a sequence of doubles, and doubles in steps of a grid.
 
-#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
+#include <CGAL/Thick_intersection_d/internal/machine/hints.h>
 
 #include <algorithm>
 #include <array>

@@ -16,7 +16,7 @@
 #include <CGAL/Quotient.h>
 #include <CGAL/number_utils.h>
 
-#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
+#include <CGAL/Thick_intersection_d/internal/machine/hints.h>
 
 #include <cfloat>
 #include <cmath>

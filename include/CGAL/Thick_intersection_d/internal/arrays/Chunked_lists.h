@@ -11,7 +11,7 @@
 // memory hold many chunks, because each block costs an allocation.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
-#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
+#include <CGAL/Thick_intersection_d/internal/machine/hints.h>
 
 #include <algorithm>
 #include <cstddef>

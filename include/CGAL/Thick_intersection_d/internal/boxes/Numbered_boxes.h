@@ -10,7 +10,6 @@
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
-#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -243,7 +242,7 @@ private:
   }
 
   // Appends the parts of the text, as coordinates.h does.
-  [[noreturn]] CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+  [[noreturn]]
   static void throw_nan(int axis, std::size_t position)
   {
     std::string message("Coordinate ");

@@ -22,7 +22,6 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/radix_sort.h>
-#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 
 #include <boost/config.hpp>
 
@@ -49,7 +48,6 @@ class Hashed_cells
 public:
   // Cells for points in a box. Coordinates are up to `error` above the doubles of points, and the
   // error is at most the width.
-  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
   Hashed_cells(const std::array<Interval, Dimension>& box, double error, double width, double side,
                std::uint64_t seed)
     : width_(width), width_above_(error == 0 ? width : next_above(width + error)),

@@ -13,7 +13,6 @@
 #include <CGAL/Thick_intersection_d/internal/closest_pair/tuning.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
-#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 
 #include <boost/config.hpp> // BOOST_NOINLINE
 
@@ -82,7 +81,7 @@ private:
 
   // Inserts the points before i by another hash, if the points were made for the first one. No
   // input is made for this one.
-  CGAL_THICK_INTERSECTION_D_RARELY_CALLED void hash_again(std::size_t i)
+  void hash_again(std::size_t i)
   {
     std::uint64_t seed = seed_of_process() + ++hash_count_;
     hash_ = Sequence_hash<type_dimension>(dimension(), random_word(seed));

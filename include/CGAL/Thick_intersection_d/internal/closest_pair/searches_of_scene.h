@@ -19,7 +19,6 @@
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
-#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/near_points/Element_points.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Is_within_distance.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_task.h>
@@ -35,7 +34,6 @@ namespace internal {
 
 // Returns the predicate for a bound. Integers decide the near ties that they can.
 template <class Point, class Exact>
-CGAL_THICK_INTERSECTION_D_RARELY_CALLED
 Is_within_distance<Point> is_within_of_scene(const Squared_bound<Exact>& bound, const Scene& scene)
 {
   const Arithmetic_tier tier
@@ -55,7 +53,6 @@ Join_task<Dimension> join_task_of_scene(const Scene& scene, std::uint64_t seed,
 // Gives the pairs of points of a scene in the plane or in space that are within a distance to the
 // taker. There may be as many near ties as pairs, so coordinates are not rounded to 32 bits.
 template <class Elements, class Progress>
-CGAL_THICK_INTERSECTION_D_RARELY_CALLED
 void search_near_pairs_of_scene(const Elements& points, const Scene& scene,
                                 const Is_within_distance<typename Elements::value_type>& is_within,
                                 Result_taker& taker, Progress& progress, const Threads& threads)

@@ -17,7 +17,6 @@
 #include <CGAL/Thick_intersection_d/internal/features/Ring_trees.h>
 #include <CGAL/Thick_intersection_d/internal/features/feature_kinds.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
-#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_kernel_objects_intersect.h>
 
 #include <algorithm>
@@ -184,7 +183,7 @@ private:
       throw_too_many(what);
   }
 
-  [[noreturn]] CGAL_THICK_INTERSECTION_D_RARELY_CALLED void throw_too_many(const char* what) const
+  [[noreturn]] void throw_too_many(const char* what) const
   {
     std::string message("There are too many ");
     message.append(what).append(": ").append(std::to_string(limit_)).append(" or more.");

@@ -10,7 +10,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Double_grid.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
-#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
+#include <CGAL/Thick_intersection_d/internal/machine/hints.h>
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 // A value for each thread that asks for it.
 
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
-#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
+#include <CGAL/Thick_intersection_d/internal/machine/hints.h>
 
 #include <cstddef>
 #include <forward_list>

@@ -21,7 +21,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
-#include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
+#include <CGAL/Thick_intersection_d/internal/machine/hints.h>
 #include <CGAL/Thick_intersection_d/internal/meshes/Mesh_face.h>
 #include <CGAL/Thick_intersection_d/internal/meshes/mesh_triangles.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Kernel_orientation.h>

@@ -19,7 +19,6 @@
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
-#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Cell_fractions.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Lattice_basis.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Periods.h>
@@ -48,7 +47,6 @@ public:
   // themselves if they fit into it as they are. Throws std::length_error if the bound or the scene
   // is too many periods long.
   template <class Elements>
-  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
   Cell_boundary(const Threads& threads, const Lattice_basis<Dimension>& basis,
                 const Elements& points, const Scene& scene, double reach, bool are_anywhere)
     : fractions_(threads, basis, points, scene), rank_(basis.rank())

@@ -23,7 +23,6 @@
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
-#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Lattice_basis.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Local_coordinates.h>
 
@@ -46,7 +45,6 @@ class Cell_fractions
 
 public:
   template <class Elements>
-  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
   Cell_fractions(const Threads& threads, const Lattice_basis<Dimension>& basis,
                  const Elements& points, const Scene& scene)
     : rank_(basis.rank()), local_(scene)

@@ -8,7 +8,6 @@
 // Which offsets move a home to where homes may be.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
-#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Cell_boundary.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Images.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Lattice_basis.h>
@@ -36,7 +35,6 @@ class Image_moves
 public:
   // `basis` must live as long as this. Takes all moves of homes in two sets, and positive ones in
   // one set.
-  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
   Image_moves(const Lattice_basis<Dimension>& basis, const Boundary& boundary, bool are_two_sets)
     : basis_(basis), boundary_(boundary), are_two_sets_(are_two_sets)
   {

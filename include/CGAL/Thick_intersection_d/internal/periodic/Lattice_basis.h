@@ -13,7 +13,6 @@
 // goes into the point. Exact rationals compute all of this, once per search.
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
-#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 
 #include <array>
 #include <cmath>
@@ -37,7 +36,7 @@ class Lattice_basis
 public:
   // Throws if the periods are linearly dependent.
   template <class Lattice>
-  CGAL_THICK_INTERSECTION_D_RARELY_CALLED explicit Lattice_basis(const Lattice& lattice)
+  explicit Lattice_basis(const Lattice& lattice)
   {
     for(int k = 0; k < Dimension; ++k)
       if(lattice.repeats(k)) {

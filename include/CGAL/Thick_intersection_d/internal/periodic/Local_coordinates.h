@@ -13,7 +13,6 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
-#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 
 #include <array>
 #include <cstddef>
@@ -41,7 +40,7 @@ public:
   // Takes the first point as the place, and subtracts it without error. This takes longer. It is
   // for points whose coordinates are no doubles, and so far away that doubles do not part them.
   template <class Elements>
-  CGAL_THICK_INTERSECTION_D_RARELY_CALLED void subtract_exactly(const Elements& points)
+  void subtract_exactly(const Elements& points)
   {
     is_exact_ = true;
     error_ = 0;
@@ -82,7 +81,7 @@ public:
 
 private:
   template <class Point>
-  CGAL_THICK_INTERSECTION_D_RARELY_CALLED Vector difference_without_error(const Point& point) const
+  Vector difference_without_error(const Point& point) const
   {
     Vector difference;
     for(int axis = 0; axis < Dimension; ++axis)

@@ -21,7 +21,6 @@
 
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
-#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Cell_boundary.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Image_moves.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Images.h>
@@ -59,7 +58,6 @@ public:
   // was cancelled. Throws std::length_error if a point is too many periods away, or if there are
   // too many images.
   template <class Elements, class Sets, class Progress>
-  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
   bool find(const Threads& threads, const Elements& points, const Sets& sets, Progress& progress)
   {
     std::vector<Found> found(threads.block_count());

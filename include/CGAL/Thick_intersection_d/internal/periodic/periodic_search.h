@@ -14,7 +14,6 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 #include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
-#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/near_points/near_points_search.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Images.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Periodic_scene.h>
@@ -80,7 +79,6 @@ public:
   using Offsets = typename Periodic_scene::Offsets;
 
   // Checks the bound, the domain and the points.
-  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
   Periodic_search(const Elements& points, const Sets& sets, const Domain& domain,
                   const Distance_bound<NT>& bound, bool is_profiled, const Threads& threads)
     : sets_(sets), bound_(bound), threads_(threads), reach_(finite_reach(bound)),

@@ -15,7 +15,6 @@
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
-#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Integer_distance.h>
@@ -79,7 +78,7 @@ class Is_within_distance
 
 public:
   // For points of any coordinates.
-  CGAL_THICK_INTERSECTION_D_RARELY_CALLED Is_within_distance(const Bound& bound, int dimension)
+  Is_within_distance(const Bound& bound, int dimension)
     : bound_(bound), dimension_(dimension), filter_(make_distance_filter(bound, dimension)),
       filter_of_doubles_{1, bound.reach(), filter_}
   {
@@ -91,7 +90,6 @@ public:
   // integers if it is INT64 or INT128, and exact numbers if it is FILTERED_EXACT. The first two are
   // to be exact for the scene. INT128 need not be: what does not fit is left to exact numbers.
   // Counts in `counts` which arithmetic decides, unless `counts` is null.
-  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
   Is_within_distance(const Bound& bound, const Scene& scene, Arithmetic_tier tier,
                      Shared_decision_counts* counts = nullptr)
     : bound_(bound), dimension_(scene.dimension()),

@@ -16,7 +16,7 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/kinds.h>
-#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
+#include <CGAL/Thick_intersection_d/internal/machine/hints.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Hull.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Hull_bound.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Hull_distance.h>

@@ -11,8 +11,7 @@
 #include <CGAL/Neighbor_lists.h>
 
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
-#include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
-#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
+#include <CGAL/Thick_intersection_d/internal/machine/hints.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -12,7 +12,6 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Near_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Run.h>
-#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
 
 #include <CGAL/assertions.h>
@@ -39,7 +38,6 @@ public:
   // becomes the integer below (x - low) * scale. Rounding moves the difference of two coordinates
   // by less than 1 + 2^-20, and the distance of two points by less than sqrt(d) times as much.
   // Floats compute its square with an error below 2^-20 of it.
-  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
   Narrow_scale(const Box& box, const Distance_filter& filter)
   {
     const double inside = std::sqrt(filter.inside) * (1 - relative_slack); // NaN if it is negative
@@ -62,7 +60,6 @@ public:
   // least number of squared steps that is beyond the bound. A coordinate becomes its number of
   // steps from the lower end, without error.
   // Floats compute squared distances within the bound without error if they have 24 bits.
-  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
   Narrow_scale(const Box& box, int grid_exponent, double steps, std::uint64_t first_beyond)
     : max_square_(first_beyond - 1)
   {

@@ -14,8 +14,7 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/prefix_sums.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
-#include <CGAL/Thick_intersection_d/internal/machine/prefetch.h>
-#include <CGAL/Thick_intersection_d/internal/machine/rarely_called.h>
+#include <CGAL/Thick_intersection_d/internal/machine/hints.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Point_reader.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_columns.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>

@@ -2,17 +2,28 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_MACHINE_PREFETCH_H
-#define CGAL_THICK_INTERSECTION_D_INTERNAL_MACHINE_PREFETCH_H
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_MACHINE_HINTS_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_MACHINE_HINTS_H
 
-// Memory that is brought to the cache ahead of time, where the processor cannot guess what the
-// program will touch next. Nothing is read or written, so any address is allowed.
+// Hints for the compiler and the processor. They change how long a program takes, and nothing that
+// it does.
 
 #include <cstddef>
+
+// Marks a function that a search calls a few times only. The compiler makes it short instead of
+// fast, which takes less time: exact numbers that are expanded in each place compile slowly.
+#ifdef __GNUC__
+#define CGAL_THICK_INTERSECTION_D_RARELY_CALLED __attribute__((noinline, cold))
+#else
+#define CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+#endif
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
+
+// Memory may be brought to the cache ahead of time, where the processor cannot guess what the
+// program will touch next. Nothing is read or written, so any address is allowed.
 
 // How many undecided pairs ahead the memory of a pair is prefetched.
 inline constexpr std::size_t prefetch_distance = 12;
@@ -59,4 +70,4 @@ inline void prefetch_to_write(const void* address, std::size_t line_count = 0)
 } // namespace Thick_intersection_d
 } // namespace CGAL
 
-#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_MACHINE_PREFETCH_H
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_MACHINE_HINTS_H
