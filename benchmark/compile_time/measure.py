@@ -39,7 +39,7 @@ CALLS = {
     ("NEIGHBOR_LISTS", True): ("`fixed_radius_neighbor_lists`, space, linked", 1.6, 34),
     ("CLOSEST_PAIR", False): ("`closest_pair`, plane", None, None),
     ("CLOSEST_PAIR_IN_SPACE", False): ("`closest_pair`, space", 1.5, 106),
-    ("CLOSEST_PAIR_IN_SPACE", True): ("`closest_pair`, space, linked", 1.5, 40.7),
+    ("CLOSEST_PAIR_IN_SPACE", True): ("`closest_pair`, space, linked", 1.5, 40),
     ("SEGMENTS", False): ("`thick_self_intersection_d`, segments", None, None),
     ("TRIANGLES", False): ("`thick_self_intersection_d`, triangles in space", 1.4, 81),
     ("TRIANGLES", True): ("`thick_self_intersection_d`, triangles in space, linked", 1.6, 8.6),
