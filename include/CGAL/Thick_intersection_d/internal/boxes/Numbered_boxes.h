@@ -242,8 +242,7 @@ private:
   }
 
   // Appends the parts of the text, as coordinates.h does.
-  [[noreturn]]
-  static void throw_nan(int axis, std::size_t position)
+  [[noreturn]] static void throw_nan(int axis, std::size_t position)
   {
     std::string message("Coordinate ");
     message.append(std::to_string(std::size_t(axis))).append(" of box ");
