@@ -87,13 +87,7 @@ Figures scattered(Figures figures, double scale)
   return figures;
 }
 
-Figures shuffled(Figures figures)
-{
-  Random random(3);
-  for(std::size_t i = figures.size(); i > 1; --i)
-    std::swap(figures[i - 1], figures[random.below(i)]);
-  return figures;
-}
+Figures shuffled(Figures figures) { return test_support::shuffled(std::move(figures), 3); }
 
 Object_scene make_scene(const std::string& name, Shape shape, int dimension,
                         const Figures& figures)

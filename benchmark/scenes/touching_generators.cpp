@@ -419,9 +419,7 @@ Mesh_scene floor_mesh(std::size_t n)
 
 Mesh_scene with_shuffled_faces(Mesh_scene mesh)
 {
-  Random random(3);
-  for(std::size_t i = mesh.faces.size(); i > 1; --i)
-    std::swap(mesh.faces[i - 1], mesh.faces[random.below(i)]);
+  mesh.faces = test_support::shuffled(std::move(mesh.faces), 3);
   return mesh;
 }
 

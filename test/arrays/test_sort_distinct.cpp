@@ -48,9 +48,7 @@ BOOST_AUTO_TEST_CASE(any_order_is_sorted)
     std::vector<std::uint32_t> expected = {0, 0xffffffffu};
     for(std::size_t i = 2; i < size; ++i)
       expected.push_back(static_cast<std::uint32_t>(i * 7158278));
-    std::vector<std::uint32_t> numbers = expected;
-    for(std::size_t i = size; i > 1; --i)
-      std::swap(numbers[i - 1], numbers[random.below(i)]);
+    std::vector<std::uint32_t> numbers = shuffled(expected, random);
     std::sort(expected.begin(), expected.end());
     sort(numbers);
     BOOST_CHECK(numbers == expected);

@@ -23,9 +23,7 @@ std::vector<Place> random_positions(std::size_t size, Random& random)
   std::vector<Place> positions;
   for(std::size_t i = 0; i < size; ++i)
     positions.push_back(static_cast<Place>(i << 22 | random.below(1 << 22)) ^ largest);
-  for(std::size_t i = size; i > 1; --i)
-    std::swap(positions[i - 1], positions[random.below(i)]);
-  return positions;
+  return shuffled(std::move(positions), random);
 }
 
 // What is behind the positions of a run is of no account.

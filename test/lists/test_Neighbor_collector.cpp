@@ -22,10 +22,7 @@ Pairs random_pairs(std::size_t size, std::size_t count, Random& random)
     if(i != j)
       pairs.insert(std::minmax(i, j));
   }
-  Pairs shuffled(pairs.begin(), pairs.end());
-  for(std::size_t i = shuffled.size(); i > 1; --i)
-    std::swap(shuffled[i - 1], shuffled[random.below(i)]);
-  return shuffled;
+  return shuffled(Pairs(pairs.begin(), pairs.end()), random);
 }
 
 void check_lists(std::size_t size, std::size_t count)

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdint>
 #include <random>
+#include <utility>
 
 namespace test_support {
 
@@ -150,12 +151,19 @@ inline Points repeated(const Points& points, std::size_t copies)
 }
 
 // std::shuffle may differ between standard libraries; this one does not.
-inline Points shuffled(Points points, std::uint64_t seed)
+template <class Items>
+Items shuffled(Items items, Random& random)
+{
+  for(std::size_t i = items.size(); i > 1; --i)
+    std::swap(items[i - 1], items[random.below(i)]);
+  return items;
+}
+
+template <class Items>
+Items shuffled(Items items, std::uint64_t seed)
 {
   Random random(seed);
-  for(std::size_t i = points.size(); i > 1; --i)
-    points[i - 1].swap(points[random.below(i)]);
-  return points;
+  return shuffled(std::move(items), random);
 }
 
 // The same points in a higher dimension, the new coordinates all equal to `value`.
