@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 // Whether an answer depends on what must not matter: the order of the two points, the order of the
-// axes, and the rounding mode.
+// axes, the rounding mode, and, comparing two builds of this program, fused multiplication.
 //
-//   stability <folder for stability.csv>
+//   stability <folder>                  writes stability.csv, and all answers to answers.txt
+//   stability <folder> <answers.txt>    compares with the answers of another build: fused.csv
 
 #include "measuring/Csv_file.h"
 #include "methods/distance_forms.h"
@@ -31,6 +32,13 @@ struct Question
   double r;
 };
 
+// A product that is rounded in both builds, so that they ask the same questions.
+double product(double x, double y)
+{
+  const volatile double rounded = x * y;
+  return rounded;
+}
+
 // Points at a distance of r up to rounding, for many radii.
 std::vector<Question> questions()
 {
@@ -42,11 +50,12 @@ std::vector<Question> questions()
     double length = 0;
     for(double& x : direction) {
       x = random.uniform() - 0.5;
-      length += x * x;
+      length += product(x, x);
     }
     for(int axis = 0; axis < 3; ++axis) {
       question.p[axis] = random.uniform();
-      question.q[axis] = question.p[axis] + question.r * (direction[axis] / std::sqrt(length));
+      question.q[axis]
+        = question.p[axis] + product(question.r, direction[axis] / std::sqrt(length));
     }
     result.push_back(question);
   }
@@ -109,16 +118,16 @@ Question with_axes_reversed(const Question& question)
           question.r};
 }
 
-} // namespace
+const char* const truth = "none needed: answers of one method are compared with each other";
 
-int main(int, char** arguments)
+void write_changes(const std::string& folder)
 {
-  Csv_file csv(arguments[1], "stability.csv",
-               "none needed: answers of one method are compared with each other",
-               "method,change,questions,changed");
+  Csv_file csv(folder, "stability.csv", truth, "method,change,questions,changed");
+  std::ofstream all_answers(folder + "/answers.txt");
   const std::vector<Question> all = questions();
   for(const Form& form : forms()) {
     const Answers base = answers(form, all, as_it_is);
+    all_answers << base << '\n';
     const auto write = [&](const char* change, const Answers& other) {
       csv.row(form.name, change, all.size(), count_differences(base, other));
     };
@@ -134,4 +143,27 @@ int main(int, char** arguments)
     write_mode("rounding down", FE_DOWNWARD);
     write_mode("rounding to zero", FE_TOWARDZERO);
   }
+}
+
+void write_differences_of_builds(const std::string& folder, const std::string& answers_of_other)
+{
+  Csv_file csv(folder, "fused.csv", truth, "method,change,questions,changed");
+  std::ifstream other(answers_of_other);
+  const std::vector<Question> all = questions();
+  for(const Form& form : forms()) {
+    Answers base;
+    std::getline(other, base);
+    csv.row(form.name, "fused multiplication", all.size(),
+            count_differences(base, answers(form, all, as_it_is)));
+  }
+}
+
+} // namespace
+
+int main(int count, char** arguments)
+{
+  if(count == 2)
+    write_changes(arguments[1]);
+  else
+    write_differences_of_builds(arguments[1], arguments[2]);
 }

@@ -690,8 +690,9 @@ def draw_work(rows):
 
 # ---- answers that change, and the paper once more -----------------------------------------------
 
-@figure_of("stability.csv")
-def draw_stability(rows):
+@figure_of("stability.csv", "fused.csv")
+def draw_stability(of_one_build, of_two_builds):
+    rows = of_one_build + of_two_builds
     methods, changes = in_order(rows, "method"), in_order(rows, "change")
     cells = {(m, c): (0, "") for m in methods for c in changes}
     for row in rows:
