@@ -6,6 +6,8 @@
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_OBJECT_MAKERS_H
 #define THICK_INTERSECTION_TEST_SUPPORT_OBJECT_MAKERS_H
 
+#include "kernel_types.h"
+
 #include <cstddef>
 #include <utility>
 
@@ -29,11 +31,9 @@ struct Object_maker
   template <class Kernel, class Coordinates>
   static auto point(const Coordinates& c, std::size_t i)
   {
-    using FT = typename Kernel::FT;
-    if constexpr(Dimension == 2)
-      return typename Kernel::Point_2(FT(c[2 * i]), FT(c[2 * i + 1]));
-    else
-      return typename Kernel::Point_3(FT(c[3 * i]), FT(c[3 * i + 1]), FT(c[3 * i + 2]));
+    return Kernel_types<Kernel, Dimension>::point([&](std::size_t axis) {
+      return typename Kernel::FT(c[Dimension * i + axis]);
+    });
   }
 
 private:
@@ -45,52 +45,32 @@ private:
   }
 };
 
-struct Points_2 : Object_maker<Points_2, 2, 1>
+template <int Dimension>
+struct Points_maker : Object_maker<Points_maker<Dimension>, Dimension, 1>
 {
   template <class K>
-  using Object = typename K::Point_2;
+  using Object = typename Kernel_types<K, Dimension>::Point;
 };
 
-struct Points_3 : Object_maker<Points_3, 3, 1>
+template <int Dimension>
+struct Segments_maker : Object_maker<Segments_maker<Dimension>, Dimension, 2>
 {
   template <class K>
-  using Object = typename K::Point_3;
+  using Object = typename Kernel_types<K, Dimension>::Segment;
 };
 
-struct Segments_2 : Object_maker<Segments_2, 2, 2>
+template <int Dimension>
+struct Triangles_maker : Object_maker<Triangles_maker<Dimension>, Dimension, 3>
 {
   template <class K>
-  using Object = typename K::Segment_2;
+  using Object = typename Kernel_types<K, Dimension>::Triangle;
 };
 
-struct Triangles_2 : Object_maker<Triangles_2, 2, 3>
+template <int Dimension>
+struct Iso_boxes_maker : Object_maker<Iso_boxes_maker<Dimension>, Dimension, 2, true>
 {
   template <class K>
-  using Object = typename K::Triangle_2;
-};
-
-struct Rectangles_2 : Object_maker<Rectangles_2, 2, 2, true>
-{
-  template <class K>
-  using Object = typename K::Iso_rectangle_2;
-};
-
-struct Segments_3 : Object_maker<Segments_3, 3, 2>
-{
-  template <class K>
-  using Object = typename K::Segment_3;
-};
-
-struct Triangles_3 : Object_maker<Triangles_3, 3, 3>
-{
-  template <class K>
-  using Object = typename K::Triangle_3;
-};
-
-struct Cuboids_3 : Object_maker<Cuboids_3, 3, 2, true>
-{
-  template <class K>
-  using Object = typename K::Iso_cuboid_3;
+  using Object = typename Kernel_types<K, Dimension>::Iso_box;
 };
 
 struct Tetrahedra_3 : Object_maker<Tetrahedra_3, 3, 4>
@@ -98,6 +78,15 @@ struct Tetrahedra_3 : Object_maker<Tetrahedra_3, 3, 4>
   template <class K>
   using Object = typename K::Tetrahedron_3;
 };
+
+using Points_2 = Points_maker<2>;
+using Points_3 = Points_maker<3>;
+using Segments_2 = Segments_maker<2>;
+using Segments_3 = Segments_maker<3>;
+using Triangles_2 = Triangles_maker<2>;
+using Triangles_3 = Triangles_maker<3>;
+using Rectangles_2 = Iso_boxes_maker<2>;
+using Cuboids_3 = Iso_boxes_maker<3>;
 
 } // namespace test_support
 
