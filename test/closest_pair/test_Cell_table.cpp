@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Strips. Buckets, and the two ways to those of adjacent cells, against a map of the standard
-// library.
+// Strips. Buckets, and the way to those of adjacent cells, against a map of the standard library.
 
 #include "support/unit_test.h"
 
@@ -61,10 +60,10 @@ void check_buckets(const internal::Cell_table& table, const std::map<Cell, Membe
 }
 
 // Asks for all offsets of all buckets, in order.
-template <class Finder>
-void check_finder(Finder&& find, const internal::Forward_offsets& offsets,
+void check_finder(const internal::Cell_table& table, const internal::Forward_offsets& offsets,
                   const std::map<Cell, Members>& map)
 {
+  internal::Sorted_bucket_finder find(table, offsets, 0);
   std::size_t bucket = 0;
   for(const auto& each : map) {
     for(std::size_t i = 0; i < offsets.size(); ++i) {
@@ -88,7 +87,7 @@ BOOST_AUTO_TEST_CASE(buckets_are_those_of_a_map)
         const internal::Cell_table table = table_of(cells, axis_count);
         check_buckets(table, map);
         const internal::Forward_offsets offsets(axis_count);
-        check_finder(internal::Sorted_bucket_finder(table, offsets, 0), offsets, map);
+        check_finder(table, offsets, map);
       }
 }
 

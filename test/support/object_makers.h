@@ -46,13 +46,6 @@ private:
 };
 
 template <int Dimension>
-struct Points_maker : Object_maker<Points_maker<Dimension>, Dimension, 1>
-{
-  template <class K>
-  using Object = typename Kernel_types<K, Dimension>::Point;
-};
-
-template <int Dimension>
 struct Segments_maker : Object_maker<Segments_maker<Dimension>, Dimension, 2>
 {
   template <class K>
@@ -79,8 +72,6 @@ struct Tetrahedra_3 : Object_maker<Tetrahedra_3, 3, 4>
   using Object = typename K::Tetrahedron_3;
 };
 
-using Points_2 = Points_maker<2>;
-using Points_3 = Points_maker<3>;
 using Segments_2 = Segments_maker<2>;
 using Segments_3 = Segments_maker<3>;
 using Triangles_2 = Triangles_maker<2>;

@@ -48,9 +48,7 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// `Finder` finds adjacent buckets. It is made of the table, the offsets and the first bucket of a
-// block, and is called with increasing buckets.
-template <class Elements, class Finder = Sorted_bucket_finder>
+template <class Elements>
 class Close_pair_buckets
 {
   using Point = typename Elements::value_type;
@@ -161,7 +159,7 @@ private:
     std::mutex mutex;
     std::atomic<bool> go_on = true;
     const auto search = [&](std::size_t, std::size_t first, std::size_t last) {
-      Finder find(table, offsets, first);
+      Sorted_bucket_finder find(table, offsets, first);
       Found pair;
       for(std::size_t bucket = first;
           bucket != last && go_on.load(std::memory_order_relaxed); ++bucket) {
