@@ -46,6 +46,10 @@ struct Is_range<Range, std::void_t<Reference_of<Iterator_of<Range>>,
 template <class Range>
 using Read_range = std::conditional_t<Is_range<const Range>::value, const Range, Range>;
 
+// Whether the objects of a range are meant without their boundaries, as `CGAL/interiors.h` says.
+template <class Range>
+inline constexpr bool are_interiors_v = false;
+
 // Iterators of C++20 that make their elements have a concept. Others that make them have no random
 // access, whatever their category says: those over a `Surface_mesh` of CGAL 6 advance step by step
 // after removals.
@@ -165,6 +169,7 @@ class Numbered_elements
 public:
   using value_type = std::decay_t<decltype(mapped(std::declval<Reference>(),
                                                   std::declval<const Map&>()))>;
+  static constexpr bool are_open = are_interiors_v<Range>;
 
   explicit Numbered_elements(Readable& range, const Map& map = Map())
     : first_(std::begin(range)), map_(map)
