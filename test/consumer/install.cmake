@@ -34,6 +34,7 @@ function(install_component component result)
   execute_process(
     COMMAND ${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${PREFIX} --component ${component}
     RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE said)
+  string(REGEX REPLACE "[ \n]+" " " said "${said}") # CMake breaks lines where paths are long
   set(${result} "${status} ${said}" PARENT_SCOPE)
 endfunction()
 
