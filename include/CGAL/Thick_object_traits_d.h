@@ -5,7 +5,8 @@
 #ifndef CGAL_THICK_OBJECT_TRAITS_D_H
 #define CGAL_THICK_OBJECT_TRAITS_D_H
 
-// Objects that have a bounding box: segments, triangles, iso-boxes, tetrahedra, balls, variants.
+// Objects that have a bounding box: segments, triangles, iso-boxes, tetrahedra, with radii or not,
+// and variants.
 
 #include <CGAL/Arithmetic_tier.h>
 #include <CGAL/Bbox_2.h>
@@ -48,11 +49,15 @@ The predicates of `ThickIntersectionTraits_d` compare the lower corners of the b
 along an axis is the largest extent of a box along the axis: the lower corners of two boxes that
 overlap are not farther apart \cgalCite{v-riato-03}. A search by boxes has no use for them.
 
-Closed balls are `std::pair`s of a center and a radius. Their test compares a squared distance with
-a squared radius, in degree 4 in the plane and 6 in space, or 2 for two balls or a ball and a point:
-a filter in doubles, integers of 128 bits and exact numbers decide, in this order. For balls alone,
-`Thick_ball_traits_d` is faster. Circles and spheres are refused. `do_intersect()` takes them as
-curves and surfaces, so a circle within another circle would not intersect it.
+A `std::pair` of such an object and a radius is the object *thickened* by the radius: all points
+within the radius of it. So a point with a radius is a closed ball, and a segment with a radius, as
+pipes, cables and roads have one each, is a capsule. Thickened objects intersect iff the distance of
+the objects is at most the sum of the radii, which is not rounded. The test compares the squared
+distance with the squared sum, in degree 4 in the plane and 6 in space, or 2 for two balls or a ball
+and a point: a filter in doubles, integers of 128 bits and exact numbers decide, in this order. A
+radius of zero thickens nothing. For balls alone, `Thick_ball_traits_d` is faster. Circles and
+spheres are refused. `do_intersect()` takes them as curves and surfaces, so a circle within another
+circle would not intersect it.
 
 A `std::variant` of such types is an object: it is what it holds.
 
@@ -64,14 +69,14 @@ is. If `do_intersect()` takes the class itself, this is the test, as for objects
 Traits that derive from these may have other functors, which are asked in the place of the inherited
 ones.
 
-The radius of a ball may be of any number type, but of an integer type only if the coordinates are
-of this type: a pair of a point and another integer may be a point with an index, and is refused
-when it is compiled.
+A radius may be of any number type, but of an integer type only if the coordinates are of this type:
+a pair of an object and another integer may be an object with an index, and is refused when it is
+compiled.
 
 \tparam Object is `Point_2`, `Segment_2`, `Triangle_2`, `Iso_rectangle_2`, `Point_3`, `Segment_3`,
-`Triangle_3`, `Iso_cuboid_3`, `Tetrahedron_3`, `Bbox_2`, `Bbox_3`, a pair of a `Point_2` or
-`Point_3` and a radius, a `std::variant` of these types, or another type. Another type has
-a member function `bbox()` that returns a `Bbox_2` or `Bbox_3` around the object, and a function
+`Triangle_3`, `Iso_cuboid_3`, `Tetrahedron_3`, `Bbox_2`, `Bbox_3`, a pair of one of these and a
+radius, a `std::variant` of all these types, or another type. Another type has a member function
+`bbox()` that returns a `Bbox_2` or `Bbox_3` around the object, and a function
 `do_intersect(const Object&, const Object&)` in its namespace. It may not be a class of a kernel
 with inexact predicates.
 

@@ -35,13 +35,13 @@ never paired with itself. A bound of zero finds the duplicates.
 
 If a program includes `CGAL/fixed_radius_near_neighbors.h`, which includes this header, the range
 may hold closed objects instead of points: `Segment_2`, `Triangle_2`, `Iso_rectangle_2`,
-`Segment_3`, `Triangle_3`, `Iso_cuboid_3`, `Tetrahedron_3`, `Bbox_2`, `Bbox_3`, balls, which are
-`std::pair`s of a `Point_2` or `Point_3` and a radius, or `std::variant`s of these and of points.
-Two objects are near if a point of one and a point of the other are within the bound. So objects
-that intersect are near, but for an open bound of zero. Objects may be degenerate, as for
-`thick_self_intersection_d()`, and the result is that of real arithmetic. An object of a class that
-derives from one of these is what its base is. Objects of other classes have traits, a model of
-`ThickDistanceTraits_d`.
+`Segment_3`, `Triangle_3`, `Iso_cuboid_3`, `Tetrahedron_3`, `Bbox_2`, `Bbox_3`, `std::pair`s of one
+of these or of a `Point_2` or `Point_3` and a radius, which are all points within the radius of it,
+or `std::variant`s of these and of points. Two objects are near if a point of one and a point of the
+other are within the bound. So objects that intersect are near, but for an open bound of zero.
+Objects may be degenerate, as for `thick_self_intersection_d()`, and the result is that of real
+arithmetic. An object of a class that derives from one of these is what its base is. Objects of
+other classes have traits, a model of `ThickDistanceTraits_d`.
 
 The search takes \f$ O(n \log n + k) \f$ time and \f$ O(n) \f$ space in the plane and in space,
 where \f$ k \f$ is the number of pairs \cgalCite{v-riato-03}. In other dimensions, it puts a box on

@@ -28,7 +28,7 @@ The algorithm is the divide and conquer of Vigneron \cgalCite{v-riato-03} along 
 sweep where an axis is left. It takes \f$ O(n) \f$ space. The traits decide about the time, in fixed
 dimension \f$ d \f$:
 
-- *Intervals.* Objects of a kernel, balls, and objects whose traits are a model of
+- *Intervals.* Objects of a kernel, thickened or not, and objects whose traits are a model of
   `ThickIntersectionIntervalTraits_d` have boxes. The boxes may have any sizes. The search takes
   \f$ O(n \log^{d-1} n + K) \f$ time, where \f$ K \f$ is the number of pairs whose boxes meet. Only
   these pairs are tested. Boxes have up to eight axes, or up to four if only the objects know their
@@ -47,7 +47,7 @@ as the predicates of the package are: on the coordinates that the objects hold, 
 `Simple_cartesian<double>` included, and in every rounding mode. Objects of a kernel are closed, so
 objects that touch intersect. They may be degenerate: a segment of length zero is the point that it
 is, a flat triangle a segment or a point, and a flat tetrahedron a polygon, a segment or a point.
-The algebraic degree is 2 in the plane and 3 in space, and with balls 4 in the plane and 6 in space,
+The algebraic degree is 2 in the plane and 3 in space, and with radii 4 in the plane and 6 in space,
 or 2 for balls and points alone; the `Scene_profile` tells what it takes.
 
 \tparam ConcurrencyTag is `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. In
@@ -57,10 +57,10 @@ requires \tbb.
 
 \tparam ObjectRange is a range whose elements are of the type `Object_d` of the traits, with forward
 iterators or better. It is neither copied nor reordered. It may be a view of C++20. Without traits,
-the elements are objects of a kernel, boxes of the type `Bbox_2` or `Bbox_3`, closed balls, which
-are `std::pair`s of a center and a radius, objects of classes that derive from these, which are what
-their base is, other objects with `bbox()` and `do_intersect()`, or `std::variant`s of such types,
-all in the plane or all in space.
+the elements are objects of a kernel, boxes of the type `Bbox_2` or `Bbox_3`, objects of classes
+that derive from these, which are what their base is, `std::pair`s of such an object and a radius,
+which are thickened by the radius, other objects with `bbox()` and `do_intersect()`, or
+`std::variant`s of such types, all in the plane or all in space.
 
 \tparam Callback is callable with `(std::size_t i, std::size_t j)`. It returns `void`, or `bool` to
 stop the search by returning `false`. Or it is an output iterator for pairs of the type
@@ -134,7 +134,7 @@ refuses it if it is not exact for the objects. If only the answer is wanted, pas
 without objects. The search takes one more pass over the objects, and counts pairs one by one.
 
 \param objects,callback,np as in the version above, without `geom_traits`. The objects are of a
-kernel, boxes, balls, or variants of them.
+kernel or boxes, thickened by a radius or not, or variants of them.
 \param profile is replaced by the profile of the objects, with the same tier forced, and with the
 numbers of pairs that each kind of arithmetic has decided. It does not change if the function
 throws.

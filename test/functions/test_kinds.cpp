@@ -15,15 +15,7 @@ namespace {
 template <class Kernel, int Dimension>
 void check_on_kernel()
 {
-  Kind_table intersections = {};
-  Kind_table near_pairs = {};
-  check_seeds(1000, [&](std::uint64_t seed) {
-    Kind_case<Kernel_kinds<Kernel, Dimension>> scene(seed);
-    scene.check_intersections(intersections);
-    scene.check_near_pairs(near_pairs);
-  });
-  check_table(intersections, Dimension);
-  check_table(near_pairs, Dimension);
+  check_all_kinds<Kernel_kinds<Kernel, Dimension>>();
 }
 
 } // namespace

@@ -221,14 +221,12 @@ void make_mistakes()
   CGAL::thick_mesh_self_intersections(mesh, pairs_of_faces,
                                       CGAL::parameters::point_map(mesh.points()));
 
-  // error: A pair of a point and an integer may be a point with an index: pass a property map to
-  // the points as point_map, or make the integer a number of the kernel if it is the radius of a
-  // ball.
+  // error: A pair of an object and an integer may be an object with an index: pass a property map
+  // to the objects as point_map, or make the integer a number of the kernel if it is a radius.
   CGAL::fixed_radius_near_neighbors(points_with_indices, bound, report);
 
-  // error: A pair of a point and an integer may be a point with an index: pass a property map to
-  // the points as point_map, or make the integer a number of the kernel if it is the radius of a
-  // ball.
+  // error: A pair of an object and an integer may be an object with an index: pass a property map
+  // to the objects as point_map, or make the integer a number of the kernel if it is a radius.
   CGAL::thick_self_intersection_d(points_with_numbers, report);
 
   // error: The elements of the range must be points or objects of a kernel of CGAL: pass a

@@ -75,12 +75,16 @@ BOOST_AUTO_TEST_CASE(kinds_of_variants_of_variants)
   BOOST_CHECK(!internal::Kinds<double>::is_any<Is_word>);
 }
 
-BOOST_AUTO_TEST_CASE(a_ball_is_a_pair_of_a_point_and_a_number)
+BOOST_AUTO_TEST_CASE(a_pair_of_an_object_and_a_number_is_thickened)
 {
   using Kernel = CGAL::Simple_cartesian<double>;
-  BOOST_CHECK((internal::Is_ball<std::pair<Kernel::Point_2, double>>::value));
-  BOOST_CHECK((!internal::Is_ball<std::pair<std::string, double>>::value));
-  BOOST_CHECK(!internal::Is_ball<Kernel::Point_2>::value);
+  BOOST_CHECK((internal::Is_thickened<std::pair<Kernel::Point_2, double>>::value));
+  BOOST_CHECK((internal::Is_thickened<std::pair<Kernel::Tetrahedron_3, float>>::value));
+  BOOST_CHECK((internal::Is_thickened<std::pair<CGAL::Bbox_2, double>>::value));
+  BOOST_CHECK((!internal::Is_thickened<std::pair<Kernel::Segment_2, int>>::value)); // an index
+  BOOST_CHECK((!internal::Is_thickened<std::pair<Kernel::Circle_2, double>>::value));
+  BOOST_CHECK((!internal::Is_thickened<std::pair<std::string, double>>::value));
+  BOOST_CHECK(!internal::Is_thickened<Kernel::Point_2>::value);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

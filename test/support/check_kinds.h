@@ -129,7 +129,8 @@ class Kind_case
 {
 public:
   explicit Kind_case(std::uint64_t seed)
-    : seed_(seed), drawer_(seed, Kinds::dimension), scene_(drawer_.scene()), truth_(scene_),
+    : seed_(seed), drawer_(seed, Kinds::dimension, Kinds::have_radii), scene_(drawer_.scene()),
+      truth_(scene_),
       kinds_{{scene_.exponent, Kinds::is_exact && drawer_.is_chance(3)}},
       middle_(1 + drawer_.random().below(truth_.size() - 1)), ranges_(scene_, kinds_, middle_)
   {}
@@ -266,6 +267,21 @@ inline void check_table(const Kind_table& table, int dimension)
         BOOST_CHECK_GT(table[a][b].pairs - table[a][b].yes, 20u);
         BOOST_CHECK_GT(table[a][b].ties, 10u);
       }
+}
+
+// Both questions about 1000 random scenes.
+template <class Kinds>
+void check_all_kinds()
+{
+  Kind_table intersections = {};
+  Kind_table near_pairs = {};
+  check_seeds(1000, [&](std::uint64_t seed) {
+    Kind_case<Kinds> scene(seed);
+    scene.check_intersections(intersections);
+    scene.check_near_pairs(near_pairs);
+  });
+  check_table(intersections, Kinds::dimension);
+  check_table(near_pairs, Kinds::dimension);
 }
 
 } // namespace test_support

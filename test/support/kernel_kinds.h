@@ -54,6 +54,7 @@ template <class K, int Dimension>
 struct Kernel_kinds : Kind_numbers<K>
 {
   static constexpr int dimension = Dimension;
+  static constexpr bool have_radii = false;
   using Types = Kernel_types<K, Dimension>;
   using Point = typename Types::Point;
   using Ball = std::pair<Point, typename K::FT>;
@@ -90,6 +91,53 @@ private:
     return Kernel_types<CGAL::Simple_cartesian<double>, Dimension>::point([&](std::size_t axis) {
       return this->as_double(p[axis]);
     }).bbox();
+  }
+};
+
+// The same objects, thickened by radii. Segments without a radius stay what they are.
+template <class K, int Dimension>
+struct Thickened_kinds : Kernel_kinds<K, Dimension>
+{
+  static constexpr bool have_radii = true;
+
+private:
+  using Plain = Kernel_kinds<K, Dimension>;
+  using Segment = typename Plain::Types::Segment;
+
+  template <class Kind>
+  struct With_radius
+  {
+    using type = std::pair<Kind, typename K::FT>;
+  };
+  template <class Center>
+  struct With_radius<std::pair<Center, typename K::FT>>
+  {
+    using type = std::pair<Center, typename K::FT>;
+  };
+  template <class Plain_object>
+  struct Variant;
+  template <class Point, class... Kinds>
+  struct Variant<std::variant<Point, Kinds...>>
+  {
+    using type = std::variant<Segment, typename With_radius<Kinds>::type...>;
+  };
+
+public:
+  using Object = typename Variant<typename Plain::Object>::type;
+
+  Object make(const Kind_object& object) const
+  {
+    const auto thicken = [&](const auto& x) -> Object {
+      using Kind = std::decay_t<decltype(x)>;
+      if constexpr(std::is_same_v<Kind, Segment>)
+        if(object.radius == 0)
+          return x;
+      if constexpr(std::is_same_v<Kind, typename Plain::Ball>)
+        return x;
+      else
+        return std::pair(x, this->number(object.radius));
+    };
+    return std::visit(thicken, Plain::make(object));
   }
 };
 

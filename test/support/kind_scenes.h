@@ -22,7 +22,9 @@ namespace test_support {
 class Kind_drawer
 {
 public:
-  Kind_drawer(std::uint64_t seed, int dimension) : random_(seed), dimension_(dimension) {}
+  Kind_drawer(std::uint64_t seed, int dimension, bool have_radii)
+    : random_(seed), dimension_(dimension), have_radii_(have_radii)
+  {}
 
   Random& random() { return random_; }
   bool is_chance(std::size_t one_in) { return random_.below(one_in) == 0; }
@@ -123,7 +125,7 @@ private:
     for(std::size_t k = 0; k < points_of(object.kind); ++k)
       object.points.push_back(k > 0 && is_chance(12) ? object.points[k - 1]
                                                      : lattice_place(low, side));
-    if(object.kind == Kind::BALL)
+    if(has_radius(object.kind))
       object.radius = length(side_);
     return object;
   }
@@ -172,26 +174,27 @@ private:
   Kind_object object_below(const Place& w, std::int64_t norm)
   {
     Kind_object object = {kind(), {}, 0};
-    if(is_box(object.kind)) {
-      object.points = box_below(w);
-      return object;
-    }
-    if(object.kind == Kind::BALL) {
-      const std::int64_t radius = below(4);
-      object.radius = radius * norm;
-      object.points = {{-radius * w[0], -radius * w[1], -radius * w[2]}};
-      return object;
-    }
-    object.points = feature_at_origin(w, 1 + random_.below((std::min)(points_of(object.kind),
-                                                                      axes())));
-    while(object.points.size() < points_of(object.kind)) {
+    object.points = is_box(object.kind) ? box_below(w) : hull_below(w, points_of(object.kind));
+    const std::int64_t radius = has_radius(object.kind) ? below(4) : 0;
+    object.radius = radius * norm;
+    for(Place& p : object.points)
+      for(std::size_t axis = 0; axis < axes(); ++axis)
+        p[axis] -= radius * w[axis];
+    return object;
+  }
+
+  std::vector<Place> hull_below(const Place& w, std::size_t size)
+  {
+    std::vector<Place> points
+      = feature_at_origin(w, 1 + random_.below((std::min)(size, axes())));
+    while(points.size() < size) {
       Place p = tangent_to({0, 0, 0}, 5);
       if(dot(p, w) > 0)
         p = {-p[0], -p[1], -p[2]};
-      object.points.push_back(p);
+      points.push_back(p);
     }
-    std::swap(object.points.front(), object.points[random_.below(object.points.size())]);
-    return object;
+    std::swap(points.front(), points[random_.below(points.size())]);
+    return points;
   }
 
   std::vector<Place> box_below(const Place& w)
@@ -259,6 +262,9 @@ private:
     return exponents[random_.below(13)];
   }
 
+  // Whether to give an object a radius, which may be zero.
+  bool has_radius(Kind kind) { return kind == Kind::BALL || (have_radii_ && !is_chance(4)); }
+
   Kind kind()
   {
     return static_cast<Kind>(random_.below(number_of_kinds(dimension_)));
@@ -268,6 +274,7 @@ private:
 
   Random random_;
   int dimension_;
+  bool have_radii_; // or only balls
 
   // The lattice.
   std::int64_t side_ = 0; // in steps

@@ -38,7 +38,7 @@ struct Kind_object
 {
   Kind kind;
   std::vector<Place> points;
-  std::int64_t radius; // of a ball, and otherwise zero
+  std::int64_t radius; // by which it is thickened
 };
 
 struct Kind_scene
@@ -55,7 +55,7 @@ inline std::ostream& operator<<(std::ostream& out, const Kind_object& object)
   out << names[static_cast<std::size_t>(object.kind)];
   for(const Place& p : object.points)
     out << " (" << p[0] << ", " << p[1] << ", " << p[2] << ')';
-  return object.kind == Kind::BALL ? out << " radius " << object.radius : out;
+  return out << " radius " << object.radius;
 }
 
 inline std::ostream& operator<<(std::ostream& out, const Rational_bound& bound)
@@ -80,7 +80,7 @@ Hull_vectors<Integer> hull_of(const Kind_object& object)
   return hull;
 }
 
-// Without the radii of balls.
+// Without the radii.
 inline Rational squared_distance(const Kind_object& a, const Kind_object& b)
 {
   const std::int64_t limit = 1 << 7; // for differences up to 2^8

@@ -51,27 +51,40 @@ private:
   const Balls& balls_;
 };
 
-// Returns an interval of doubles that holds a ball along an axis. The next double is beyond what
-// one addition may lose, in every rounding mode.
+// Returns an interval of doubles that holds all numbers within a radius of another interval. The
+// next double is beyond what one addition may lose, in every rounding mode.
+template <class NT>
+std::pair<double, double> thickened_interval(const std::pair<double, double>& interval,
+                                             const NT& radius)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double length = bounds(radius).second;
+  return {std::nextafter(interval.first - length, -infinity),
+          std::nextafter(interval.second + length, infinity)};
+}
+
+// Returns an interval of doubles that holds a ball along an axis.
 template <class Ball>
 std::pair<double, double> ball_interval(const Ball& ball, int axis)
 {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const std::pair<double, double> center = coordinate_bounds(ball.first, axis);
-  const double radius = bounds(ball.second).second;
-  return {std::nextafter(center.first - radius, -infinity),
-          std::nextafter(center.second + radius, infinity)};
+  return thickened_interval(coordinate_bounds(ball.first, axis), ball.second);
 }
 
-// Throws if a coordinate of the center is NaN or infinite, or if the radius is negative, NaN or
-// infinite.
+// Throws if the radius of an object is negative, NaN or infinite.
+template <class NT>
+void check_radius(const NT& radius, std::size_t position)
+{
+  if(!is_finite_number(radius) || !(radius >= NT(0)))
+    throw std::invalid_argument("The radius of object " + std::to_string(position)
+                                + " is negative, NaN or infinite.");
+}
+
+// Throws if a coordinate of the center is NaN or infinite, or if the radius is no radius.
 template <class Ball>
 void check_ball(const Ball& ball, int dimension, std::size_t position)
 {
   check_point(ball.first, dimension, "object", position);
-  if(!is_finite_number(ball.second) || !(ball.second >= typename Ball::second_type(0)))
-    throw std::invalid_argument("The radius of object " + std::to_string(position)
-                                + " is negative, NaN or infinite.");
+  check_radius(ball.second, position);
 }
 
 // Returns the radius that all balls have, if there is one.

@@ -5,7 +5,8 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_BASE_KIND_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_BASE_KIND_H
 
-// Classes that derive from those of CGAL: a segment with an id is the segment that its base is.
+// The classes of CGAL that the package knows, and those that derive from them: a segment with an id
+// is the segment that its base is.
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Bbox_3.h>
@@ -34,6 +35,32 @@ struct Named_type
 {
   using type = T;
 };
+
+// The number of vertices of an object of a class of CGAL; 0 for other types.
+template <class Object>
+struct Vertex_count : std::integral_constant<int, 0> {};
+template <class K>
+struct Vertex_count<Point_2<K>> : std::integral_constant<int, 1> {};
+template <class K>
+struct Vertex_count<Point_3<K>> : std::integral_constant<int, 1> {};
+template <class K>
+struct Vertex_count<Segment_2<K>> : std::integral_constant<int, 2> {};
+template <class K>
+struct Vertex_count<Segment_3<K>> : std::integral_constant<int, 2> {};
+template <class K>
+struct Vertex_count<Triangle_2<K>> : std::integral_constant<int, 3> {};
+template <class K>
+struct Vertex_count<Triangle_3<K>> : std::integral_constant<int, 3> {};
+template <class K>
+struct Vertex_count<Iso_rectangle_2<K>> : std::integral_constant<int, 4> {};
+template <class K>
+struct Vertex_count<Iso_cuboid_3<K>> : std::integral_constant<int, 8> {};
+template <class K>
+struct Vertex_count<Tetrahedron_3<K>> : std::integral_constant<int, 4> {};
+template <>
+struct Vertex_count<Bbox_2> : std::integral_constant<int, 4> {};
+template <>
+struct Vertex_count<Bbox_3> : std::integral_constant<int, 8> {};
 
 // Found by the pointer to an object of the class, or of a class that derives from it.
 template <class K>

@@ -84,11 +84,13 @@ Box bounding_box_of_vertex(const Object& object, int v)
   return box_of_intervals<Box>([&](int i) { return finite_interval(vertex_bounds(object, v, i)); });
 }
 
-template <class Ball>
-auto bounding_box_of_ball(const Ball& ball)
+// That of an object in a box, thickened by a radius.
+template <class Box, class NT>
+Box thickened_box(const Box& box, const NT& radius)
 {
-  using Box = Bbox_of_dimension<dimension_or<typename Ball::first_type>(0)>;
-  return box_of_intervals<Box>([&](int i) { return finite_interval(ball_interval(ball, i)); });
+  return box_of_intervals<Box>([&](int i) {
+    return finite_interval(thickened_interval({(box.min)(i), (box.max)(i)}, radius));
+  });
 }
 
 template <class Object>
@@ -96,8 +98,8 @@ auto bounding_box(const Object& object)
 {
   if constexpr(is_mixed_v<Object>)
     return with_kind(object, [](const auto& kind) { return internal::bounding_box(kind); });
-  else if constexpr(Is_ball<Object>::value)
-    return bounding_box_of_ball(object);
+  else if constexpr(Is_thickened<Object>::value)
+    return thickened_box(internal::bounding_box(hull_points(object)), object.second);
   else if constexpr(Vertex_count<Object>::value == 0)
     return object.bbox();
   else if constexpr(has_double_vertices_v<Object>)
@@ -168,8 +170,10 @@ void check_object(const Object& object, std::size_t position)
   constexpr bool is_bbox = std::is_same_v<Object, Bbox_2> || std::is_same_v<Object, Bbox_3>;
   if constexpr(is_mixed_v<Object>)
     with_kind(object, [&](const auto& kind) { internal::check_object(kind, position); });
-  else if constexpr(Is_ball<Object>::value)
-    check_ball(object, dimension_or<typename Object::first_type>(0), position);
+  else if constexpr(Is_thickened<Object>::value) {
+    internal::check_object(hull_points(object), position);
+    check_radius(object.second, position);
+  }
   else if constexpr(Vertex_count<Object>::value != 0 && !is_bbox)
     check_vertices(object, position);
   else if(!is_finite_box(internal::bounding_box(object)))

@@ -100,16 +100,16 @@ template <class NamedParameters>
 using Given_traits = std::decay_t<decltype(parameters::get_parameter_reference(
   std::declval<const NamedParameters&>(), internal_np::geom_traits))>;
 
-// The kernel of an object, or of the center of a ball.
-template <class Kind, bool = Is_ball<Kind>::value>
+// The kernel of an object, or of what is thickened.
+template <class Kind, bool = Is_thickened<Kind>::value>
 struct Kernel_of_kind
 {
   using type = typename Kernel_traits<Kind>::Kernel;
 };
-template <class Ball>
-struct Kernel_of_kind<Ball, true>
+template <class Thickened>
+struct Kernel_of_kind<Thickened, true>
 {
-  using type = typename Kernel_traits<typename Ball::first_type>::Kernel;
+  using type = typename Kernel_traits<Hull_points_t<Thickened>>::Kernel;
 };
 
 // Whether traits are given that know something else than the type of the objects does: any but the
@@ -120,14 +120,14 @@ inline constexpr bool has_traits_v
     && !std::is_same_v<Given_traits<NamedParameters>,
                        typename Kernel_of_kind<typename Kinds<Object>::First>::type>;
 
-// Refuses pairs that are balls to nobody who has read examples of CGAL.
+// Refuses pairs that are thickened to nobody who has read examples of CGAL.
 template <class Object>
 constexpr bool check_no_index()
 {
-  constexpr bool has_index = Kinds<Object>::template is_any<Is_point_with_index>;
-  static_assert(!has_index, "A pair of a point and an integer may be a point with an index: pass a "
-                            "property map to the points as point_map, or make the integer a number "
-                            "of the kernel if it is the radius of a ball.");
+  constexpr bool has_index = Kinds<Object>::template is_any<Is_object_with_index>;
+  static_assert(!has_index, "A pair of an object and an integer may be an object with an index: "
+                            "pass a property map to the objects as point_map, or make the integer "
+                            "a number of the kernel if it is a radius.");
   return !has_index;
 }
 

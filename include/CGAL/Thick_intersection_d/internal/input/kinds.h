@@ -5,8 +5,10 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_KINDS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_INPUT_KINDS_H
 
-// Objects of several kinds in one search: variants, objects of two ranges that differ in type, and
-// objects of classes that derive from their kind.
+// Objects of several kinds in one search: variants, objects of two ranges that differ in type,
+// objects of classes that derive from their kind, and objects with a radius.
+
+#include <CGAL/Kernel_traits.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/input/base_kind.h>
@@ -25,33 +27,57 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Whether a type of numbers is that of the coordinates of points.
-template <class Point, class NT, class = void>
+// Whether an object may be thickened by a radius: whether the package knows its kind.
+template <class Object>
+struct Has_vertices : std::bool_constant<Vertex_count<Base_kind_t<Object>>::value != 0> {};
+
+// Whether a type of numbers is that of the coordinates of points, or of objects with vertices.
+template <class Object, class NT, class = void>
 struct Is_coordinate : std::false_type {};
 template <class Point, class NT>
 struct Is_coordinate<Point, NT, std::enable_if_t<Is_point<Point>::value>>
   : std::is_same<NT, std::decay_t<decltype(std::declval<const Point&>().cartesian(0))>> {};
+template <class Object, class NT>
+struct Is_coordinate<
+  Object, NT, std::enable_if_t<!Is_point<Object>::value && Has_vertices<Object>::value>>
+  : std::is_same<NT, typename Kernel_traits<Base_kind_t<Object>>::Kernel::FT> {};
 
-// Whether an object is a pair of a point and an integer, which may be meant as an index.
+// Whether an object is a pair of an object and an integer, which may be meant as an index.
 template <class Object, class = void>
-struct Is_point_with_index : std::false_type {};
+struct Is_object_with_index : std::false_type {};
 template <class Object>
-struct Is_point_with_index<Object, std::void_t<typename Object::second_type>>
+struct Is_object_with_index<Object, std::void_t<typename Object::second_type>>
   : std::bool_constant<
-      Is_point<typename Object::first_type>::value
+      (Is_point<typename Object::first_type>::value
+       || Has_vertices<typename Object::first_type>::value)
       && std::is_integral_v<typename Object::second_type>
       && !Is_coordinate<typename Object::first_type, typename Object::second_type>::value>
 {};
 
-// Whether an object is a closed ball: a pair of a center and a radius.
+// Whether an object is thickened by a radius: all points within the radius of it. A point with a
+// radius is a closed ball.
 template <class Object, class = void>
-struct Is_ball : std::false_type {};
+struct Is_thickened : std::false_type {};
 template <class Object>
-struct Is_ball<Object, std::void_t<typename Object::second_type>>
-  : std::bool_constant<Is_kernel_point<typename Object::first_type>::value
+struct Is_thickened<Object, std::void_t<typename Object::second_type>>
+  : std::bool_constant<Has_vertices<typename Object::first_type>::value
                        && is_number_v<typename Object::second_type>
-                       && !Is_point_with_index<Object>::value>
+                       && !Is_object_with_index<Object>::value>
 {};
+
+// The object without its radius, if it has one: all points of the object are within the radius of
+// the hull of a few points.
+template <class Object>
+decltype(auto) hull_points(const Object& object)
+{
+  if constexpr(Is_thickened<Object>::value)
+    return as_base(object.first);
+  else
+    return (object);
+}
+
+template <class Object>
+using Hull_points_t = std::decay_t<decltype(hull_points(std::declval<const Object&>()))>;
 
 // Refers to an object that a range holds. Holds one that the range makes.
 template <class Reference>

@@ -25,14 +25,14 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Refines the grid until it holds the numbers of an object: coordinates, and the radius of a ball.
+// Refines the grid until it holds the numbers of an object: coordinates, and perhaps a radius.
 // Returns false if one of them is no double.
 template <class Object>
 bool refine_grid(const Object& object, Double_grid& grid)
 {
   if constexpr(is_mixed_v<Object>)
     return with_kind(object, [&](const auto& kind) { return refine_grid(kind, grid); });
-  else if constexpr(Is_ball<Object>::value) {
+  else if constexpr(Is_thickened<Object>::value) {
     const std::pair<double, double> radius = bounds(object.second);
     grid.add(radius.first);
     return radius.first == radius.second && refine_grid(object.first, grid);

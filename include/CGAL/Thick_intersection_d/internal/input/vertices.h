@@ -24,6 +24,7 @@
 #include <CGAL/Triangle_3.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/input/base_kind.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 
 #include <cstddef>
@@ -33,32 +34,6 @@
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
-
-// The number of vertices of an object; 0 for other types.
-template <class Object>
-struct Vertex_count : std::integral_constant<int, 0> {};
-template <class K>
-struct Vertex_count<Point_2<K>> : std::integral_constant<int, 1> {};
-template <class K>
-struct Vertex_count<Point_3<K>> : std::integral_constant<int, 1> {};
-template <class K>
-struct Vertex_count<Segment_2<K>> : std::integral_constant<int, 2> {};
-template <class K>
-struct Vertex_count<Segment_3<K>> : std::integral_constant<int, 2> {};
-template <class K>
-struct Vertex_count<Triangle_2<K>> : std::integral_constant<int, 3> {};
-template <class K>
-struct Vertex_count<Triangle_3<K>> : std::integral_constant<int, 3> {};
-template <class K>
-struct Vertex_count<Iso_rectangle_2<K>> : std::integral_constant<int, 4> {};
-template <class K>
-struct Vertex_count<Iso_cuboid_3<K>> : std::integral_constant<int, 8> {};
-template <class K>
-struct Vertex_count<Tetrahedron_3<K>> : std::integral_constant<int, 4> {};
-template <>
-struct Vertex_count<Bbox_2> : std::integral_constant<int, 4> {};
-template <>
-struct Vertex_count<Bbox_3> : std::integral_constant<int, 8> {};
 
 // Every so many vertices have all coordinates of the object. In iso-boxes these are two opposite
 // vertices: 0 and 2, or 0 and 7.

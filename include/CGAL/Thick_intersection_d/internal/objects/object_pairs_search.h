@@ -49,7 +49,7 @@ struct Has_bounding_box<Object, std::void_t<decltype(std::declval<const Object&>
 
 // Whether a search without traits takes objects of a kind, perhaps with those of another one.
 template <class Kind>
-struct Is_kind : std::bool_constant<Has_bounding_box<Kind>::value || Is_ball<Kind>::value>
+struct Is_kind : std::bool_constant<Has_bounding_box<Kind>::value || Is_thickened<Kind>::value>
 {};
 
 // Whether there is a test of an object of A and one of B in the namespace of their classes.
@@ -269,7 +269,7 @@ bool report_object_pairs(const Elements& objects, const Sets& sets, Callback& ca
     Thick_object_traits_d<Object> traits;
     check_objects(objects, traits, threads);
     Object_scene scene = scan_objects(objects);
-    scene.has_distances = Kinds<Object>::template is_any<Is_ball>;
+    scene.has_distances = Kinds<Object>::template is_any<Is_thickened>;
     Scene_profile found(scene, degree_of<Intersection_degree, Object>());
     if(const std::optional<Arithmetic_tier> forced = profile.forced_tier())
       found.force_tier(*forced);

@@ -11,6 +11,7 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/box_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/input/Ball_centers.h>
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/kinds.h>
 #include <CGAL/Thick_intersection_d/internal/input/vertices.h>
@@ -30,8 +31,9 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
+// Whether objects of a kind are segments, thickened or not.
 template <class Kind>
-struct Is_segment : std::bool_constant<Vertex_count<Kind>::value == 2> {};
+struct Is_segment : std::bool_constant<Vertex_count<Hull_points_t<Kind>>::value == 2> {};
 
 // Whether objects of the first set, and of the second one, may be segments.
 template <class Object>
@@ -87,8 +89,7 @@ public:
       with_kind(elements_[stretch.object], [&](const auto& kind) {
         if constexpr(Is_segment<std::decay_t<decltype(kind)>>::value)
           for(int axis = 0; axis < dimension; ++axis)
-            box[axis] = objects_.with_reach(interval_of_stretch(
-              end_of(kind, 0, axis), end_of(kind, 1, axis), stretch.index, stretch.count));
+            box[axis] = objects_.with_reach(interval_along(kind, axis, stretch));
       });
     return box;
   }
@@ -101,6 +102,20 @@ public:
   }
 
 private:
+  template <class Kind>
+  static Interval interval_along(const Kind& kind, int axis, const Stretch& stretch)
+  {
+    const auto& segment = hull_points(kind);
+    const Interval thin = interval_of_stretch(end_of(segment, 0, axis), end_of(segment, 1, axis),
+                                              stretch.index, stretch.count);
+    if constexpr(!Is_thickened<Kind>::value)
+      return thin;
+    else {
+      const auto thick = finite_interval(thickened_interval({thin.low, thin.high}, kind.second));
+      return {thick.first, thick.second};
+    }
+  }
+
   template <class Segment>
   static Interval end_of(const Segment& segment, int end, int axis)
   {

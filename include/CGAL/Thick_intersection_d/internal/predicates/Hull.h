@@ -6,7 +6,8 @@
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_HULL_H
 
 // An object of any kind, as the questions about distances see it: all that is within a radius of
-// the convex hull of a few points. The radius is zero, but for balls, which have one point.
+// the convex hull of a few points. The radius is zero unless the object is thickened. A ball is
+// one point, thickened.
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
@@ -27,19 +28,6 @@
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
-
-// The points of the hull of an object of one kind: the object itself, or the center of a ball.
-template <class Object>
-decltype(auto) hull_points(const Object& object)
-{
-  if constexpr(Is_ball<Object>::value)
-    return as_kind(object.first);
-  else
-    return (object);
-}
-
-template <class Object>
-using Hull_points_t = std::decay_t<decltype(hull_points(std::declval<const Object&>()))>;
 
 // How many points the hull of an object of one kind has. Those of an iso-box are numbered by bits.
 template <class Object>
@@ -69,7 +57,7 @@ using Hull_of = Hull<hull_dimension_v<Object>>;
 template <class Object>
 Interval hull_radius(const Object& object)
 {
-  if constexpr(Is_ball<Object>::value) {
+  if constexpr(Is_thickened<Object>::value) {
     const std::pair<double, double> radius = bounds(object.second);
     return {radius.first, radius.second};
   }
@@ -116,8 +104,8 @@ BOOST_FORCEINLINE Hull_of<Object> hull_of(const Object& object)
 template <class Object>
 using Hull_number_t = Vertex_number_t<Hull_points_t<Object>>;
 
-// That of its radius. An object that is no ball has the radius zero.
-template <class Object, bool = Is_ball<Object>::value>
+// That of its radius, which is zero if the object is not thickened.
+template <class Object, bool = Is_thickened<Object>::value>
 struct Radius_number
 {
   using type = Hull_number_t<Object>;

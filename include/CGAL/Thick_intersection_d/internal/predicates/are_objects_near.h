@@ -54,11 +54,11 @@ struct Common_exact_number<std::tuple<First, Others...>>
 template <class Object>
 using Common_exact_number_t = typename Common_exact_number<typename Kinds_of<Object>::type>::type;
 
-// Returns the exact radius of an object: zero, unless it is a ball.
+// Returns the exact radius of an object: zero, unless it is thickened.
 template <class Exact, class Object>
 Exact exact_radius(const Object& object)
 {
-  if constexpr(Is_ball<Object>::value)
+  if constexpr(Is_thickened<Object>::value)
     return exact_value<Exact>(object.second);
   else
     return Exact(0);
@@ -147,7 +147,7 @@ bool are_near_in_their_numbers(const A& a, const B& b,
 template <class A, class B>
 Interval reach_of_objects(const Hull_bound& bound, const A& a, const B& b)
 {
-  if constexpr(Is_ball<A>::value || Is_ball<B>::value)
+  if constexpr(Is_thickened<A>::value || Is_thickened<B>::value)
     return reach_of_hulls(bound, hull_radius(a), hull_radius(b));
   else
     return bound.radius;

@@ -6,7 +6,7 @@
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_DO_OBJECTS_INTERSECT_H
 
 // Do two closed objects intersect, of any kinds? The predicates of the package decide about objects
-// of CGAL and balls, and do_intersect() about others.
+// of CGAL, thickened or not, and do_intersect() about others.
 
 #include <CGAL/Arithmetic_tier.h>
 #include <CGAL/Distance_bound.h>
@@ -31,7 +31,8 @@ namespace internal {
 
 // Whether the package knows what objects of a kind are.
 template <class Kind>
-struct Is_known_kind : std::bool_constant<Vertex_count<Kind>::value != 0 || Is_ball<Kind>::value>
+struct Is_known_kind
+  : std::bool_constant<Vertex_count<Kind>::value != 0 || Is_thickened<Kind>::value>
 {};
 
 // The algebraic degree of the squared distance of two objects of the kinds A and B.
@@ -45,7 +46,7 @@ struct Distance_degree
 template <class A, class B>
 constexpr int degree_of_intersection()
 {
-  if constexpr(Is_ball<A>::value || Is_ball<B>::value)
+  if constexpr(Is_thickened<A>::value || Is_thickened<B>::value)
     return Distance_degree<A, B>::value;
   else {
     constexpr bool is_a_box = Vertex_count<A>::value == 1 || is_iso_box_v<A>;
@@ -82,7 +83,7 @@ constexpr int degree_of()
 template <class A, class B>
 bool do_kinds_intersect(const A& a, const B& b, Arithmetic_tier& tier)
 {
-  if constexpr(Is_ball<A>::value || Is_ball<B>::value) {
+  if constexpr(Is_thickened<A>::value || Is_thickened<B>::value) {
     using Exact = typename Common_exact_number<std::tuple<A, B>>::type;
     const auto no_distance = [] { return Squared_bound<Exact>(within_distance(0)); };
     return are_kinds_near(a, b, Hull_bound(), no_distance, tier);
