@@ -27,16 +27,20 @@ class Interiors
 {
 public:
   /// takes the range, or refers to it.
-  explicit Interiors(Range&& range) : range_(std::forward<Range>(range)) {}
+  explicit Interiors(Range&& range) : held_{std::forward<Range>(range)} {}
 
   /// returns the begin of the range.
-  auto begin() const { return std::begin(range_); }
+  auto begin() const { return std::begin(held_.range); }
 
   /// returns the end of the range.
-  auto end() const { return std::end(range_); }
+  auto end() const { return std::end(held_.range); }
 
 private:
-  mutable Range range_; // some views of C++20 can only be read if they are not const
+  struct Held
+  {
+    Range range; // may be a reference, which cannot be mutable itself
+  };
+  mutable Held held_; // some views of C++20 can only be read if they are not const
 };
 
 /*!

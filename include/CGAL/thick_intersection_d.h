@@ -11,8 +11,10 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Scene_profile.h>
 #include <CGAL/Thick_object_traits_d.h>
+#include <CGAL/interiors.h>
 #include <CGAL/tags.h>
 
+#include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/objects/object_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
@@ -47,6 +49,7 @@ as the predicates of the package are: on the coordinates that the objects hold, 
 `Simple_cartesian<double>` included, and in every rounding mode. Objects of a kernel are closed, so
 objects that touch intersect. They may be degenerate: a segment of length zero is the point that it
 is, a flat triangle a segment or a point, and a flat tetrahedron a polygon, a segment or a point.
+`interiors()` makes objects open, so that those that only touch are no pair.
 The algebraic degree is 2 in the plane and 3 in space, and with radii 4 in the plane and 6 in space,
 or 2 for balls and points alone; the `Scene_profile` tells what it takes.
 
@@ -67,7 +70,7 @@ stop the search by returning `false`. Or it is an output iterator for pairs of t
 `std::pair<std::size_t, std::size_t>`; one thread at a time writes to it. Or `with_elements()` has
 made it, from a functor of two elements of the range or an output iterator for pairs of them.
 
-\param objects the objects.
+\param objects the objects, or `interiors()` of them: without their boundaries.
 \param callback is called for each pair, with the positions \f$ i < j \f$ of the two objects in the
 range, or with the elements at these positions.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
@@ -120,7 +123,7 @@ bool thick_self_intersection_d(ObjectRange&& objects, Callback&& callback,
   const auto search = [&](const auto& elements, const auto& sets, auto& report) {
     return internal::report_object_pairs(elements, sets, report, np, threads);
   };
-  return internal::search_ranges(callback, np, threads, search, objects);
+  return internal::search_ranges<internal::takes_interiors>(callback, np, threads, search, objects);
 }
 
 /*!
@@ -152,7 +155,7 @@ bool thick_self_intersection_d(ObjectRange&& objects, Callback&& callback, Scene
   const auto search = [&](const auto& elements, const auto& sets, auto& report) {
     return internal::report_object_pairs(elements, sets, report, profile, np, threads);
   };
-  return internal::search_ranges(callback, np, threads, search, objects);
+  return internal::search_ranges<internal::takes_interiors>(callback, np, threads, search, objects);
 }
 
 /*!
@@ -175,7 +178,7 @@ which one is not of the package, the test is `do_intersect(a, b)`, found in the 
 them, for an object of the first range and one of the second. Given traits are a model of
 `ThickIntersectionIntervalTraits_d` for both types.
 
-\param objects_a, objects_b the objects.
+\param objects_a, objects_b the objects. One of them, or both, may be `interiors()` of objects.
 \param callback is called for each pair with the position \f$ i \f$ of its object in `objects_a` and
 the position \f$ j \f$ of its object in `objects_b`, or with the elements at these positions.
 \param np as for `thick_self_intersection_d()`; a property map is applied to both ranges.
@@ -198,7 +201,8 @@ bool thick_intersection_d(ObjectRangeA&& objects_a, ObjectRangeB&& objects_b,
   const auto search = [&](const auto& elements, const auto& sets, auto& report) {
     return internal::report_object_pairs(elements, sets, report, np, threads);
   };
-  return internal::search_ranges(callback, np, threads, search, objects_a, objects_b);
+  return internal::search_ranges<internal::takes_interiors>(callback, np, threads, search,
+                                                            objects_a, objects_b);
 }
 
 /*!
@@ -224,7 +228,8 @@ bool thick_intersection_d(ObjectRangeA&& objects_a, ObjectRangeB&& objects_b, Ca
   const auto search = [&](const auto& elements, const auto& sets, auto& report) {
     return internal::report_object_pairs(elements, sets, report, profile, np, threads);
   };
-  return internal::search_ranges(callback, np, threads, search, objects_a, objects_b);
+  return internal::search_ranges<internal::takes_interiors>(callback, np, threads, search,
+                                                            objects_a, objects_b);
 }
 
 } // namespace CGAL

@@ -219,14 +219,15 @@ private:
 };
 
 // The elements of two ranges in one numbering. The first range comes first. If the ranges hold
-// objects of different types, each is one of two.
+// objects of different types, or if those of one range are open, each is one of two.
 template <class First, class Second>
 class Joined_elements
 {
   using A = decltype(std::declval<const First&>()[0]);
   using B = decltype(std::declval<const Second&>()[0]);
   static constexpr bool are_alike
-    = std::is_same_v<typename First::value_type, typename Second::value_type>;
+    = std::is_same_v<typename First::value_type, typename Second::value_type>
+      && First::are_open == Second::are_open;
 
 public:
   using value_type

@@ -74,11 +74,18 @@ constexpr bool check_map_of_range()
   return has_no_other;
 }
 
+// For functions that take interiors() in the place of a range.
+inline constexpr bool takes_interiors = true;
+
 // `Range` is const if the range is.
-template <class Range, class NamedParameters>
+template <class Range, class NamedParameters, bool Takes_interiors = false>
 constexpr bool check_range()
 {
-  if constexpr(!check_named_parameters<NamedParameters>())
+  constexpr bool may_be_open = Takes_interiors || !are_interiors_v<std::remove_const_t<Range>>;
+  static_assert(may_be_open,
+                "This function does not take interiors(). Two interiors are within a distance iff "
+                "the closed objects are closer: pass the ranges, and bound.open().");
+  if constexpr(!check_named_parameters<NamedParameters>() || !may_be_open)
     return false;
   else if constexpr(!check_map_of_range<NamedParameters>())
     return false;

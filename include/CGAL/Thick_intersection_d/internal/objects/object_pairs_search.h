@@ -26,6 +26,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/scan_objects.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/objects/Object_route.h>
+#include <CGAL/Thick_intersection_d/internal/objects/Traits_of_interiors.h>
 #include <CGAL/Thick_intersection_d/internal/objects/Two_type_traits.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
@@ -218,9 +219,10 @@ constexpr bool check_profiled_objects()
 
 // Returns the traits given as `geom_traits`. Otherwise makes the traits for kernel objects, without
 // the extents of the objects, which only the recursive route needs.
-template <class Object, class NamedParameters>
+template <class Elements, class NamedParameters>
 decltype(auto) object_traits([[maybe_unused]] const NamedParameters& np)
 {
+  using Object = typename Elements::value_type;
   if constexpr(!parameters::is_default_parameter<NamedParameters,
                                                  internal_np::geom_traits_t>::value) {
     if constexpr(Is_one_of_two<Object>::value) {
@@ -231,7 +233,7 @@ decltype(auto) object_traits([[maybe_unused]] const NamedParameters& np)
       return parameters::get_parameter_reference(np, internal_np::geom_traits);
   }
   else
-    return Thick_object_traits_d<Object>();
+    return Default_traits<Elements>();
 }
 
 // Checks the objects, and reports the pairs. Returns false iff the search was stopped.
@@ -240,9 +242,11 @@ bool report_object_pairs(const Elements& objects, const Sets& sets, Callback& ca
                          const NamedParameters& np, const Threads& threads)
 {
   using Object = typename Elements::value_type;
-  if constexpr(check_objects_and_traits<Object, NamedParameters>()) {
+  if constexpr(!check_interiors<Elements, NamedParameters>())
+    return false;
+  else if constexpr(check_objects_and_traits<Object, NamedParameters>()) {
     check_denormals();
-    const auto& traits = object_traits<Object>(np);
+    const auto& traits = object_traits<Elements>(np);
     using Route = Object_route<std::decay_t<decltype(traits)>>;
     return Route::report(objects, sets, traits, callback, np, threads);
   }
@@ -264,9 +268,11 @@ bool report_object_pairs(const Elements& objects, const Sets& sets, Callback& ca
                          Scene_profile& profile, const NamedParameters& np, const Threads& threads)
 {
   using Object = typename Elements::value_type;
-  if constexpr(check_profiled_objects<Object, NamedParameters>()) {
+  if constexpr(!check_interiors<Elements, NamedParameters>())
+    return false;
+  else if constexpr(check_profiled_objects<Object, NamedParameters>()) {
     check_denormals();
-    Thick_object_traits_d<Object> traits;
+    Default_traits<Elements> traits;
     check_objects(objects, traits, threads);
     Object_scene scene = scan_objects(objects);
     scene.has_distances = Kinds<Object>::template is_any<Is_thickened>;

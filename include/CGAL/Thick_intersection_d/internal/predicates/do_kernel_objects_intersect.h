@@ -123,9 +123,25 @@ struct Common_exact_kernel
                                   Simple_cartesian<Exact_rational>>;
 };
 
+// A question about the vertices of two objects, by any orientation.
+struct Do_vertices_intersect
+{
+  template <class Orientation, Shape A, Shape B>
+  static bool ask(Asked_vertices<Orientation, A, B>& vertices, Arithmetic_tier& tier)
+  {
+    return do_vertices_intersect<Orientation, A, B>(vertices, tier);
+  }
+
+  // The answer if two objects have a vertex in common.
+  static constexpr bool knows_common_vertex = true;
+
+  // The same question about B and A.
+  static Do_vertices_intersect swapped() { return {}; }
+};
+
 // Objects whose coordinates are not all doubles.
-template <class A, class B>
-bool do_objects_intersect_by_kernel(const A& a, const B& b, Arithmetic_tier& tier)
+template <class Question, class A, class B>
+bool ask_by_kernel(const Question& question, const A& a, const B& b, Arithmetic_tier& tier)
 {
   constexpr std::size_t count_a = asked_vertices_v<A, B>, count_b = asked_vertices_v<B, A>;
   using Kernel = typename Common_exact_kernel<A, B>::type;
@@ -135,17 +151,17 @@ bool do_objects_intersect_by_kernel(const A& a, const B& b, Arithmetic_tier& tie
     vertices[k] = exact_vertex<Kernel, count_a>(a, k);
   for(std::size_t k = 0; k < count_b; ++k)
     vertices[count_a + k] = exact_vertex<Kernel, count_b>(b, k);
-  return do_vertices_intersect<Orientation, shape_v<A>, shape_v<B>>(vertices, tier);
+  return question.template ask<Orientation, shape_v<A>, shape_v<B>>(vertices, tier);
 }
 
-// Tests two objects of CGAL. `tier` is the first arithmetic after the filter, as for
+// Asks about two objects of CGAL. `tier` is the first arithmetic after the filter, as for
 // Staged_orientation, and becomes the one that was needed.
-template <class A, class B>
-bool do_kernel_objects_intersect(const A& a, const B& b, Arithmetic_tier& tier)
+template <class Question, class A, class B>
+bool ask_kernel_objects(const Question& question, const A& a, const B& b, Arithmetic_tier& tier)
 {
   constexpr Shape shape_a = shape_v<A>, shape_b = shape_v<B>;
   if constexpr(shape_a > shape_b)
-    return do_kernel_objects_intersect(b, a, tier);
+    return ask_kernel_objects(question.swapped(), b, a, tier);
   else {
     constexpr std::size_t count_a = asked_vertices_v<A, B>, count_b = asked_vertices_v<B, A>;
     using Orientation = Staged_orientation<vertex_dimension_v<A>>;
@@ -157,12 +173,21 @@ bool do_kernel_objects_intersect(const A& a, const B& b, Arithmetic_tier& tier)
                                               && read_vertices<count_b>(b, put_at(count_a));
     if constexpr(!has_double_vertices_v<A> || !has_double_vertices_v<B>)
       if(!are_doubles)
-        return do_objects_intersect_by_kernel(a, b, tier);
-    if(!have_common_vertex<count_a>(vertices))
-      return do_vertices_intersect<Orientation, shape_a, shape_b>(vertices, tier);
-    tier = Arithmetic_tier::DOUBLE;
-    return true;
+        return ask_by_kernel(question, a, b, tier);
+    if constexpr(Question::knows_common_vertex)
+      if(have_common_vertex<count_a>(vertices)) {
+        tier = Arithmetic_tier::DOUBLE;
+        return true;
+      }
+    return question.template ask<Orientation, shape_a, shape_b>(vertices, tier);
   }
+}
+
+// Tests two objects of CGAL.
+template <class A, class B>
+bool do_kernel_objects_intersect(const A& a, const B& b, Arithmetic_tier& tier)
+{
+  return ask_kernel_objects(Do_vertices_intersect(), a, b, tier);
 }
 
 } // namespace internal

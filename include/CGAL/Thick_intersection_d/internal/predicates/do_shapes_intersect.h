@@ -71,9 +71,11 @@ bool do_shapes_intersect(Orientation& orientation, const Simplex<Orientation, Co
     return do_intersect_in_space(orientation, a, b);
 }
 
-// `tier` is the first arithmetic after the filter, and becomes the one that was needed.
-template <class Orientation, Shape A, Shape B>
-bool do_vertices_intersect(Asked_vertices<Orientation, A, B>& vertices, Arithmetic_tier& tier)
+// Returns question(orientation, a, b) for two objects by their vertices. `tier` is the first
+// arithmetic after the filter, and becomes the one that was needed.
+template <class Orientation, Shape A, Shape B, class Question>
+bool ask_vertices(Asked_vertices<Orientation, A, B>& vertices, Arithmetic_tier& tier,
+                  const Question& question)
 {
   constexpr std::size_t count_a = asked_count_v<Orientation::dimension, A, B>;
   constexpr std::size_t count_b = asked_count_v<Orientation::dimension, B, A>;
@@ -84,9 +86,18 @@ bool do_vertices_intersect(Asked_vertices<Orientation, A, B>& vertices, Arithmet
   for(std::size_t k = 0; k < count_b; ++k)
     b[k] = typename Orientation::Point(vertices[count_a + k]);
   Orientation orientation(vertices, tier);
-  const bool do_intersect = do_shapes_intersect<A, B>(orientation, a, b);
+  const bool answer = question(orientation, a, b);
   tier = orientation.needed_tier();
-  return do_intersect;
+  return answer;
+}
+
+template <class Orientation, Shape A, Shape B>
+bool do_vertices_intersect(Asked_vertices<Orientation, A, B>& vertices, Arithmetic_tier& tier)
+{
+  return ask_vertices<Orientation, A, B>(
+    vertices, tier, [](Orientation& orientation, const auto& a, const auto& b) {
+      return do_shapes_intersect<A, B>(orientation, a, b);
+    });
 }
 
 // Neighbors in meshes and roads share a vertex. No branch depends on which one it is, and most of

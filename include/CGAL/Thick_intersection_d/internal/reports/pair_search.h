@@ -48,10 +48,10 @@ auto with_sets(const Task& task, const First& first, const Second& second)
   return task(Joined_elements(first, second), Two_sets{first.size()});
 }
 
-template <class Callback, class NamedParameters, class... Ranges>
+template <bool Takes_interiors, class Callback, class NamedParameters, class... Ranges>
 constexpr bool check_pair_search()
 {
-  if constexpr((check_range<Ranges, NamedParameters>() && ...)) {
+  if constexpr((check_range<Ranges, NamedParameters, Takes_interiors>() && ...)) {
     using Elements = std::tuple<Elements_of<Ranges, NamedParameters>...>;
     return check_callback<Callback, std::tuple_element_t<0, Elements>,
                           std::tuple_element_t<sizeof...(Ranges) - 1, Elements>>();
@@ -61,11 +61,12 @@ constexpr bool check_pair_search()
 }
 
 // Returns search(elements, sets, report) for the elements of one range, or of two.
-template <class Callback, class NamedParameters, class Search, class... Ranges>
+template <bool Takes_interiors = false, class Callback, class NamedParameters, class Search,
+          class... Ranges>
 bool search_ranges(Callback& callback, const NamedParameters& np, const Threads& threads,
                    const Search& search, Ranges&... ranges)
 {
-  if constexpr(check_pair_search<Callback, NamedParameters, Ranges...>()) {
+  if constexpr(check_pair_search<Takes_interiors, Callback, NamedParameters, Ranges...>()) {
     const auto search_sets = [&](const auto& elements, const auto& sets) {
       auto&& report = pair_output(elements.first(), elements.second(), callback, threads);
       return search(elements, sets, report);

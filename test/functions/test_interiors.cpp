@@ -1,0 +1,250 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Which objects without their boundaries intersect each other and closed ones, for all kinds that
+// have an interior, on the usual kernels. The oracle makes objects smaller by so little that a
+// closed object is in the interior that it stands for, and meets what the interior meets.
+
+#include "support/check_kinds.h"
+#include "support/usual_kernels.h"
+
+using namespace test_support;
+
+namespace {
+
+using boost::multiprecision::mpz_int;
+using Hull = Hull_vectors<mpz_int>;
+
+// ---- the truth ----------------------------------------------------------------------------------
+
+struct Set_object
+{
+  Kind_object object;
+  bool is_open;
+};
+
+bool has_interior(const Hull& hull, int dimension)
+{
+  for(const auto& b : hull)
+    for(const auto& c : hull)
+      for(const auto& d : hull) {
+        const auto u = difference(b, hull[0]), v = difference(c, hull[0]);
+        const auto normal = cross(u, v);
+        if(dimension == 2 ? normal[2] != 0 : dot(normal, difference(d, hull[0])) != 0)
+          return true;
+      }
+  return false;
+}
+
+// Objects become smaller by a `part`-th of them: less than any quotient of the determinants that
+// decide whether they meet.
+mpz_int part_of(const Hull& a, const Hull& b, std::int64_t radius)
+{
+  mpz_int largest = radius + 1;
+  for(const Hull* hull : {&a, &b})
+    for(const auto& vertex : *hull)
+      for(std::size_t axis = 0; axis < 3; ++axis)
+        largest = (std::max)(largest, mpz_int(abs(mpz_int(vertex[axis] - a[0][axis]))));
+  return mpz_int(1) << 12 * (boost::multiprecision::msb(largest) + 4);
+}
+
+// The hull in a unit that is `count * part` times as small, towards its mean if it is open.
+Hull scaled(const Hull& hull, const mpz_int& count, const mpz_int& part, bool is_smaller)
+{
+  const mpz_int own = hull.size();
+  Hull result;
+  for(const auto& vertex : hull) {
+    result.emplace_back();
+    for(std::size_t axis = 0; axis < 3; ++axis) {
+      mpz_int sum = 0;
+      for(const auto& other : hull)
+        sum += other[axis];
+      const mpz_int whole = own * vertex[axis];
+      result.back()[axis]
+        = count * mpz_int(is_smaller ? mpz_int(part * sum + (part - 1) * (whole - sum))
+                                     : mpz_int(part * whole));
+    }
+  }
+  return result;
+}
+
+// Whether two objects meet if both are closed.
+bool do_touch(const Set_object& a, const Set_object& b)
+{
+  const mpz_int radii = mpz_int(a.object.radius) + b.object.radius;
+  return squared_distance(a.object, b.object) <= Rational(mpz_int(radii * radii));
+}
+
+bool do_meet(const Set_object& a, const Set_object& b, int dimension)
+{
+  const Hull hull_a = hull_of<mpz_int>(a.object), hull_b = hull_of<mpz_int>(b.object);
+  const auto is_empty = [&](const Set_object& x, const Hull& hull) {
+    return x.is_open && x.object.radius == 0 && !has_interior(hull, dimension);
+  };
+  if(!do_touch(a, b) || is_empty(a, hull_a) || is_empty(b, hull_b))
+    return false;
+  const mpz_int part = part_of(hull_a, hull_b, a.object.radius + b.object.radius);
+  const auto is_smaller = [](const Set_object& x) { return x.is_open && x.object.radius == 0; };
+  const mpz_int size_a = hull_a.size(), size_b = hull_b.size();
+  const Rational square = squared_distance_of_hulls(scaled(hull_a, size_b, part, is_smaller(a)),
+                                                    scaled(hull_b, size_a, part, is_smaller(b)));
+  const auto radius = [&](const Set_object& x) {
+    return mpz_int(x.object.radius * (x.is_open ? mpz_int(part - 1) : part) * size_a * size_b);
+  };
+  const mpz_int radii = radius(a) + radius(b);
+  return square <= Rational(mpz_int(radii * radii));
+}
+
+// ---- the searches -------------------------------------------------------------------------------
+
+// Kinds that have an interior, or a radius.
+template <class K, int Dimension>
+struct Open_kinds : Kernel_kinds<K, Dimension>
+{
+private:
+  using Plain = Kernel_kinds<K, Dimension>;
+  template <class Kind>
+  using Thick = std::pair<Kind, typename K::FT>;
+  using Simplex = std::conditional_t<Dimension == 2, typename K::Triangle_2,
+                                     typename K::Tetrahedron_3>;
+  using Segment = typename Plain::Types::Segment;
+  using Iso_box = typename Plain::Types::Iso_box;
+  using Bbox = std::conditional_t<Dimension == 2, CGAL::Bbox_2, CGAL::Bbox_3>;
+
+public:
+  using Object = std::variant<Simplex, Iso_box, Bbox, typename Plain::Ball, Thick<Simplex>,
+                              Thick<Segment>, Thick<Iso_box>>;
+
+  static bool has(Kind kind)
+  {
+    return kind != Kind::POINT && (Dimension == 2 || kind != Kind::TRIANGLE);
+  }
+
+  Object make(const Kind_object& object) const
+  {
+    const auto open = [&](const auto& x) -> Object {
+      using Type = std::decay_t<decltype(x)>;
+      const auto radius = this->number(object.radius);
+      if constexpr(std::is_constructible_v<Object, const Type&>) {
+        if constexpr(std::is_constructible_v<Object, const Thick<Type>&>)
+          if(object.radius != 0)
+            return Thick<Type>(x, radius);
+        return x;
+      }
+      else if constexpr(std::is_constructible_v<Object, const Thick<Type>&>)
+        return Thick<Type>(x, radius);
+      else
+        throw std::logic_error("The object has no interior.");
+    };
+    return std::visit(open, Plain::make(object));
+  }
+};
+
+struct Counts
+{
+  std::size_t overlapping = 0;
+  std::size_t touching = 0;
+};
+
+template <class K, int Dimension>
+class Interiors_case
+{
+  using Open = Open_kinds<K, Dimension>;
+  using Closed = Kernel_kinds<K, Dimension>;
+
+public:
+  explicit Interiors_case(std::uint64_t seed) : seed_(seed)
+  {
+    Kind_drawer drawer(seed, Dimension, true);
+    const Kind_scene scene = drawer.scene();
+    const bool is_third = Closed::is_exact && drawer.is_chance(3);
+    const Open open{{{scene.exponent, is_third}}};
+    const Closed closed{{scene.exponent, is_third}};
+    for(Kind_object object : scene.objects) {
+      if(Open::has(object.kind)) {
+        if(object.kind == Kind::BBOX)
+          object.radius = 0;
+        open_.push_back({object, true});
+        open_objects_.push_back(open.make(object));
+      }
+      if(object.kind != Kind::BALL)
+        object.radius = 0;
+      closed_.push_back({object, false});
+      closed_objects_.push_back(closed.make(object));
+    }
+  }
+
+  // Adds how many objects overlap, and how many only touch.
+  void check(Counts& counts) const
+  {
+    check_with_tag<CGAL::Sequential_tag>(counts);
+    check_with_tag<CGAL::Parallel_if_available_tag>(counts);
+  }
+
+private:
+  template <class ConcurrencyTag>
+  void check_with_tag(Counts& counts) const
+  {
+    Pairs one;
+    Locked_collector collect(one);
+    CGAL::thick_self_intersection_d<ConcurrencyTag>(CGAL::interiors(open_objects_), collect);
+    compare_pairs("interiors", pairs_where(open_.size(), [&](std::size_t i, std::size_t j) {
+                    return do_meet(open_[i], open_[j], Dimension);
+                  }), one);
+    std::vector<Set_object> same = open_;
+    for(Set_object& object : same)
+      object.is_open = false;
+    check_with_closed<ConcurrencyTag>(same, open_objects_, counts);
+    check_with_closed<ConcurrencyTag>(closed_, closed_objects_, counts);
+  }
+
+  template <class ConcurrencyTag, class Objects>
+  void check_with_closed(const std::vector<Set_object>& others, const Objects& objects,
+                         Counts& counts) const
+  {
+    Pairs expected, found, swapped;
+    Locked_collector collect(found), collect_swapped(swapped);
+    CGAL::thick_intersection_d<ConcurrencyTag>(CGAL::interiors(open_objects_), objects, collect);
+    CGAL::thick_intersection_d<ConcurrencyTag>(objects, CGAL::interiors(open_objects_),
+                                               [&](std::size_t i, std::size_t j) {
+                                                 collect_swapped(j, i);
+                                               });
+    for(std::size_t i = 0; i < open_.size(); ++i)
+      for(std::size_t j = 0; j < others.size(); ++j)
+        if(do_meet(open_[i], others[j], Dimension))
+          expected.emplace_back(i, j);
+        else if(do_touch(open_[i], others[j]))
+          ++counts.touching;
+    counts.overlapping += expected.size();
+    compare_pairs("interiors and others", expected, found);
+    compare_pairs("others and interiors", expected, swapped);
+  }
+
+  void compare_pairs(const char* what, const Pairs& expected, const Pairs& found) const
+  {
+    const Pairs_difference difference = compare(expected, found);
+    BOOST_REQUIRE_MESSAGE(difference.empty(), what << ", seed " << seed_ << ": " << difference);
+  }
+
+  const std::uint64_t seed_;
+  std::vector<Set_object> open_, closed_;
+  std::vector<typename Open::Object> open_objects_;
+  std::vector<typename Closed::Object> closed_objects_;
+};
+
+template <class K, int Dimension>
+void check_interiors()
+{
+  Counts counts;
+  check_seeds(300, [&](std::uint64_t seed) { Interiors_case<K, Dimension>(seed).check(counts); });
+  BOOST_CHECK_GT(counts.overlapping, 2000u);
+  BOOST_CHECK_GT(counts.touching, 2000u);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(epick_2) { check_interiors<Epick, 2>(); }
+BOOST_AUTO_TEST_CASE(epick_3) { check_interiors<Epick, 3>(); }
+BOOST_AUTO_TEST_CASE(epeck_3) { check_interiors<Epeck, 3>(); }
+BOOST_AUTO_TEST_CASE(doubles_2) { check_interiors<Double_kernel, 2>(); }
+BOOST_AUTO_TEST_CASE(rationals_2) { check_interiors<Rational_kernel, 2>(); }
