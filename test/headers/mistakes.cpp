@@ -233,6 +233,19 @@ void make_mistakes()
   // property map to such elements as point_map, or a model of ThickDistanceTraits_d as geom_traits.
   CGAL::fixed_radius_near_neighbors(points_with_normals, bound, report);
 
+  // error: This function does not take interiors(). Two interiors are within a distance iff the
+  // closed objects are closer: pass the ranges, and bound.open().
+  CGAL::fixed_radius_near_neighbors(CGAL::interiors(boxes), bound, report);
+
+  // error: geom_traits decide about objects as they are: pass them without interiors().
+  CGAL::thick_self_intersection_d(
+    CGAL::interiors(boxes), report,
+    CGAL::parameters::geom_traits(CGAL::Thick_object_traits_d<CGAL::Bbox_2>()));
+
+  // error: interiors() takes objects with an interior: triangles in the plane, tetrahedra,
+  // iso-boxes, and objects with a radius. Beside them may be other objects of a kernel.
+  CGAL::thick_intersection_d(CGAL::interiors(points), boxes, report);
+
   // error: A weighted point is no ball: make it a pair of a center and a radius.
   CGAL::thick_self_intersection_d(weighted_points, report);
 

@@ -11,9 +11,11 @@
 #include <CGAL/Distance_bound.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Thick_object_traits_d.h>
+#include <CGAL/Uncertain.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
-#include <CGAL/Thick_intersection_d/internal/input/base_kind.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/kinds.h>
 #include <CGAL/Thick_intersection_d/internal/input/vertices.h>
 #include <CGAL/Thick_intersection_d/internal/objects/Object_route.h>
@@ -25,7 +27,8 @@
 #include <CGAL/Thick_intersection_d/internal/predicates/do_shapes_intersect.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/interiors.h>
 
-#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -94,9 +97,10 @@ bool is_thick([[maybe_unused]] const Object& object)
 // Whether two objects of one known kind each intersect.
 //
 // The interior of an object with a radius above zero is all that is closer to it than the radius.
-// So it meets another object iff they are closer than the sum of the radii. If the radius is zero,
-// and that of the other object is not, the same holds if the object has an interior: the least
-// distance from the other one is at a boundary point alone, but all less are in the interior too.
+// So it meets another object iff the two are closer than the sum of the radii. The same holds for
+// an open object without a radius, if it has an interior, and another one with a radius: if they
+// are closer, so are points of the interior, and if not, only points of the boundary are at the
+// least distance, because a convex function that is above zero has no least value inside.
 template <bool Is_a_open, bool Is_b_open, class A, class B>
 bool do_open_kinds_intersect(const A& a, const B& b, Arithmetic_tier& tier)
 {
@@ -163,6 +167,30 @@ private:
 
 template <class Object, bool Is_first_open, bool Is_second_open>
 struct Has_boxes<Traits_of_interiors<Object, Is_first_open, Is_second_open>> : std::true_type {};
+
+// Decides about objects that are boxes of doubles by their boxes, unless one of them is flat: that
+// may be closed, and inside of the other one, or open.
+struct Open_box_filter
+{
+  template <std::size_t Axes>
+  static Uncertain<bool> do_intersect(const std::array<Interval, Axes>& a,
+                                      const std::array<Interval, Axes>& b)
+  {
+    bool do_overlap = true, is_flat = false;
+    for(std::size_t axis = 0; axis < Axes; ++axis) {
+      do_overlap &= a[axis].low < b[axis].high && b[axis].low < a[axis].high;
+      is_flat |= a[axis].low == a[axis].high || b[axis].low == b[axis].high;
+    }
+    return Uncertain<bool>(do_overlap && !is_flat, do_overlap);
+  }
+};
+
+template <class Object, bool Is_first_open, bool Is_second_open>
+struct Box_filter_of_traits<Traits_of_interiors<Object, Is_first_open, Is_second_open>>
+{
+  using type = std::conditional_t<Kinds<Object>::template are_all<Is_box_of_doubles>,
+                                  Open_box_filter, void>;
+};
 
 // The first and the second range of a search, which may be one.
 template <class Elements>

@@ -29,6 +29,7 @@
 #include <CGAL/Thick_intersection_d/internal/predicates/planar_objects.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/tetrahedra.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -55,6 +56,46 @@ bool is_edge_between(Orientation& orientation, const Simplex<Orientation, Count>
         return true;
     }
   return false;
+}
+
+// Whether an edge of a triangle in the plane is between it and another object. The vertices have
+// the orientation `sign`.
+template <class Orientation, std::size_t Count>
+bool is_edge_of_triangle_between(Orientation& orientation, const Simplex<Orientation, 3>& triangle,
+                                 Sign sign, const Simplex<Orientation, Count>& other)
+{
+  if(sign == ZERO)
+    return is_edge_between(orientation, triangle, other, 0, 1);
+  for(std::size_t k = 0; k < 3; ++k) {
+    const auto& p = triangle[k];
+    const auto& q = triangle[k < 2 ? k + 1 : 0];
+    if(std::none_of(other.begin(), other.end(), [&](const auto& x) {
+         return orientation.orientation(p, q, x, 0, 1) == sign;
+       }))
+      return true;
+  }
+  return false;
+}
+
+// The two objects are in the plane, the second one is a triangle, and one of them is open.
+template <class Orientation, std::size_t Count>
+bool do_open_triangles_intersect(Orientation& orientation, const Simplex<Orientation, Count>& a,
+                                 const Simplex<Orientation, 3>& b, bool is_a_open, bool is_b_open)
+{
+  const auto sign_of = [&](const Simplex<Orientation, 3>& t) {
+    return orientation.orientation(t[0], t[1], t[2], 0, 1);
+  };
+  const Sign sign_b = sign_of(b);
+  if(is_b_open && sign_b == ZERO)
+    return false;
+  if constexpr(Count == 3) {
+    const Sign sign_a = sign_of(a);
+    if((is_a_open && sign_a == ZERO) || is_edge_of_triangle_between(orientation, a, sign_a, b))
+      return false;
+  }
+  else if(is_edge_between(orientation, a, b, 0, 1))
+    return false;
+  return !is_edge_of_triangle_between(orientation, b, sign_b, a);
 }
 
 // ---- iso-boxes ----------------------------------------------------------------------------------
@@ -136,8 +177,10 @@ bool do_open_shapes_intersect(Orientation& orientation, const Simplex<Orientatio
                               const Simplex<Orientation, Count_b>& b, bool is_a_open,
                               bool is_b_open)
 {
-  if((is_a_open && !has_interior<A>(orientation, a))
-     || (is_b_open && !has_interior<B>(orientation, b)))
+  if constexpr(B == Shape::TRIANGLE && Orientation::dimension == 2)
+    return do_open_triangles_intersect(orientation, a, b, is_a_open, is_b_open);
+  else if((is_a_open && !has_interior<A>(orientation, a))
+          || (is_b_open && !has_interior<B>(orientation, b)))
     return false;
   if constexpr(B == Shape::ISO_BOX && (A == Shape::POINT || A == Shape::ISO_BOX)) {
     for(int axis = 0; axis < Orientation::dimension; ++axis)
@@ -147,12 +190,10 @@ bool do_open_shapes_intersect(Orientation& orientation, const Simplex<Orientatio
   }
   else if constexpr(B == Shape::ISO_BOX)
     return !are_box_and_object_parted(orientation, a, b);
-  else if constexpr(Orientation::dimension == 2)
-    return !is_edge_between(orientation, a, b, 0, 1) && !is_edge_between(orientation, b, a, 0, 1);
   else if constexpr(A == Shape::TETRAHEDRON)
     return is_a_open ? does_interior_meet(orientation, a, b)
                      : does_interior_meet(orientation, b, a);
-  else
+  else if constexpr(B == Shape::TETRAHEDRON)
     return does_interior_meet(orientation, b, a);
 }
 

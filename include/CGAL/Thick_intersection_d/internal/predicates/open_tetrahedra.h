@@ -15,6 +15,7 @@
 #include <CGAL/Thick_intersection_d/internal/predicates/planar_objects.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/tetrahedra.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -77,14 +78,15 @@ struct Sides_of_open_faces
   }
 };
 
-// The tetrahedron has faces of the orientation `sign`.
+// Stops at the first face that has no vertex inside. The tetrahedron has faces of the orientation
+// `sign`.
 template <class Orientation, std::size_t Count>
 Sides_of_open_faces<Count>
 sides_of_open_faces(Orientation& orientation, const Simplex<Orientation, 4>& tetrahedron, Sign sign,
                     const Simplex<Orientation, Count>& vertices)
 {
   Sides_of_open_faces<Count> result;
-  for(std::size_t k = 0; k < 4; ++k) {
+  for(std::size_t k = 0; k < 4 && !result.is_face_between(); ++k) {
     const std::size_t* const v = face_vertices[k];
     const auto plane
       = orientation.plane(tetrahedron[v[0]], tetrahedron[v[1]], tetrahedron[v[2]]);
@@ -115,34 +117,42 @@ Uncertain<bool> does_line_cross(Orientation& orientation, const typename Orienta
                                              : Uncertain<bool>::indeterminate();
 }
 
-// Whether an edge of an object crosses a triangle, in whose plane it is not.
+// Whether an edge of an object crosses a face of a tetrahedron, along whose faces its vertices have
+// these sides.
 template <class Orientation, std::size_t Count>
 Uncertain<bool> do_edges_cross(Orientation& orientation, const Simplex<Orientation, Count>& object,
-                               const Sign (&sides)[Count],
-                               const Simplex<Orientation, 3>& triangle)
+                               const Sides_of_open_faces<Count>& sides,
+                               const Simplex<Orientation, 4>& tetrahedron)
 {
-  Uncertain<bool> do_cross = false;
+  Uncertain<bool> do_cross(false, sides.is_any_on);
   for(std::size_t i = 0; i < Count; ++i)
     for(std::size_t j = i + 1; j < Count; ++j)
-      if(sides[i] * sides[j] < 0)
-        do_cross = do_cross | does_line_cross(orientation, object[i], object[j], triangle);
+      for(std::size_t k = 0; k < 4 && (sides.outside[i] & sides.outside[j]) == 0; ++k)
+        if(sides.sides[k][i] * sides.sides[k][j] < 0) {
+          do_cross = do_cross | does_line_cross(orientation, object[i], object[j],
+                                                face_of<Orientation>(tetrahedron, k));
+          if(do_cross.inf())
+            return true;
+        }
   return do_cross;
 }
 
-// The same for the edges of a tetrahedron and a face of another object.
+// Whether an edge of a tetrahedron crosses a triangle.
 template <class Orientation>
 Uncertain<bool> do_edges_cross(Orientation& orientation, const Simplex<Orientation, 4>& tetrahedron,
-                               const Simplex<Orientation, 3>& face)
+                               const Simplex<Orientation, 3>& triangle)
 {
-  const auto plane = orientation.plane(face[0], face[1], face[2]);
-  Sign sides[4];
-  bool is_any_on = false;
-  for(std::size_t i = 0; i < 4; ++i) {
+  const auto plane = orientation.plane(triangle[0], triangle[1], triangle[2]);
+  std::array<Sign, 4> sides;
+  for(std::size_t i = 0; i < 4; ++i)
     sides[i] = orientation.side(plane, tetrahedron[i]);
-    is_any_on |= sides[i] == ZERO;
-  }
-  const Uncertain<bool> do_cross = do_edges_cross(orientation, tetrahedron, sides, face);
-  return is_any_on ? do_cross | Uncertain<bool>::indeterminate() : do_cross;
+  Uncertain<bool> do_cross(false, std::count(sides.begin(), sides.end(), ZERO) != 0);
+  for(std::size_t i = 0; i < 4; ++i)
+    for(std::size_t j = i + 1; j < 4; ++j)
+      if(sides[i] * sides[j] < 0)
+        do_cross
+          = do_cross | does_line_cross(orientation, tetrahedron[i], tetrahedron[j], triangle);
+  return do_cross;
 }
 
 // Whether a vertex or edge shows that the interior of a tetrahedron meets an object. If none does,
@@ -154,21 +164,31 @@ Uncertain<bool> does_interior_certainly_meet(Orientation& orientation,
                                              const Simplex<Orientation, Count>& object)
 {
   const auto sides = sides_of_open_faces(orientation, tetrahedron, sign, object);
-  if(sides.is_any_inside())
-    return true;
   if(sides.is_face_between())
     return false;
-  Uncertain<bool> does_meet(false, sides.is_any_on);
-  for(std::size_t k = 0; k < 4; ++k)
-    does_meet = does_meet | do_edges_cross(orientation, object, sides.sides[k],
-                                           face_of<Orientation>(tetrahedron, k));
-  if constexpr(Count == 3)
-    does_meet = does_meet | do_edges_cross(orientation, tetrahedron, object);
-  else if constexpr(Count == 4)
-    for(std::size_t k = 0; k < 4; ++k)
-      does_meet = does_meet | do_edges_cross(orientation, tetrahedron,
-                                             face_of<Orientation>(object, k));
-  return does_meet;
+  if(sides.is_any_inside())
+    return true;
+  if constexpr(Count < 4) {
+    const Uncertain<bool> do_cross = do_edges_cross(orientation, object, sides, tetrahedron);
+    if constexpr(Count == 3)
+      if(!do_cross.inf())
+        return do_cross | do_edges_cross(orientation, tetrahedron, object);
+    return do_cross;
+  }
+  else {
+    const Sign sign_of_object = orientation_of(orientation, object);
+    if(sign_of_object == ZERO)
+      return Uncertain<bool>::indeterminate();
+    const auto other_sides = sides_of_open_faces(orientation, object, sign_of_object, tetrahedron);
+    if(other_sides.is_face_between())
+      return false;
+    if(other_sides.is_any_inside())
+      return true;
+    const Uncertain<bool> do_cross = do_edges_cross(orientation, object, sides, tetrahedron);
+    if(do_cross.inf())
+      return true;
+    return do_cross | do_edges_cross(orientation, tetrahedron, other_sides, object);
+  }
 }
 
 // Whether a plane through three vertices is between a tetrahedron and another object.
