@@ -59,6 +59,9 @@ its boundary.
 CGAL::thick_feature_self_intersection_d(CGAL::interiors(parcels), std::back_inserter(overlaps));
 \endcode
 
+Of features, polygons have an interior, and unions of polygons: the union of the interiors of their
+members. `thick_feature_self_intersection_d()` says which points are in it.
+
 \param range is a range of objects with an interior of full dimension. If the argument is an lvalue,
 the result refers to it.
 */

@@ -11,6 +11,7 @@
 #include <CGAL/Distance_bound.h>
 #include <CGAL/Element_callback.h>
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/interiors.h>
 #include <CGAL/tags.h>
 
 #include <CGAL/Thick_intersection_d/internal/features/Feature_boundaries.h>
@@ -44,6 +45,13 @@ their segments meet, or one lies inside a filled polygon of the other. A feature
 with itself. The search gives the result of real arithmetic on the coordinates that the points hold,
 as `thick_self_intersection_d()` does, for every kernel.
 
+In a range `interiors(features)`, all features are polygons or unions of them, and have their
+interiors alone. The interior of a polygon has the points off its edges that a ray leaves through an
+odd number of edges. The interior of a union is the union of the interiors of its members: what they
+share of their boundaries is in none. So the pairs of such a range are those that overlap. Polygons
+that share borders are none, and equal ones are. Polygons without area have no interior, and are in
+no pair.
+
 The search takes the segments of all features through the divide and conquer of
 `thick_self_intersection_d()`. It tests those whose boxes meet, as long as their features are not
 known to be a pair. What is left are features whose boundaries do not meet. One of these is inside a
@@ -62,13 +70,21 @@ and for each of the \f$ K_v \f$ vertices \f$ O(\log n) \f$ time for most shapes.
 \f$ O(c \log n) \f$ at most, where \f$ c \f$ is the number of edges at the height of the vertex: a
 spiral takes that much. The search takes \f$ O(n + k) \f$ space.
 
+Interiors are asked about where boundaries meet, as long as features are not known to be a pair.
+Let \f$ K_c \f$ be the number of pairs of edges that meet where one of them begins, and none ends.
+Each of them takes as much time as a vertex in a polygon, and a point takes \f$ O(m \log m) \f$ once
+for two polygons, where \f$ m \f$ is the number of their edges there. If edges of a polygon cancel
+in another one, as those of an antenna do, all vertices of both are asked about, once for two
+polygons. If edges of both cross at one point where other edges of the polygons may be too, exact
+numbers decide.
+
 \tparam ConcurrencyTag is `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. In
 sequence, the order of reports depends on the input alone. In parallel, the same pairs are reported
 in any order. Several threads call the callback at once, so it must allow this. `Parallel_tag`
 requires \tbb.
 
 \tparam FeatureRange is a range of features with forward iterators or better. It is not reordered.
-It may be a view of C++20.
+It may be a view of C++20. It may be the result of `interiors()`.
 
 \tparam Callback is as for `thick_self_intersection_d()`.
 
@@ -104,6 +120,7 @@ and polygons together, or more, before anything is reported.
 
 \sa `thick_feature_intersection_d()`
 \sa `thick_self_intersection_d()`
+\sa `interiors()`
 \sa `with_elements()`
 */
 template <class ConcurrencyTag = Sequential_tag, class FeatureRange, class Callback,
@@ -124,6 +141,10 @@ once.
 
 Pairs within a range are neither reported nor tested. Otherwise the function is as
 `thick_feature_self_intersection_d()`, where \f$ n \f$ is the number of segments of both ranges.
+
+One range may be the result of `interiors()`, or both. If one is, the features of the other one are
+closed: a pair is the interior of a polygon and a feature that has a point in it. So the roads that
+only run along the border of a parcel are in no pair with it.
 
 \param features_a, features_b the features. The ranges may have features of different kinds, with
 points of the same type.
@@ -155,9 +176,10 @@ bool thick_feature_intersection_d(FeatureRangeA&& features_a, FeatureRangeB&& fe
 reports all pairs of features of a range whose distance is within a bound, each exactly once.
 
 Features are as for `thick_feature_self_intersection_d()`. Their distance is that of their closest
-points, and zero if they intersect, as a polygon and a feature inside it do. The search gives the
-result of real arithmetic on the given coordinates and the given bound, for pairs exactly at the
-bound too, as `fixed_radius_near_neighbors()` of segments does.
+points, and zero if they intersect, as a polygon and a feature inside it do. Interiors are not
+needed: they are within a distance iff the features are closer, which `bound.open()` says. The
+search gives the result of real arithmetic on the given coordinates and the given bound, for pairs
+exactly at the bound too, as `fixed_radius_near_neighbors()` of segments does.
 
 The time and the space are those of `thick_feature_self_intersection_d()`, where boxes count as
 meeting if they are within the bound along each axis.

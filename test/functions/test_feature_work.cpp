@@ -68,8 +68,8 @@ std::size_t count_pairs(const Segments& segments, const Test& test)
   const Counted<Boundaries> boundaries(segments, test, known);
   internal::report_meeting_boxes(boundaries, internal::One_set(), take, progress, one);
   const internal::Part_range all = {0, segments.part_count()};
-  using Insides = internal::Feature_insides<Segments>;
-  const Counted<Insides> insides(segments, all, all, known);
+  using Insides = internal::Feature_insides<Segments, Test>;
+  const Counted<Insides> insides(segments, test, all, all, known);
   internal::report_meeting_boxes(insides, internal::Two_sets{insides.point_count()}, take, progress,
                                  one);
   return pairs;

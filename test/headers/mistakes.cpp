@@ -18,6 +18,7 @@
 #include <CGAL/closest_pair.h>
 #include <CGAL/external_fixed_radius_near_neighbors.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
+#include <CGAL/interiors.h>
 #include <CGAL/periodic_closest_pair.h>
 #include <CGAL/periodic_fixed_radius_near_neighbors.h>
 #include <CGAL/thick_box_intersection_d.h>
@@ -83,6 +84,8 @@ const std::vector<std::pair<Point, std::size_t>> points_with_indices;
 const std::vector<std::pair<Point, int>> points_with_numbers;
 const std::vector<std::pair<Kernel::Point_3, Kernel::Vector_3>> points_with_normals;
 const std::vector<CGAL::Polygon_2<Kernel>> polygons;
+const std::vector<std::variant<std::vector<Point>, CGAL::Polygon_2<Kernel>>>
+  polylines_and_polygons;
 const std::vector<CGAL::Polygon_2<CGAL::Projection_traits_xy_3<Kernel>>> projected_polygons;
 const CGAL::Surface_mesh<Kernel::Point_3> mesh;
 const std::vector<Kernel::Circle_2> circles;
@@ -287,6 +290,18 @@ void make_mistakes()
 
   // error: The features of the two ranges must have points of one type.
   CGAL::thick_feature_intersection_d(points, points_in_space, report);
+
+  // error: Features in interiors() must be polygons in the plane: points and polylines have no
+  // interior.
+  CGAL::thick_feature_self_intersection_d(CGAL::interiors(polylines_and_polygons), report);
+
+  // error: Features in interiors() must be polygons in the plane: points and polylines have no
+  // interior.
+  CGAL::thick_feature_intersection_d(CGAL::interiors(polygons), CGAL::interiors(points), report);
+
+  // error: Interiors are within a distance iff the features themselves are closer: pass the ranges
+  // without interiors(), and bound.open().
+  CGAL::fixed_radius_near_features(polygons, CGAL::interiors(polygons), bound, report);
 
   // error: The callback must take two boxes, as the iterators give them.
   CGAL::thick_box_self_intersection_d(boxes_with_ids.begin(), boxes_with_ids.end(), [](int) {});

@@ -28,11 +28,18 @@ namespace internal {
 // Pairs of features that intersect. Their segments may meet where their boxes do.
 struct Segments_intersect
 {
-  template <class Segment>
-  bool operator()(const Segment& a, const Segment& b) const
+  template <class Segments>
+  static bool do_meet(const Segments& segments, std::size_t i, std::size_t j)
   {
     Arithmetic_tier tier = Arithmetic_tier::INT64;
-    return do_objects_intersect(a, b, tier);
+    return do_objects_intersect(segments[i], segments[j], tier);
+  }
+
+  // Whether a part is inside a polygon, where their boundaries do not meet.
+  template <class Segments>
+  static bool is_inside(const Segments& segments, std::size_t part, std::size_t polygon)
+  {
+    return segments.is_inside(part, polygon);
   }
 
   static Interval grown(const Interval& interval) { return interval; }
@@ -77,7 +84,7 @@ public:
   // is outside, and grows by the answers.
   bool do_intersect(std::size_t i, std::size_t j) const
   {
-    return test_(segments_[i], segments_[j])
+    return test_.do_meet(segments_, i, j)
            && known_.add(segments_.feature_of(i), segments_.feature_of(j));
   }
 

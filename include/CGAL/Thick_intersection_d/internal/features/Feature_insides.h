@@ -39,16 +39,17 @@ struct Part_range
   std::size_t last;
 };
 
-template <class Segments>
+// `Test` is like Segments_intersect.
+template <class Segments, class Test>
 class Feature_insides : public Objects_in_boxes
 {
 public:
   static constexpr int static_dimension = 2;
 
   // The vertices of some parts, and the polygons among others.
-  Feature_insides(const Segments& segments, const Part_range& points, const Part_range& parts,
-                  Known_pairs& known)
-    : segments_(segments), points_(points), known_(known)
+  Feature_insides(const Segments& segments, const Test& test, const Part_range& points,
+                  const Part_range& parts, Known_pairs& known)
+    : segments_(segments), test_(test), points_(points), known_(known)
   {
     for(std::size_t part = parts.first; part != parts.last; ++part)
       if(segments.is_polygon(part))
@@ -82,7 +83,7 @@ public:
   bool do_intersect(std::size_t i, std::size_t j) const
   {
     const std::size_t point = (std::min)(i, j), polygon = (std::max)(i, j);
-    return segments_.is_inside(part_of(point), part_of(polygon))
+    return test_.is_inside(segments_, part_of(point), part_of(polygon))
            && known_.add(feature_of(point), feature_of(polygon));
   }
 
@@ -102,6 +103,7 @@ private:
   }
 
   const Segments& segments_;
+  const Test& test_;
   const Part_range points_;
   std::vector<std::size_t> polygons_;
   Known_pairs& known_;

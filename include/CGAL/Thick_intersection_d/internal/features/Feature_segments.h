@@ -61,6 +61,7 @@ public:
   {
     for(std::size_t position = 0; position < features.size(); ++position) {
       check_count("features", feature_count_ + 1);
+      first_parts_.push_back(static_cast<Place>(parts_.size()));
       add_parts(features[position], *this);
       ++feature_count_;
     }
@@ -83,13 +84,45 @@ public:
   // The box of a polygon.
   const Bbox_2& box(std::size_t polygon) const { return trees_.box(parts_[polygon].root); }
 
+  // The part of a segment. Most features have one.
+  Place part_of(std::size_t segment) const
+  {
+    const std::size_t feature = feature_of(segment);
+    auto first = parts_.begin() + first_parts_[feature];
+    const auto last = feature + 1 == first_parts_.size()
+                        ? parts_.end() : parts_.begin() + first_parts_[feature + 1];
+    if(last - first > 1)
+      first = std::upper_bound(first, last, segment, [](std::size_t position, const Part& part) {
+                return position < part.first_segment;
+              }) - 1;
+    return static_cast<Place>(first - parts_.begin());
+  }
+
+  Place last_segment(std::size_t part) const
+  {
+    return part + 1 == parts_.size() ? segment_count() : parts_[part + 1].first_segment;
+  }
+
   // Returns whether the first vertex of a part is inside a polygon. Their boundaries do not meet.
   bool is_inside(std::size_t part, std::size_t polygon) const
   {
-    const std::size_t last
-      = polygon + 1 == parts_.size() ? segments_.size() : parts_[polygon + 1].first_segment;
     return trees_.is_inside(segments_[parts_[part].first_segment], parts_[polygon].root,
-                            parts_[polygon].first_segment, static_cast<Place>(last));
+                            parts_[polygon].first_segment, last_segment(polygon));
+  }
+
+  // As Ring_trees says, of the edges of a polygon.
+  template <class Ray, class Function, class Done>
+  bool is_inside_beside(const Ray& ray, std::size_t polygon, const Function& does_cross,
+                        const Done& is_done) const
+  {
+    return trees_.is_inside_beside(ray, parts_[polygon].root, parts_[polygon].first_segment,
+                                   last_segment(polygon), does_cross, is_done);
+  }
+  template <class Function>
+  bool is_any_in_box(const Bbox_2& box, std::size_t polygon, const Function& is_wanted) const
+  {
+    return trees_.is_any_in_box(box, parts_[polygon].root, parts_[polygon].first_segment,
+                                last_segment(polygon), is_wanted);
   }
 
   // ---- for add_parts() --------------------------------------------------------------------------
@@ -205,6 +238,7 @@ private:
   std::vector<Segment> segments_;
   std::vector<Place> features_of_segments_;
   std::vector<Part> parts_;
+  std::vector<Place> first_parts_; // of features
   Ring_trees<Segment> trees_;
   std::size_t feature_count_ = 0;
   std::size_t polygon_count_ = 0;

@@ -15,7 +15,6 @@
 // crossings at most, up to a factor O(log n).
 
 #include <CGAL/Bbox_2.h>
-#include <CGAL/Kernel_traits.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/vertices.h>
@@ -33,16 +32,21 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Does a ray to the right cross an edge? The rays begin at the sources of segments. An edge has its
-// end on the ray only if its other end is above the ray: so a closed polygon is crossed as often
-// by a ray through a vertex as by a ray just above it.
+// Does a ray to the right cross an edge? The rays begin at the sources of segments, or at points.
+// An edge has its end on the ray only if its other end is above the ray: so a closed polygon is
+// crossed as often by a ray through a vertex as by a ray just above it.
 
-template <class Segment>
-using Exact_kernel_of = Kernel_with_exact_predicates<typename Kernel_traits<Segment>::Kernel>;
+// Returns a vertex of an object as a point of an exact kernel of it and of others like `Other`.
+template <class Other, class Object>
+auto exact_end(const Object& object, int v)
+{
+  using Kernel = typename Common_exact_kernel<Object, Other>::type;
+  return exact_vertex<Kernel, corner_count_v<Object>>(object, static_cast<std::size_t>(v));
+}
 
 // Whether a vertex of an edge is above the source of `ray`. Doubles decide nearly always.
-template <class Segment>
-bool is_above_ray(const Segment& edge, int v, const Segment& ray)
+template <class Segment, class Ray>
+bool is_above_ray(const Segment& edge, int v, const Ray& ray)
 {
   const auto y = vertex_bounds(edge, v, 1);
   const auto height = vertex_bounds(ray, 0, 1);
@@ -50,8 +54,8 @@ bool is_above_ray(const Segment& edge, int v, const Segment& ray)
     return true;
   if(y.second <= height.first)
     return false;
-  const auto end = exact_vertex<Exact_kernel_of<Segment>, 2>(edge, static_cast<std::size_t>(v));
-  const auto source = exact_vertex<Exact_kernel_of<Segment>, 2>(ray, 0);
+  const auto end = exact_end<Ray>(edge, v);
+  const auto source = exact_end<Segment>(ray, 0);
   return CGAL::compare(end.cartesian(1), source.cartesian(1)) == LARGER;
 }
 
@@ -68,34 +72,43 @@ extern template Sign orientation_of_vertices<Staged_orientation<2>>(
   Staged_orientation<2>::Vertices<3>&);
 #endif
 
-// Returns whether the edge and then the source of `ray` make a left turn, a right turn or none.
-template <class Segment>
-Sign orientation_to_source(const Segment& edge, const Segment& ray)
+// Reads a vertex of an object. Returns false if its coordinates are no doubles.
+template <class Object>
+bool read_vertex(const Object& object, int v, Staged_orientation<2>::Vertex& vertex)
+{
+  for(int axis = 0; axis < 2; ++axis) {
+    const auto x = vertex_bounds(object, v, axis);
+    if(x.first != x.second)
+      return false;
+    vertex.x[static_cast<std::size_t>(axis)] = x.first;
+  }
+  return true;
+}
+
+// Returns whether vertex i of an edge, vertex j of another one and vertex k of an object make a
+// left turn, a right turn or none.
+template <class Segment, class Object>
+Sign orientation_of_ends(const Segment& a, int i, const Segment& b, int j, const Object& c, int k)
 {
   Staged_orientation<2>::Vertices<3> vertices;
-  const bool are_doubles = read_vertices(edge, [&](std::size_t k, int axis, double x) {
-    vertices[k].x[static_cast<std::size_t>(axis)] = x;
-  }) && read_vertices(ray, [&](std::size_t k, int axis, double x) {
-    if(k == 0)
-      vertices[2].x[static_cast<std::size_t>(axis)] = x;
-  });
-  if(are_doubles)
+  if(read_vertex(a, i, vertices[0]) && read_vertex(b, j, vertices[1])
+     && read_vertex(c, k, vertices[2]))
     return orientation_of_vertices<Staged_orientation<2>>(vertices);
-  using Kernel = Exact_kernel_of<Segment>;
-  using Exact_orientation = Kernel_orientation<Kernel, 2>;
+  using Exact_orientation
+    = Kernel_orientation<typename Common_exact_kernel<Segment, Object>::type, 2>;
   typename Exact_orientation::template Vertices<3> exact_vertices
-    = {exact_vertex<Kernel, 2>(edge, 0), exact_vertex<Kernel, 2>(edge, 1),
-       exact_vertex<Kernel, 2>(ray, 0)};
+    = {exact_end<Object>(a, i), exact_end<Object>(b, j), exact_end<Segment>(c, k)};
   return orientation_of_vertices<Exact_orientation>(exact_vertices);
 }
 
-// Whether a ray to the right of the source of `ray` crosses the edge. The source is not on it.
-template <class Segment>
-bool does_ray_cross(const Segment& ray, const Segment& edge)
+// Whether a ray to the right of the source of `ray` crosses the edge. If the source is on the edge,
+// it does not.
+template <class Segment, class Ray>
+bool does_ray_cross(const Ray& ray, const Segment& edge)
 {
   const bool ends_above = is_above_ray(edge, 1, ray);
   return is_above_ray(edge, 0, ray) != ends_above
-         && orientation_to_source(edge, ray) == (ends_above ? LEFT_TURN : RIGHT_TURN);
+         && orientation_of_ends(edge, 0, edge, 1, ray, 0) == (ends_above ? LEFT_TURN : RIGHT_TURN);
 }
 
 template <class Segment>
@@ -133,7 +146,29 @@ public:
   // [first, last). It is not on them.
   bool is_inside(const Segment& ray, Place root, Place first, Place last) const
   {
-    return is_crossed_odd(ray, {root, first, last});
+    const auto does_cross = [&](Place segment) { return does_ray_cross(ray, segments_[segment]); };
+    return is_crossed_odd(ray, {root, first, last}, does_cross, [] { return false; });
+  }
+
+  // Returns whether a point next to the first vertex of `ray` is inside the rings: at a small
+  // distance to the right, and above by a smaller distance. `does_cross` is called for the edges at
+  // the vertex, in their order, and for others, and tells whether a ray from it crosses the edge.
+  // Those at the vertex are not crossed: behind the point, or at the vertex only. Ends early if
+  // `is_done` says so after an edge, and then returns nothing of use.
+  template <class Ray, class Function, class Done>
+  bool is_inside_beside(const Ray& ray, Place root, Place first, Place last,
+                        const Function& does_cross, const Done& is_done) const
+  {
+    return is_crossed_odd(ray, {root, first, last}, does_cross, is_done);
+  }
+
+  // Whether `is_wanted` says so of a segment of the tree. Those whose boxes meet another one are
+  // asked about, and some others.
+  template <class Function>
+  bool is_any_in_box(const Bbox_2& box, Place root, Place first, Place last,
+                     const Function& is_wanted) const
+  {
+    return is_any_in(box, {root, first, last}, is_wanted);
   }
 
 private:
@@ -162,7 +197,20 @@ private:
     return chain.first + leaf_size * leaves_of_first_half(chain);
   }
 
-  bool is_crossed_odd(const Segment& ray, const Chain& chain) const
+  static bool is_leaf(const Chain& chain) { return chain.last - chain.first <= leaf_size; }
+
+  static Chain first_half(const Chain& chain)
+  {
+    return {chain.node + 1, chain.first, middle_of(chain)};
+  }
+  static Chain second_half(const Chain& chain)
+  {
+    return {chain.node + 2 * leaves_of_first_half(chain), middle_of(chain), chain.last};
+  }
+
+  template <class Ray, class Function, class Done>
+  bool is_crossed_odd(const Ray& ray, const Chain& chain, const Function& does_cross,
+                      const Done& is_done) const
   {
     const Bbox_2& box = boxes_[chain.node];
     const auto x = vertex_bounds(ray, 0, 0);
@@ -171,20 +219,35 @@ private:
       return false;
     if(x.second < box.xmin())
       return are_ends_apart(ray, chain);
-    if(chain.last - chain.first > leaf_size) {
-      const Place middle = middle_of(chain);
-      const Place second = chain.node + 2 * leaves_of_first_half(chain);
-      return is_crossed_odd(ray, {chain.node + 1, chain.first, middle})
-             != is_crossed_odd(ray, {second, middle, chain.last});
+    if(!is_leaf(chain)) {
+      const bool is_odd = is_crossed_odd(ray, first_half(chain), does_cross, is_done);
+      return !is_done()
+             && is_odd != is_crossed_odd(ray, second_half(chain), does_cross, is_done);
     }
-    return std::count_if(segments_.begin() + chain.first, segments_.begin() + chain.last,
-                         [&](const Segment& segment) { return does_ray_cross(ray, segment); })
-             % 2 != 0;
+    bool is_odd = false;
+    for(Place segment = chain.first; segment != chain.last && !is_done(); ++segment)
+      is_odd ^= does_cross(segment);
+    return is_odd;
+  }
+
+  template <class Function>
+  bool is_any_in(const Bbox_2& box, const Chain& chain, const Function& is_wanted) const
+  {
+    if(!do_overlap(box, boxes_[chain.node]))
+      return false;
+    if(!is_leaf(chain))
+      return is_any_in(box, first_half(chain), is_wanted)
+             || is_any_in(box, second_half(chain), is_wanted);
+    for(Place segment = chain.first; segment != chain.last; ++segment)
+      if(is_wanted(segment))
+        return true;
+    return false;
   }
 
   // Whether an odd number of the ends of chains are above the ray. If the segments are of several
   // rings, they are the last chain of a ring, whole rings, and the first chain of another ring.
-  bool are_ends_apart(const Segment& ray, const Chain& chain) const
+  template <class Ray>
+  bool are_ends_apart(const Ray& ray, const Chain& chain) const
   {
     const auto is_above
       = [&](Place segment, int v) { return is_above_ray(segments_[segment], v, ray); };

@@ -112,6 +112,17 @@ struct Feature_point<Feature, std::enable_if_t<!is_range_v<Feature> && !std::is_
   : Feature_point<Feature_kind_t<Feature>>
 {};
 
+// Whether all features of a type have an interior: polygons, and unions of them.
+template <class Feature, class = void>
+inline constexpr bool has_interior_v
+  = is_polygon_v<Feature_kind_t<Feature>> || is_polygon_with_holes_v<Feature_kind_t<Feature>>;
+template <class... Features>
+inline constexpr bool has_interior_v<std::variant<Features...>>
+  = (has_interior_v<Features> && ...);
+template <class Feature>
+inline constexpr bool has_interior_v<Feature, std::enable_if_t<is_range_v<Feature>>>
+  = has_interior_v<Element_of_range<Feature>>;
+
 // Hands the parts of a feature to `parts`, by add_polyline(first, last), add_polygon(polygon) and
 // add_polygon_with_holes(polygon).
 template <class Feature, class Parts>

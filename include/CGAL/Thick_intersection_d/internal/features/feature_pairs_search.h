@@ -18,6 +18,7 @@
 #include <CGAL/Thick_intersection_d/internal/features/Feature_boundaries.h>
 #include <CGAL/Thick_intersection_d/internal/features/Feature_insides.h>
 #include <CGAL/Thick_intersection_d/internal/features/Feature_segments.h>
+#include <CGAL/Thick_intersection_d/internal/features/Interiors_overlap.h>
 #include <CGAL/Thick_intersection_d/internal/features/Known_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/features/feature_kinds.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
@@ -59,7 +60,7 @@ constexpr bool check_features()
 
 // Pairs of features that are within a bound. If one is inside the other, their distance is zero.
 template <class Segment>
-class Segments_near
+class Segments_near : public Segments_intersect
 {
 public:
   template <class NT>
@@ -68,7 +69,11 @@ public:
       takes_zero_(!bound.is_open() || bound.value() != NT(0))
   {}
 
-  bool operator()(const Segment& a, const Segment& b) const { return are_near_(a, b); }
+  template <class Segments>
+  bool do_meet(const Segments& segments, std::size_t i, std::size_t j) const
+  {
+    return are_near_(segments[i], segments[j]);
+  }
 
   // Two intervals meet if their distance is at most the reach.
   Interval grown(const Interval& interval) const { return longer(interval, are_near_.reach()); }
@@ -80,17 +85,32 @@ private:
   const bool takes_zero_;
 };
 
-// The test of segments for features that intersect, or that are within a bound.
-template <class Segment, class Relation>
+// The test of segments for features that intersect, or that are within a bound, or whose interiors
+// do in one range or in both.
+template <class Segments, class Relation, bool is_first_open, bool is_second_open>
 struct Segment_test
 {
-  using type = Relation;
+  using type = Interiors_overlap<Segments, is_first_open, is_second_open>;
 };
-template <class Segment, class NT>
-struct Segment_test<Segment, Distance_bound<NT>>
+template <class Segments>
+struct Segment_test<Segments, Segments_intersect, false, false>
 {
-  using type = Segments_near<Segment>;
+  using type = Segments_intersect;
 };
+template <class Segments, class NT>
+struct Segment_test<Segments, Distance_bound<NT>, false, false>
+{
+  using type = Segments_near<typename Segments::Segment>;
+};
+
+template <class Test, class Relation>
+Test make_segment_test(const Relation& relation, [[maybe_unused]] const Threads& threads)
+{
+  if constexpr(std::is_constructible_v<Test, const Relation&>)
+    return Test(relation);
+  else
+    return Test(threads);
+}
 
 // Where the second range begins, in the numberings of features, parts and segments. If there is one
 // range, this is at zero.
@@ -124,23 +144,25 @@ public:
       return put(segments_.feature_of(i), segments_.feature_of(second_.segments + j));
     };
     return report_meeting_boxes(boundaries, sets, take, progress_, threads_)
-           && (segments_.polygon_count() == 0 || !test.takes_insides() || search_insides());
+           && (segments_.polygon_count() == 0 || !test.takes_insides() || search_insides(test));
   }
 
 private:
-  bool search_insides()
+  template <class Test>
+  bool search_insides(const Test& test)
   {
     const Part_range first = {0, second_.parts}, last = {second_.parts, segments_.part_count()};
     if constexpr(Sets::are_two)
-      return search_insides(first, last) && search_insides(last, first);
+      return search_insides(test, first, last) && search_insides(test, last, first);
     else
-      return search_insides(last, last);
+      return search_insides(test, last, last);
   }
 
-  bool search_insides(const Part_range& points, const Part_range& parts)
+  template <class Test>
+  bool search_insides(const Test& test, const Part_range& points, const Part_range& parts)
   {
     if constexpr(Segments::dimension == 2) {
-      const Feature_insides<Segments> insides(segments_, points, parts, known_);
+      const Feature_insides<Segments, Test> insides(segments_, test, points, parts, known_);
       const auto take = [&](std::size_t i, std::size_t j) {
         return put(insides.feature_of(i), insides.feature_of(insides.point_count() + j));
       };
@@ -174,7 +196,9 @@ bool report_feature_pairs(const First& first, const Second& second, const Relati
 {
   check_denormals();
   using Segments = Feature_segments<Point_of_features<First>>;
-  const typename Segment_test<typename Segments::Segment, Relation>::type test(relation);
+  using Test =
+    typename Segment_test<Segments, Relation, First::are_open, Second::are_open>::type;
+  const auto test = make_segment_test<Test>(relation, threads);
   Segments segments;
   Feature_ranges ranges;
   segments.add_features(first);
@@ -192,14 +216,34 @@ bool report_feature_pairs(const First& first, const Second& second, const Relati
     .search(test);
 }
 
-template <class Callback, class NamedParameters, class First, class Second>
+// Checks that the features of a range have interiors if these are asked for.
+template <class Elements, class Relation>
+constexpr bool check_interiors()
+{
+  if constexpr(!Elements::are_open)
+    return true;
+  else {
+    constexpr bool have_interiors = has_interior_v<typename Elements::value_type>;
+    constexpr bool has_bound = is_bound_v<Relation>;
+    static_assert(have_interiors, "Features in interiors() must be polygons in the plane: points "
+                                  "and polylines have no interior.");
+    static_assert(!have_interiors || !has_bound,
+                  "Interiors are within a distance iff the features themselves are closer: pass "
+                  "the ranges without interiors(), and bound.open().");
+    return have_interiors && !has_bound;
+  }
+}
+
+template <class Relation, class Callback, class NamedParameters, class First, class Second>
 constexpr bool check_feature_search()
 {
   if constexpr(check_range<First, NamedParameters>()
                && check_range<Second, NamedParameters>()) {
     using A = Elements_of<First, NamedParameters>;
     using B = Elements_of<Second, NamedParameters>;
-    if constexpr(check_features<A, B, NamedParameters>())
+    if constexpr(!check_features<A, B, NamedParameters>())
+      return false;
+    else if constexpr(check_interiors<A, Relation>() && check_interiors<B, Relation>())
       return check_callback<Callback, A, B>();
     else
       return false;
@@ -213,7 +257,7 @@ template <class Range, class Relation, class Callback, class NamedParameters>
 bool search_features(Range& range, const Relation& relation, Callback& callback,
                      const NamedParameters& np, const Threads& threads)
 {
-  if constexpr(check_feature_search<Callback, NamedParameters, Range, Range>()) {
+  if constexpr(check_feature_search<Relation, Callback, NamedParameters, Range, Range>()) {
     const auto elements = make_elements(range, np);
     return report_feature_pairs<One_set>(elements, elements, relation, callback, np, threads);
   }
@@ -227,7 +271,7 @@ template <class First, class Second, class Relation, class Callback,
 bool search_features(First& first, Second& second, const Relation& relation, Callback& callback,
                      const NamedParameters& np, const Threads& threads)
 {
-  if constexpr(check_feature_search<Callback, NamedParameters, First, Second>())
+  if constexpr(check_feature_search<Relation, Callback, NamedParameters, First, Second>())
     return report_feature_pairs<Two_sets>(make_elements(first, np), make_elements(second, np),
                                           relation, callback, np, threads);
   else
