@@ -85,6 +85,13 @@ bool read_vertex(const Object& object, int v, Staged_orientation<2>::Vertex& ver
   return true;
 }
 
+// Edges that touch have vertices in common. Turns of equal points are none, and no filter says so.
+inline bool are_two_equal(const Staged_orientation<2>::Vertices<3>& vertices)
+{
+  const auto& [a, b, c] = vertices;
+  return a.x == c.x || b.x == c.x || a.x == b.x;
+}
+
 // Returns whether vertex i of an edge, vertex j of another one and vertex k of an object make a
 // left turn, a right turn or none.
 template <class Segment, class Object>
@@ -93,7 +100,8 @@ Sign orientation_of_ends(const Segment& a, int i, const Segment& b, int j, const
   Staged_orientation<2>::Vertices<3> vertices;
   if(read_vertex(a, i, vertices[0]) && read_vertex(b, j, vertices[1])
      && read_vertex(c, k, vertices[2]))
-    return orientation_of_vertices<Staged_orientation<2>>(vertices);
+    return are_two_equal(vertices) ? ZERO
+                                   : orientation_of_vertices<Staged_orientation<2>>(vertices);
   using Exact_orientation
     = Kernel_orientation<typename Common_exact_kernel<Segment, Object>::type, 2>;
   typename Exact_orientation::template Vertices<3> exact_vertices
