@@ -124,7 +124,10 @@ void print_summary(std::ostream& out, const Files& files,
     return std::count(in_pairs()[file].begin(), in_pairs()[file].end(), true);
   };
   print_name(out, "in pairs") << of_each_file(files, count_in_pairs) << " of the features\n";
-  print_name(out, "distance") << distance_in_words(options, "") << '\n';
+  if(options.overlap)
+    print_name(out, "relation") << "overlap\n";
+  else
+    print_name(out, "distance") << distance_in_words(options, "") << '\n';
   print_kernel(out, options);
   print_costs(out, seconds, ", with its outputs");
 }

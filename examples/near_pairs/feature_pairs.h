@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The search for pairs of features that are within a distance of each other, or that intersect.
+// The search for pairs of features that are within a distance of each other, or that intersect, or
+// for pairs of polygons that overlap.
 
 #ifndef NEAR_PAIRS_FEATURE_PAIRS_H
 #define NEAR_PAIRS_FEATURE_PAIRS_H

@@ -52,6 +52,8 @@ void add_scene_options(po::options_description& all, Options& options)
     ("open", po::bool_switch(&options.open), "strictly closer pairs only")
     ("closest", po::bool_switch(&options.closest),
      "the closest pair and its exact squared distance")
+    ("overlap", po::bool_switch(&options.overlap),
+     "polygons with a common point inside, not on borders")
     ("periodic", po::value<std::string>()->value_name("A,B[,C]"),
      "in a box of these sides, which repeats (3)");
   all.add(scene);
@@ -172,9 +174,9 @@ std::optional<Exact_number> parse_with_unit(Options& options)
 
 void read_distance(const po::variables_map& map, Options& options)
 {
-  if(map.count("distance") + map.count("squared-distance") + options.closest != 1)
-    throw Error("give one of --distance, --squared-distance and --closest");
-  if(options.closest) {
+  if(map.count("distance") + map.count("squared-distance") + options.closest + options.overlap != 1)
+    throw Error("give one of --distance, --squared-distance, --closest and --overlap");
+  if(options.closest || options.overlap) {
     if(options.open || options.explain)
       throw Error("--open and --explain are for the pairs within a distance");
     return;
@@ -261,6 +263,13 @@ void read_readings(const po::variables_map& map, Options& options)
       reading.skip_missing = options.skip_missing;
     options.readings.push_back(reading);
   }
+}
+
+void check_overlap(const Options& options)
+{
+  for(const std::string& file : options.files)
+    if(options.overlap && !has_features(file, options))
+      throw Error("--overlap is for the polygons of WKT and GeoJSON, and not for " + file);
 }
 
 void read_periodic(const po::variables_map& map, Options& options)
@@ -418,6 +427,7 @@ Options parse_and_check(int argc, const char* const* argv)
   read_periodic(map, options);
   read_memory(map, options);
   read_readings(map, options);
+  check_overlap(options);
   return options;
 }
 

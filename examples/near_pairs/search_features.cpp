@@ -14,6 +14,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2.h>
 #include <CGAL/Polygon_with_holes_2.h>
+#include <CGAL/interiors.h>
 #include <CGAL/tags.h>
 #include <CGAL/thick_feature_intersection_d.h>
 
@@ -22,6 +23,7 @@
 #include <cstddef>
 #include <functional>
 #include <mutex>
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -48,6 +50,14 @@ Ring ring_of(const Vertices& vertices)
   return ring;
 }
 
+Polygon polygon_of(const std::vector<Vertices>& rings)
+{
+  Polygon polygon(ring_of(rings.front()));
+  for(std::size_t hole = 1; hole < rings.size(); ++hole)
+    polygon.add_hole(ring_of(rings[hole]));
+  return polygon;
+}
+
 std::vector<Parts> parts_of(const std::vector<Feature>& features)
 {
   std::vector<Parts> all;
@@ -59,13 +69,25 @@ std::vector<Parts> parts_of(const std::vector<Feature>& features)
         points.push_back(point_of(vertex));
       parts.emplace_back(std::move(points));
     }
-    for(const std::vector<Vertices>& rings : feature.polygons) {
-      Polygon polygon(ring_of(rings.front()));
-      for(std::size_t hole = 1; hole < rings.size(); ++hole)
-        polygon.add_hole(ring_of(rings[hole]));
-      parts.emplace_back(std::move(polygon));
-    }
+    for(const std::vector<Vertices>& rings : feature.polygons)
+      parts.emplace_back(polygon_of(rings));
     all.push_back(std::move(parts));
+  }
+  return all;
+}
+
+// The polygons of the features of a file, which have nothing else.
+std::vector<std::vector<Polygon>> polygons_of(const std::vector<Feature>& features,
+                                              const std::string& file)
+{
+  std::vector<std::vector<Polygon>> all;
+  for(const Feature& feature : features) {
+    if(!feature.lines.empty())
+      throw Error(file + ": feature " + std::to_string(all.size()) + " has points or lines, and "
+                  "--overlap is for polygons");
+    all.emplace_back();
+    for(const std::vector<Vertices>& rings : feature.polygons)
+      all.back().push_back(polygon_of(rings));
   }
   return all;
 }
@@ -73,20 +95,57 @@ std::vector<Parts> parts_of(const std::vector<Feature>& features)
 // Receives each pair, and returns whether the search is to go on.
 using Pair_functor = std::function<bool(std::size_t, std::size_t)>;
 
+// Calls a functor, which several threads may do at once.
+class Locked_functor
+{
+public:
+  explicit Locked_functor(const Pair_functor& functor) : functor_(functor) {}
+
+  bool operator()(std::size_t i, std::size_t j)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return functor_(i, j);
+  }
+
+private:
+  const Pair_functor& functor_;
+  std::mutex mutex_;
+};
+
 template <class ConcurrencyTag>
 bool report_pairs_by(const std::vector<std::vector<Feature>>& files, const Exact_bound& bound,
                      const Pair_functor& functor)
 {
-  std::mutex mutex; // several threads may call
-  const auto callback = [&](std::size_t i, std::size_t j) {
-    const std::lock_guard<std::mutex> lock(mutex);
-    return functor(i, j);
-  };
+  Locked_functor callback(functor);
   const std::vector<Parts> first = parts_of(files.front());
   if(files.size() == 1)
     return CGAL::fixed_radius_near_features<ConcurrencyTag>(first, bound, callback);
   return CGAL::fixed_radius_near_features<ConcurrencyTag>(first, parts_of(files.back()), bound,
                                                           callback);
+}
+
+template <class ConcurrencyTag>
+bool report_overlaps_by(const std::vector<std::vector<Feature>>& files, const Options& options,
+                        const Pair_functor& functor)
+{
+  Locked_functor callback(functor);
+  const auto first = polygons_of(files.front(), options.files.front());
+  if(files.size() == 1)
+    return CGAL::thick_feature_self_intersection_d<ConcurrencyTag>(CGAL::interiors(first),
+                                                                   callback);
+  return CGAL::thick_feature_intersection_d<ConcurrencyTag>(
+    CGAL::interiors(first), CGAL::interiors(polygons_of(files.back(), options.files.back())),
+    callback);
+}
+
+bool report_overlaps(const std::vector<std::vector<Feature>>& files, const Options& options,
+                     const Pair_functor& functor)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if(options.parallel)
+    return report_overlaps_by<CGAL::Parallel_tag>(files, options, functor);
+#endif
+  return report_overlaps_by<CGAL::Sequential_tag>(files, options, functor);
 }
 
 // Returns false iff the search was stopped.
@@ -130,13 +189,16 @@ void search_features(const std::vector<std::vector<Feature>>& files, const Optio
     sink(i, j);
     return !stop_requested;
   };
-  if(!report_pairs(files, bound_of(options), options, add_pair))
+  if(!(options.overlap ? report_overlaps(files, options, add_pair)
+                       : report_pairs(files, bound_of(options), options, add_pair)))
     throw Error("stopped");
 }
 
 bool has_lost_ties(const std::vector<std::vector<Feature>>& files, const Options& options,
                    std::size_t pairs)
 {
+  if(options.overlap)
+    return false;
   const double excess = excess_of_longer_bound(options, rounding_in(files));
   std::size_t count = 0;
   const auto is_no_tie

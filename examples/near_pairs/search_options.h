@@ -18,6 +18,7 @@ struct Search_options
   Exact_number distance; // exactly as typed: the distance, or its square if `squared`
   bool squared = false;
   bool open = false;
+  bool overlap = false; // pairs of polygons that do, instead; there is no distance then
   bool parallel = false;
   bool progress = false;
 };

@@ -87,7 +87,7 @@ bool do_overlap(const Chain& a, const Chain& b)
 BOOST_AUTO_TEST_CASE(small_lattices)
 {
   std::size_t wrong = 0, pairs = 0;
-  for(std::uint64_t seed = 1; seed <= 120; ++seed) {
+  for(std::uint64_t seed = 1; seed <= 60; ++seed) {
     const std::int64_t side = 2 + static_cast<std::int64_t>(seed % 6);
     const Lattice_features a = any_polygons(seed, 9, side), b = any_features(seed + 500, 9, side);
     const Pairs open = pairs_of_interiors(a), mixed = pairs_of_interiors(a, true, b, false);
@@ -105,7 +105,7 @@ BOOST_AUTO_TEST_CASE(small_lattices)
     pairs += open.size() + mixed.size();
   }
   BOOST_CHECK_EQUAL(wrong, 0u);
-  BOOST_CHECK_GT(pairs, 1000u);
+  BOOST_CHECK_GT(pairs, 500u);
 }
 
 // Both polygons cross themselves where they cross each other, off the lattice. An arm of one is
