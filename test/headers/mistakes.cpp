@@ -299,8 +299,8 @@ void make_mistakes()
   // interior.
   CGAL::thick_feature_intersection_d(CGAL::interiors(polygons), CGAL::interiors(points), report);
 
-  // error: Interiors are within a distance iff the features themselves are closer: pass the ranges
-  // without interiors(), and bound.open().
+  // error: This function does not take interiors(). Two interiors are within a distance iff the
+  // closed objects are closer: pass the ranges, and bound.open().
   CGAL::fixed_radius_near_features(polygons, CGAL::interiors(polygons), bound, report);
 
   // error: The callback must take two boxes, as the iterators give them.

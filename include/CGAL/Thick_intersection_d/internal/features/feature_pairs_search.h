@@ -216,34 +216,28 @@ bool report_feature_pairs(const First& first, const Second& second, const Relati
     .search(test);
 }
 
-// Checks that the features of a range have interiors if these are asked for.
-template <class Elements, class Relation>
-constexpr bool check_interiors()
+// Checks that features that are open have an interior.
+template <class Elements>
+constexpr bool check_open_features()
 {
-  if constexpr(!Elements::are_open)
-    return true;
-  else {
-    constexpr bool have_interiors = has_interior_v<typename Elements::value_type>;
-    constexpr bool has_bound = is_bound_v<Relation>;
-    static_assert(have_interiors, "Features in interiors() must be polygons in the plane: points "
-                                  "and polylines have no interior.");
-    static_assert(!have_interiors || !has_bound,
-                  "Interiors are within a distance iff the features themselves are closer: pass "
-                  "the ranges without interiors(), and bound.open().");
-    return have_interiors && !has_bound;
-  }
+  constexpr bool have_interiors
+    = !Elements::are_open || has_interior_v<typename Elements::value_type>;
+  static_assert(have_interiors, "Features in interiors() must be polygons in the plane: points and "
+                                "polylines have no interior.");
+  return have_interiors;
 }
 
 template <class Relation, class Callback, class NamedParameters, class First, class Second>
 constexpr bool check_feature_search()
 {
-  if constexpr(check_range<First, NamedParameters>()
-               && check_range<Second, NamedParameters>()) {
+  constexpr bool may_be_open = !is_bound_v<Relation>;
+  if constexpr(check_range<First, NamedParameters, may_be_open>()
+               && check_range<Second, NamedParameters, may_be_open>()) {
     using A = Elements_of<First, NamedParameters>;
     using B = Elements_of<Second, NamedParameters>;
     if constexpr(!check_features<A, B, NamedParameters>())
       return false;
-    else if constexpr(check_interiors<A, Relation>() && check_interiors<B, Relation>())
+    else if constexpr(check_open_features<A>() && check_open_features<B>())
       return check_callback<Callback, A, B>();
     else
       return false;

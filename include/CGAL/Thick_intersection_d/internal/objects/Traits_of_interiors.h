@@ -212,7 +212,7 @@ constexpr bool are_kinds_with_interiors()
 
 // Checks that open objects have an interior, and that those beside them are of the package.
 template <class Elements, class NamedParameters>
-constexpr bool check_interiors()
+constexpr bool check_open_objects()
 {
   constexpr bool have_none = !have_interiors_v<Elements>;
   constexpr bool has_traits

@@ -242,7 +242,7 @@ bool report_object_pairs(const Elements& objects, const Sets& sets, Callback& ca
                          const NamedParameters& np, const Threads& threads)
 {
   using Object = typename Elements::value_type;
-  if constexpr(!check_interiors<Elements, NamedParameters>())
+  if constexpr(!check_open_objects<Elements, NamedParameters>())
     return false;
   else if constexpr(check_objects_and_traits<Object, NamedParameters>()) {
     check_denormals();
@@ -268,7 +268,7 @@ bool report_object_pairs(const Elements& objects, const Sets& sets, Callback& ca
                          Scene_profile& profile, const NamedParameters& np, const Threads& threads)
 {
   using Object = typename Elements::value_type;
-  if constexpr(!check_interiors<Elements, NamedParameters>())
+  if constexpr(!check_open_objects<Elements, NamedParameters>())
     return false;
   else if constexpr(check_profiled_objects<Object, NamedParameters>()) {
     check_denormals();
