@@ -6,6 +6,7 @@
 // CGAL_THICK_INTERSECTION_D_COMPILED.
 
 #include <CGAL/Thick_intersection_d/internal/features/Ring_trees.h>
+#include <CGAL/Thick_intersection_d/internal/features/Solid_trees.h>
 #include <CGAL/Thick_intersection_d/internal/meshes/mesh_triangles.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Staged_orientation.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/are_objects_near.h>
@@ -33,6 +34,7 @@ template bool do_faces_intersect<Staged_orientation<3>, 6>(Staged_orientation<3>
 
 template Sign orientation_of_vertices<Staged_orientation<2>>(
   Staged_orientation<2>::Vertices<3>&);
+template bool does_ray_cross_face<Staged_orientation<3>>(Staged_orientation<3>::Vertices<4>&);
 
 } // namespace internal
 } // namespace Thick_intersection_d

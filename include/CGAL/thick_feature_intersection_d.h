@@ -129,7 +129,7 @@ bool thick_feature_self_intersection_d(FeatureRange&& features, Callback&& callb
                                        const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
-  return internal::search_features(features, internal::Segments_intersect(), callback, np,
+  return internal::search_features(features, internal::Pieces_intersect(), callback, np,
                                    internal::Threads(ConcurrencyTag()));
 }
 
@@ -166,7 +166,7 @@ bool thick_feature_intersection_d(FeatureRangeA&& features_a, FeatureRangeB&& fe
                                   const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
-  return internal::search_features(features_a, features_b, internal::Segments_intersect(),
+  return internal::search_features(features_a, features_b, internal::Pieces_intersect(),
                                    callback, np, internal::Threads(ConcurrencyTag()));
 }
 

@@ -139,7 +139,8 @@ BOOST_AUTO_TEST_CASE(bridges_and_antennas)
     BOOST_CHECK(do_overlap(ring, large));
     BOOST_CHECK(do_overlap(large, ring));
   }
-  BOOST_CHECK(!do_overlap({{30, 10, 0}, {40, 10, 0}, {40, 15, 0}, {30, 10, 0}, {10, 10, 0}}, large));
+  BOOST_CHECK(
+    !do_overlap({{30, 10, 0}, {40, 10, 0}, {40, 15, 0}, {30, 10, 0}, {10, 10, 0}}, large));
 }
 
 // The first vertex is on an antenna in the other polygon.

@@ -30,7 +30,7 @@ using With_holes = CGAL::Polygon_with_holes_2<Epick>;
 using Bands = std::vector<With_holes>;
 using Feature = std::variant<Polyline, Bands>;
 using Features = std::vector<Feature>;
-using Segments = internal::Feature_segments<Point>;
+using Pieces = internal::Feature_pieces<Epick::Segment_2>;
 using Known = internal::Known_pairs;
 
 double looks = 0, tests = 0;
@@ -57,19 +57,20 @@ struct Counted : Objects
 // Searches the boundaries, and then the insides. Returns the number of pairs. `test` is as for
 // Feature_boundaries.
 template <class Test>
-std::size_t count_pairs(const Segments& segments, const Test& test)
+std::size_t count_pairs(const Pieces& pieces, const Test& test)
 {
   const internal::Threads one;
   Known known(one);
   std::size_t pairs = 0;
   const auto take = [&](std::size_t, std::size_t) { ++pairs; };
   internal::Unwatched_progress progress;
-  using Boundaries = internal::Feature_boundaries<Segments, Test>;
-  const Counted<Boundaries> boundaries(segments, test, known);
+  using Boundaries = internal::Feature_boundaries<Pieces, Test>;
+  const Counted<Boundaries> boundaries(pieces, test, known);
   internal::report_meeting_boxes(boundaries, internal::One_set(), take, progress, one);
-  const internal::Part_range all = {0, segments.part_count()};
-  using Insides = internal::Feature_insides<Segments, Test>;
-  const Counted<Insides> insides(segments, test, all, all, known);
+  const internal::Part_range parts = {0, pieces.part_count()};
+  const internal::Part_range filled = {0, pieces.filled_count()};
+  using Insides = internal::Feature_insides<Pieces, Test>;
+  const Counted<Insides> insides(pieces, test, parts, filled, known);
   internal::report_meeting_boxes(insides, internal::Two_sets{insides.point_count()}, take, progress,
                                  one);
   return pairs;
@@ -77,20 +78,20 @@ std::size_t count_pairs(const Segments& segments, const Test& test)
 
 void check_work(const std::string& name, const Features& features, std::size_t expected_pairs)
 {
-  Segments segments;
-  segments.add_features(features);
-  const double n = static_cast<double>(segments.size());
+  Pieces pieces;
+  pieces.add_features(features);
+  const double n = static_cast<double>(pieces.size());
   const auto check = [&](const std::string& how, const auto& test) {
     looks = tests = 0;
-    BOOST_CHECK_EQUAL(count_pairs(segments, test), expected_pairs);
+    BOOST_CHECK_EQUAL(count_pairs(pieces, test), expected_pairs);
     const double work = (looks - tests) / (n * std::log2(n));
     BOOST_TEST_MESSAGE(name << ", " << how << ", n = " << n << ": looks " << looks / n
                             << " n, tests " << tests / n << " n, work " << work);
     BOOST_CHECK_MESSAGE(work < 20, name << ", " << how << ": " << work);
     BOOST_CHECK_LT(tests, n);
   };
-  check("intersecting", internal::Segments_intersect());
-  check("near", internal::Segments_near<Epick::Segment_2>(CGAL::within_distance(1e-3)));
+  check("intersecting", internal::Pieces_intersect());
+  check("near", internal::Pieces_near<Epick::Segment_2>(CGAL::within_distance(1e-3)));
 }
 
 Polygon square(double half)
@@ -140,7 +141,7 @@ Polyline moored_track(std::size_t size, double x)
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(segments_of_one_feature_are_not_compared)
+BOOST_AUTO_TEST_CASE(pieces_of_one_feature_are_not_compared)
 {
   for(const std::size_t n : {2000, 6000}) {
     check_work("equal points", {Polyline(n, Point(1, 1)), Polyline(1, Point(5, 5))}, 0);
@@ -150,7 +151,7 @@ BOOST_AUTO_TEST_CASE(segments_of_one_feature_are_not_compared)
   }
 }
 
-BOOST_AUTO_TEST_CASE(segments_of_known_pairs_are_not_compared)
+BOOST_AUTO_TEST_CASE(pieces_of_known_pairs_are_not_compared)
 {
   for(const std::size_t n : {2000, 6000}) {
     check_work("two tracks", {moored_track(n, 0), moored_track(n, 0)}, 1);

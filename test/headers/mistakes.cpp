@@ -278,14 +278,16 @@ void make_mistakes()
   CGAL::thick_self_intersection_d(strings, report,
                                   CGAL::parameters::geom_traits(Traits_of_other_objects()));
 
-  // error: The elements of the range must be polylines or polygons: ranges of Point_2 or
-  // Point_3, Polygon_2 or Polygon_with_holes_2. For others, pass a property map to such features
-  // as point_map.
+  // error: The elements of the range must be polylines, polygons or triangle meshes: ranges of
+  // Point_2 or Point_3, Polygon_2 or Polygon_with_holes_2, models of FaceListGraph with points in
+  // space, or pairs of points and triples of indices. For others, pass a property map to such
+  // features as point_map.
   CGAL::thick_feature_self_intersection_d(projected_polygons, report);
 
-  // error: The elements of the range must be polylines or polygons: ranges of Point_2 or
-  // Point_3, Polygon_2 or Polygon_with_holes_2. For others, pass a property map to such features
-  // as point_map.
+  // error: The elements of the range must be polylines, polygons or triangle meshes: ranges of
+  // Point_2 or Point_3, Polygon_2 or Polygon_with_holes_2, models of FaceListGraph with points in
+  // space, or pairs of points and triples of indices. For others, pass a property map to such
+  // features as point_map.
   CGAL::thick_feature_self_intersection_d(boxes, report);
 
   // error: The features of the two ranges must have points of one type.

@@ -154,7 +154,7 @@ private:
   template <class Element>
   Point stored_point(Element&& element) const
   {
-    const auto& point = get(map_, element);
+    const auto& point = look_up(map_, element);
     Point stored;
     stored.id = size_ - 1;
     bool is_finite = true;

@@ -5,8 +5,8 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_FEATURE_BOUNDARIES_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_FEATURE_BOUNDARIES_H
 
-// The segments of features, as the box route reads them: two of them are a pair if they tell that
-// their features are one, and no others have told it before.
+// The pieces of the boundaries of features, as the box route reads them: two of them are a pair if
+// they tell that their features are one, and no others have told it before.
 
 #include <CGAL/Arithmetic_tier.h>
 
@@ -15,7 +15,6 @@
 #include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
 #include <CGAL/Thick_intersection_d/internal/features/Known_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
-#include <CGAL/Thick_intersection_d/internal/input/vertices.h>
 #include <CGAL/Thick_intersection_d/internal/machine/hints.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
 
@@ -25,21 +24,21 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Pairs of features that intersect. Their segments may meet where their boxes do.
-struct Segments_intersect
+// Pairs of features that intersect. Their pieces may meet where their boxes do.
+struct Pieces_intersect
 {
-  template <class Segments>
-  static bool do_meet(const Segments& segments, std::size_t i, std::size_t j)
+  template <class Pieces>
+  static bool do_meet(const Pieces& pieces, std::size_t i, std::size_t j)
   {
     Arithmetic_tier tier = Arithmetic_tier::INT64;
-    return do_objects_intersect(segments[i], segments[j], tier);
+    return do_objects_intersect(pieces[i], pieces[j], tier);
   }
 
-  // Whether a part is inside a polygon, where their boundaries do not meet.
-  template <class Segments>
-  static bool is_inside(const Segments& segments, std::size_t part, std::size_t polygon)
+  // Whether the first vertex of a part is inside what is filled, where boundaries do not meet.
+  template <class Pieces>
+  static bool is_inside(const Pieces& pieces, std::size_t part, std::size_t filled)
   {
-    return segments.is_inside(part, polygon);
+    return pieces.is_inside(part, filled);
   }
 
   static Interval grown(const Interval& interval) { return interval; }
@@ -48,35 +47,35 @@ struct Segments_intersect
   static constexpr bool takes_insides() { return true; }
 };
 
-// `Test` is like Segments_intersect.
-template <class Segments, class Test>
+// `Test` is like Pieces_intersect.
+template <class Pieces, class Test>
 class Feature_boundaries : public Objects_in_boxes
 {
 public:
-  static constexpr int static_dimension = vertex_dimension_v<typename Segments::Segment>;
+  static constexpr int static_dimension = Pieces::dimension;
 
-  Feature_boundaries(const Segments& segments, const Test& test, Known_pairs& known)
-    : segments_(segments), test_(test), known_(known)
+  Feature_boundaries(const Pieces& pieces, const Test& test, Known_pairs& known)
+    : pieces_(pieces), test_(test), known_(known)
   {}
 
-  std::size_t size() const { return segments_.size(); }
+  std::size_t size() const { return pieces_.size(); }
   int dimension() const { return static_dimension; }
 
   auto intervals(std::size_t position) const
   {
-    return [this, box = bounding_box(segments_[position])](int axis) {
+    return [this, box = bounding_box(pieces_[position])](int axis) {
       return test_.grown({(box.min)(axis), (box.max)(axis)});
     };
   }
 
-  void prefetch(std::size_t position) const { prefetch_to_read(&segments_[position]); }
+  void prefetch(std::size_t position) const { prefetch_to_read(&pieces_[position]); }
 
-  // The segments of a feature are a group. To look for a pair takes less time than most tests do.
+  // The pieces of a feature are a group. To look for a pair takes less time than most tests do.
   static constexpr bool have_groups = true;
-  Place group_of(std::size_t position) const { return segments_.feature_of(position); }
+  Place group_of(std::size_t position) const { return pieces_.feature_of(position); }
   bool is_wanted(std::size_t i, std::size_t j) const
   {
-    const Place a = segments_.feature_of(i), b = segments_.feature_of(j);
+    const Place a = pieces_.feature_of(i), b = pieces_.feature_of(j);
     return a != b && !known_.has(a, b);
   }
 
@@ -84,12 +83,12 @@ public:
   // is outside, and grows by the answers.
   bool do_intersect(std::size_t i, std::size_t j) const
   {
-    return test_.do_meet(segments_, i, j)
-           && known_.add(segments_.feature_of(i), segments_.feature_of(j));
+    return test_.do_meet(pieces_, i, j)
+           && known_.add(pieces_.feature_of(i), pieces_.feature_of(j));
   }
 
 private:
-  const Segments& segments_;
+  const Pieces& pieces_;
   const Test& test_;
   Known_pairs& known_;
 };

@@ -127,10 +127,10 @@ auto crossing_of(const Segment& a, const Segment& b)
 
 // The second part is open as well, or closed. The test of segments, as Feature_boundaries asks it,
 // and of first vertices, as Feature_insides does. Several threads ask at once.
-template <class Segments, bool is_first_open, bool is_second_open>
+template <class Pieces, bool is_first_open, bool is_second_open>
 class Interiors_overlap
 {
-  using Segment = typename Segments::Segment;
+  using Segment = typename Pieces::Segment;
   static constexpr bool are_both_open = is_first_open && is_second_open;
 
 public:
@@ -140,36 +140,37 @@ public:
   static constexpr bool takes_insides() { return true; }
 
   // Whether two segments show that their features are a pair.
-  bool do_meet(const Segments& segments, std::size_t i, std::size_t j) const
+  bool do_meet(const Pieces& pieces, std::size_t i, std::size_t j) const
   {
     const auto [a, b] = open_first(i, j);
-    const Place part_a = segments.part_of(a), part_b = segments.part_of(b);
-    const Edge_contact contact = contact_of(segments[a], segments[b]);
+    const Place part_a = pieces.part_of(a), part_b = pieces.part_of(b);
+    const Edge_contact contact = contact_of(pieces[a], pieces[b]);
     const auto do_overlap = [&](const auto& point, bool is_vertex) {
-      return do_overlap_at(segments, point, {part_a, a, is_vertex}, {part_b, b, is_vertex});
+      return do_overlap_at(pieces, point, {part_a, a, is_vertex}, {part_b, b, is_vertex});
     };
     if(contact.is_crossing)
-      return are_plain(segments, {part_a, a, false}, {part_b, b, false})
-             || do_overlap(crossing_of(segments[a], segments[b]), false);
-    return (contact.is_source_a && do_overlap(segments[a], true))
-           || (contact.is_source_b && do_overlap(segments[b], true));
+      return are_plain(pieces, {part_a, a, false}, {part_b, b, false})
+             || do_overlap(crossing_of(pieces[a], pieces[b]), false);
+    return (contact.is_source_a && do_overlap(pieces[a], true))
+           || (contact.is_source_b && do_overlap(pieces[b], true));
   }
 
   // Whether the first vertex of a part is inside of a polygon and shows that they are a pair.
-  bool is_inside(const Segments& segments, std::size_t part, std::size_t polygon) const
+  bool is_inside(const Pieces& pieces, std::size_t part, std::size_t filled) const
   {
+    const Place polygon = pieces.filled(filled).part;
     const auto at = [&](std::size_t position) {
-      return Part_at_point{static_cast<Place>(position), segments.part(position).first_segment,
+      return Part_at_point{static_cast<Place>(position), pieces.part(position).piece,
                            false};
     };
-    const Segment& point = segments[segments.part(part).first_segment];
+    const Segment& point = pieces[pieces.part(part).piece];
     Arms<Segment> arms;
     const Part_at_point place = at(polygon);
-    const Part_near_point<Segments, Segment> near(segments, point, place, true, arms);
+    const Part_near_point<Pieces, Segment> near(pieces, point, place, true, arms);
     if(!near.is_inside() || near.has_point())
       return false;
     const auto [a, b] = open_first(part, polygon);
-    return do_overlap_at(segments, point, at(a), at(b));
+    return do_overlap_at(pieces, point, at(a), at(b));
   }
 
 private:
@@ -181,32 +182,32 @@ private:
   }
 
   template <class Object>
-  bool do_overlap_at(const Segments& segments, const Object& point, const Part_at_point& a,
+  bool do_overlap_at(const Pieces& pieces, const Object& point, const Part_at_point& a,
                      const Part_at_point& b) const
   {
-    const Local_answer answer = find_local_overlap<are_both_open>(segments, point, a, b);
+    const Local_answer answer = find_local_overlap<are_both_open>(pieces, point, a, b);
     return answer == Local_answer::OVERLAP
-           || (answer == Local_answer::ANTENNA && do_overlap_at_vertices(segments, a.part, b.part));
+           || (answer == Local_answer::ANTENNA && do_overlap_at_vertices(pieces, a.part, b.part));
   }
 
   // Asks about all vertices of two parts, once for two parts.
-  bool do_overlap_at_vertices(const Segments& segments, Place a, Place b) const
+  bool do_overlap_at_vertices(const Pieces& pieces, Place a, Place b) const
   {
     if(!searched_.add(a, b))
       return false;
     const auto is_any = [&](Place part, const auto& do_overlap) {
-      for(Place segment = segments.part(part).first_segment;
-          segment != segments.last_segment(part); ++segment)
+      for(Place segment = pieces.part(part).piece;
+          segment != pieces.last_segment(part); ++segment)
         if(do_overlap(segment) == Local_answer::OVERLAP)
           return true;
       return false;
     };
     return is_any(a, [&](Place segment) {
-             return find_local_overlap<are_both_open>(segments, segments[segment],
+             return find_local_overlap<are_both_open>(pieces, pieces[segment],
                                                       {a, segment, true}, {b, 0, false});
            })
            || (are_both_open && is_any(b, [&](Place segment) {
-                 return find_local_overlap<are_both_open>(segments, segments[segment],
+                 return find_local_overlap<are_both_open>(pieces, pieces[segment],
                                                           {a, 0, false}, {b, segment, true});
                }));
   }
@@ -214,17 +215,17 @@ private:
   // Whether two parts whose edges cross have no other edges at the point where they do. Then each
   // is on one side of its edge there, so they overlap. If the second part is closed, its edge is
   // enough.
-  static bool are_plain(const Segments& segments, const Part_at_point& a, const Part_at_point& b)
+  static bool are_plain(const Pieces& pieces, const Part_at_point& a, const Part_at_point& b)
   {
-    const Bbox_2 box_a = bounding_box(segments[a.segment]),
-                 box_b = bounding_box(segments[b.segment]);
+    const Bbox_2 box_a = bounding_box(pieces[a.segment]),
+                 box_b = bounding_box(pieces[b.segment]);
     const Bbox_2 box((std::max)(box_a.xmin(), box_b.xmin()), (std::max)(box_a.ymin(), box_b.ymin()),
                      (std::min)(box_a.xmax(), box_b.xmax()),
                      (std::min)(box_a.ymax(), box_b.ymax()));
     const auto is_alone = [&](const Part_at_point& place, Place other) {
-      return !segments.is_any_in_box(box, place.part, [&](Place segment) {
-        return segment != place.segment && do_overlap(box, bounding_box(segments[segment]))
-               && may_cross_both(segments[segment], segments[place.segment], segments[other]);
+      return !pieces.is_any_in_box(box, place.part, [&](Place segment) {
+        return segment != place.segment && do_overlap(box, bounding_box(pieces[segment]))
+               && may_cross_both(pieces[segment], pieces[place.segment], pieces[other]);
       });
     };
     return is_alone(a, b.segment) && (!are_both_open || is_alone(b, a.segment));

@@ -100,7 +100,7 @@ bool is_arm_before(const Arm<Segment>& a, const Arm<Segment>& b, const Object& p
            : orientation_of_ends(*a.edge, a.end, *b.edge, b.end, point, 0) == LEFT_TURN;
 }
 
-// A part of a feature at a point, by one of its segments. If the point is on the boundaries of two
+// A part of a feature at a point, by one of its pieces. If the point is on the boundaries of two
 // parts, and a vertex of one of them, each two of their segments ask about it, and one of these
 // times is enough. The segment that asks must come before others that begin there, or, if it only
 // goes through the point, before all others.
@@ -112,24 +112,24 @@ struct Part_at_point
 };
 
 // What a part of a feature is at a point.
-template <class Segments, class Object>
+template <class Pieces, class Object>
 class Part_near_point
 {
-  using Segment = typename Segments::Segment;
+  using Segment = typename Pieces::Segment;
 
 public:
   // Adds the arms of the part.
-  Part_near_point(const Segments& segments, const Object& point, const Part_at_point& place,
+  Part_near_point(const Pieces& pieces, const Object& point, const Part_at_point& place,
                   bool is_second, Arms<Segment>& arms)
-    : segments_(segments), point_(point), place_(place), is_second_(is_second), arms_(arms)
+    : pieces_(pieces), point_(point), place_(place), is_second_(is_second), arms_(arms)
   {
-    if(segments.is_polygon(place.part))
-      is_inside_ = segments.is_inside_beside(
+    if(pieces.is_polygon(place.part))
+      is_inside_ = pieces.is_inside_beside(
         point, place.part, [this](Place segment) { return does_cross(segment); },
         [this] { return is_asked_by_other_; });
     else
       for(int side = 0; side < 2; ++side) // a polyline goes on, and both sides are outside of it
-        add_arm(segments[place.segment], 1);
+        add_arm(pieces[place.segment], 1);
   }
 
   // Whether another segment asks. Then nothing else is known.
@@ -144,13 +144,13 @@ public:
 private:
   bool does_cross(Place segment)
   {
-    const Segment& edge = segments_[segment];
+    const Segment& edge = pieces_[segment];
     if(!is_point_on(point_, edge))
       return does_ray_cross(point_, edge);
     has_point_ = true;
     const bool begins = !add_arm(edge, 0), ends = !add_arm(edge, 1);
     if(place_.is_first_asked && segment != place_.segment && !ends) {
-      const bool asker_begins = is_vertex_at(segments_[place_.segment], 0, point_);
+      const bool asker_begins = is_vertex_at(pieces_[place_.segment], 0, point_);
       if(begins == asker_begins ? segment < place_.segment : begins)
         is_asked_by_other_ = true;
     }
@@ -166,7 +166,7 @@ private:
     return true;
   }
 
-  const Segments& segments_;
+  const Pieces& pieces_;
   const Object& point_;
   const Part_at_point& place_;
   const bool is_second_;
@@ -215,18 +215,18 @@ Local_answer overlap_of_arms(Arms<Segment>& arms, std::array<bool, 2> are_inside
 
 // Returns whether the interior of a polygon meets a part near a point of the part, or its interior
 // if it is open as well.
-template <bool is_second_open, class Segments, class Object>
-Local_answer find_local_overlap(const Segments& segments, const Object& point,
+template <bool is_second_open, class Pieces, class Object>
+Local_answer find_local_overlap(const Pieces& pieces, const Object& point,
                                 const Part_at_point& a, const Part_at_point& b)
 {
-  using Near = Part_near_point<Segments, Object>;
-  Arms<typename Segments::Segment> arms;
-  const Near near_a(segments, point, a, false, arms);
+  using Near = Part_near_point<Pieces, Object>;
+  Arms<typename Pieces::Segment> arms;
+  const Near near_a(pieces, point, a, false, arms);
   if(near_a.is_asked_by_other())
     return Local_answer::NOTHING;
   if(!is_second_open && near_a.is_inside() && !near_a.has_point())
     return Local_answer::OVERLAP;
-  const Near near_b(segments, point, b, true, arms);
+  const Near near_b(pieces, point, b, true, arms);
   if(near_b.is_asked_by_other())
     return Local_answer::NOTHING;
   return overlap_of_arms<is_second_open>(arms, {near_a.is_inside(), near_b.is_inside()}, point);

@@ -16,6 +16,7 @@
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
+#include <CGAL/Thick_intersection_d/internal/features/Halved_range.h>
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/vertices.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Kernel_orientation.h>
@@ -133,18 +134,17 @@ public:
   Place add_tree(Place first, Place last)
   {
     const std::size_t root = boxes_.size();
+    const Halved_range chain = {static_cast<Place>(root), first, last};
     boxes_.emplace_back();
-    if(last - first <= leaf_size)
+    if(chain.is_leaf())
       for(Place segment = first; segment != last; ++segment)
         boxes_[root] += bounding_box(segments_[segment]);
     else {
-      const Chain chain = {static_cast<Place>(root), first, last};
-      const Place middle = middle_of(chain);
-      add_tree(first, middle);
-      const Place second = add_tree(middle, last);
+      add_tree(first, chain.middle());
+      const Place second = add_tree(chain.middle(), last);
       boxes_[root] = boxes_[root + 1] + boxes_[second];
     }
-    return static_cast<Place>(root);
+    return chain.node;
   }
 
   // The box of a tree.
@@ -180,44 +180,8 @@ public:
   }
 
 private:
-  static constexpr Place leaf_size = 16;
-
-  // Some consecutive segments, and the node with their box. The node of the first half follows.
-  struct Chain
-  {
-    Place node;
-    Place first;
-    Place last;
-  };
-
-  // The first half has a power of two of leaves, so its tree has one node less than twice as many.
-  static Place leaves_of_first_half(const Chain& chain)
-  {
-    const Place leaves = (chain.last - chain.first + leaf_size - 1) / leaf_size;
-    Place half = 1;
-    while(2 * half < leaves)
-      half *= 2;
-    return half;
-  }
-
-  static Place middle_of(const Chain& chain)
-  {
-    return chain.first + leaf_size * leaves_of_first_half(chain);
-  }
-
-  static bool is_leaf(const Chain& chain) { return chain.last - chain.first <= leaf_size; }
-
-  static Chain first_half(const Chain& chain)
-  {
-    return {chain.node + 1, chain.first, middle_of(chain)};
-  }
-  static Chain second_half(const Chain& chain)
-  {
-    return {chain.node + 2 * leaves_of_first_half(chain), middle_of(chain), chain.last};
-  }
-
   template <class Ray, class Function, class Done>
-  bool is_crossed_odd(const Ray& ray, const Chain& chain, const Function& does_cross,
+  bool is_crossed_odd(const Ray& ray, const Halved_range& chain, const Function& does_cross,
                       const Done& is_done) const
   {
     const Bbox_2& box = boxes_[chain.node];
@@ -227,10 +191,10 @@ private:
       return false;
     if(x.second < box.xmin())
       return are_ends_apart(ray, chain);
-    if(!is_leaf(chain)) {
-      const bool is_odd = is_crossed_odd(ray, first_half(chain), does_cross, is_done);
+    if(!chain.is_leaf()) {
+      const bool is_odd = is_crossed_odd(ray, chain.first_half(), does_cross, is_done);
       return !is_done()
-             && is_odd != is_crossed_odd(ray, second_half(chain), does_cross, is_done);
+             && is_odd != is_crossed_odd(ray, chain.second_half(), does_cross, is_done);
     }
     bool is_odd = false;
     for(Place segment = chain.first; segment != chain.last && !is_done(); ++segment)
@@ -239,13 +203,13 @@ private:
   }
 
   template <class Function>
-  bool is_any_in(const Bbox_2& box, const Chain& chain, const Function& is_wanted) const
+  bool is_any_in(const Bbox_2& box, const Halved_range& chain, const Function& is_wanted) const
   {
     if(!do_overlap(box, boxes_[chain.node]))
       return false;
-    if(!is_leaf(chain))
-      return is_any_in(box, first_half(chain), is_wanted)
-             || is_any_in(box, second_half(chain), is_wanted);
+    if(!chain.is_leaf())
+      return is_any_in(box, chain.first_half(), is_wanted)
+             || is_any_in(box, chain.second_half(), is_wanted);
     for(Place segment = chain.first; segment != chain.last; ++segment)
       if(is_wanted(segment))
         return true;
@@ -255,7 +219,7 @@ private:
   // Whether an odd number of the ends of chains are above the ray. If the segments are of several
   // rings, they are the last chain of a ring, whole rings, and the first chain of another ring.
   template <class Ray>
-  bool are_ends_apart(const Ray& ray, const Chain& chain) const
+  bool are_ends_apart(const Ray& ray, const Halved_range& chain) const
   {
     const auto is_above
       = [&](Place segment, int v) { return is_above_ray(segments_[segment], v, ray); };

@@ -5,17 +5,25 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_FEATURE_KINDS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_FEATURE_KINDS_H
 
-// What a feature is: a point, a polyline, which is a range of points, or a polygon, with holes or
-// without. A variant of features is a feature, and so is a range of them, which is their union.
+// What a feature is: a point, a polyline, which is a range of points, a polygon, with holes or
+// without, or a triangle mesh. A variant of features is a feature, and so is a range of them, which
+// is their union.
 
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/Point_2.h>
 #include <CGAL/Point_3.h>
 #include <CGAL/Polygon_2.h>
 #include <CGAL/Polygon_with_holes_2.h>
+#include <CGAL/Polyhedron_3_fwd.h>
+#include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
+#include <CGAL/boost/graph/properties.h>
 
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/input/base_kind.h>
+#include <CGAL/Thick_intersection_d/internal/input/kinds.h>
 #include <CGAL/Thick_intersection_d/internal/input/vertices.h>
+
+#include <boost/property_map/property_map.hpp>
 
 #include <iterator>
 #include <type_traits>
@@ -26,18 +34,25 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// The polygon that a class derives from; other classes are their own kinds, or points.
+// The polygon or mesh that a class derives from; other classes are their own kinds, or points.
 template <class Kernel, class Container>
-Named_type<Polygon_2<Kernel, Container>> polygon_of(const Polygon_2<Kernel, Container>*);
+Named_type<Polygon_2<Kernel, Container>> feature_of(const Polygon_2<Kernel, Container>*);
 template <class Kernel, class Container>
 Named_type<Polygon_with_holes_2<Kernel, Container>>
-polygon_of(const Polygon_with_holes_2<Kernel, Container>*);
+feature_of(const Polygon_with_holes_2<Kernel, Container>*);
+template <class Point>
+Named_type<Surface_mesh<Point>> feature_of(const Surface_mesh<Point>*);
+template <class Traits, class Items, template <class, class, class> class Hds, class Alloc>
+Named_type<Polyhedron_3<Traits, Items, Hds, Alloc>>
+feature_of(const Polyhedron_3<Traits, Items, Hds, Alloc>*);
+template <class Points, class Triples>
+Named_type<std::pair<Points, Triples>> feature_of(const std::pair<Points, Triples>*);
 
 template <class Feature, class = void>
 struct Feature_kind : Named_type<Kind_t<Feature>> {};
 template <class Feature>
-struct Feature_kind<Feature, std::void_t<decltype(polygon_of(std::declval<const Feature*>()))>>
-  : decltype(polygon_of(std::declval<const Feature*>())) {};
+struct Feature_kind<Feature, std::void_t<decltype(feature_of(std::declval<const Feature*>()))>>
+  : decltype(feature_of(std::declval<const Feature*>())) {};
 template <class Feature>
 using Feature_kind_t = typename Feature_kind<Feature>::type;
 
@@ -65,52 +80,107 @@ template <class Feature>
 inline constexpr bool is_range_v
   = Is_range<const Feature>::value && !is_polygon_v<Feature_kind_t<Feature>>;
 
-// The type of the points of a feature, or void for what is no feature.
-template <class Feature, class = void>
-struct Feature_point
-{
-  using type = void;
-};
+// ---- meshes -------------------------------------------------------------------------------------
+
+// The kind of the points of a model of FaceListGraph that has points, or void for other types.
+template <class Mesh, class = void>
+struct Mesh_point : Named_type<void> {};
+template <class Mesh>
+struct Mesh_point<Mesh, std::enable_if_t<graph_has_property<Mesh, boost::vertex_point_t>::value>>
+  : Named_type<Base_kind_t<typename boost::property_traits<
+      typename boost::property_map<Mesh, boost::vertex_point_t>::const_type>::value_type>> {};
+
+// The same of a pair of points, and of triples of their indices.
+template <class Soup, class = void>
+struct Soup_point : Named_type<void> {};
+template <class Points, class Triples>
+struct Soup_point<std::pair<Points, Triples>,
+                  std::enable_if_t<Is_range<const Points>::value && std::is_integral_v<
+                                     Element_of_range<Element_of_range<Triples>>>>>
+  : Named_type<Base_kind_t<Element_of_range<Points>>> {};
+
 template <class Feature>
-using Feature_point_t = typename Feature_point<Feature>::type;
+inline constexpr bool is_mesh_v = !std::is_void_v<typename Mesh_point<Feature>::type>;
+template <class Feature>
+inline constexpr bool is_soup_v = !std::is_void_v<typename Soup_point<Feature>::type>;
+
+// The faces of meshes whose points are in space.
+template <class Point>
+struct Face_at : Named_type<void> {};
+template <class Kernel>
+struct Face_at<Point_3<Kernel>> : Named_type<typename Kernel::Triangle_3> {};
+
+// ---- pieces -------------------------------------------------------------------------------------
+
+// The points of pieces: segments, triangles in space, or variants of both.
+template <class Object>
+using Piece_point = Vertex_t<typename Kinds<Object>::First>;
+
+// The type that holds pieces of both types, or void if they have no points of one type.
+template <class A, class B>
+constexpr auto common_piece()
+{
+  if constexpr(std::is_same_v<A, B>)
+    return Named_type<A>();
+  else if constexpr(std::is_void_v<A> || std::is_void_v<B>)
+    return Named_type<void>();
+  else if constexpr(std::is_same_v<Piece_point<A>, Piece_point<B>>) {
+    using Kernel = typename Kernel_traits<Piece_point<A>>::Kernel;
+    return Named_type<std::variant<typename Kernel::Segment_3, typename Kernel::Triangle_3>>();
+  }
+  else
+    return Named_type<void>();
+}
+template <class A, class B>
+using Common_piece = typename decltype(common_piece<A, B>())::type;
+
+// Returns a piece that is a face as such.
+template <class Object>
+const auto& as_face(const Object& piece)
+{
+  if constexpr(is_variant_v<Object>)
+    return *std::get_if<1>(&piece);
+  else
+    return piece;
+}
+
+// The type of the pieces of the boundary of a feature, or void for what is no feature.
+template <class Feature, class = void>
+struct Feature_piece : Named_type<void> {};
+template <class Feature>
+using Feature_piece_t = typename Feature_piece<Feature>::type;
 
 template <class Kernel>
-struct Feature_point<Point_2<Kernel>>
-{
-  using type = Point_2<Kernel>;
-};
+struct Feature_piece<Point_2<Kernel>> : Named_type<typename Kernel::Segment_2> {};
 template <class Kernel>
-struct Feature_point<Point_3<Kernel>>
-{
-  using type = Point_3<Kernel>;
-};
+struct Feature_piece<Point_3<Kernel>> : Named_type<typename Kernel::Segment_3> {};
 // Polygons of projected points are none: their points are in space.
 template <class Kernel, class Container>
-struct Feature_point<Polygon_2<Kernel, Container>>
-{
-  using Point = typename Kernel::Point_2;
-  using type = std::conditional_t<Ambient_dimension<Point>::value == 2, Point, void>;
-};
+struct Feature_piece<Polygon_2<Kernel, Container>>
+  : Named_type<std::conditional_t<Ambient_dimension<typename Kernel::Point_2>::value == 2,
+                                  typename Kernel::Segment_2, void>> {};
 template <class Kernel, class Container>
-struct Feature_point<Polygon_with_holes_2<Kernel, Container>>
-  : Feature_point<Polygon_2<Kernel, Container>>
-{};
+struct Feature_piece<Polygon_with_holes_2<Kernel, Container>>
+  : Feature_piece<Polygon_2<Kernel, Container>> {};
+template <class Feature>
+struct Feature_piece<std::variant<Feature>> : Feature_piece<Feature> {};
 template <class First, class... Others>
-struct Feature_point<std::variant<First, Others...>>
-{
-  static constexpr bool is_one_type
-    = (std::is_same_v<Feature_point_t<First>, Feature_point_t<Others>> && ...);
-  using type = std::conditional_t<is_one_type, Feature_point_t<First>, void>;
-};
+struct Feature_piece<std::variant<First, Others...>>
+  : Named_type<Common_piece<Feature_piece_t<First>, Feature_piece_t<std::variant<Others...>>>> {};
 template <class Feature>
-struct Feature_point<Feature, std::enable_if_t<is_range_v<Feature>>>
-  : Feature_point<Element_of_range<Feature>>
-{};
+struct Feature_piece<Feature, std::enable_if_t<is_mesh_v<Feature>>>
+  : Face_at<typename Mesh_point<Feature>::type> {};
 template <class Feature>
-struct Feature_point<Feature, std::enable_if_t<!is_range_v<Feature> && !std::is_same_v<
-                                Feature_kind_t<Feature>, Feature>>>
-  : Feature_point<Feature_kind_t<Feature>>
-{};
+struct Feature_piece<Feature, std::enable_if_t<is_soup_v<Feature>>>
+  : Face_at<typename Soup_point<Feature>::type> {};
+template <class Feature>
+struct Feature_piece<Feature, std::enable_if_t<is_range_v<Feature>>>
+  : Feature_piece<Element_of_range<Feature>> {};
+template <class Feature>
+struct Feature_piece<
+  Feature, std::enable_if_t<!is_range_v<Feature> && !is_mesh_v<Feature>
+                            && !std::is_same_v<Feature_kind_t<Feature>, Feature>>>
+  : Feature_piece<Feature_kind_t<Feature>> {};
 
 // Whether all features of a type have an interior: polygons, and unions of them.
 template <class Feature, class = void>
@@ -123,8 +193,8 @@ template <class Feature>
 inline constexpr bool has_interior_v<Feature, std::enable_if_t<is_range_v<Feature>>>
   = has_interior_v<Element_of_range<Feature>>;
 
-// Hands the parts of a feature to `parts`, by add_polyline(first, last), add_polygon(polygon) and
-// add_polygon_with_holes(polygon).
+// Hands the parts of a feature to `parts`, by add_polyline(first, last), add_polygon(polygon),
+// add_polygon_with_holes(polygon) and add_mesh(mesh).
 template <class Feature, class Parts>
 void add_parts(const Feature& feature, Parts& parts)
 {
@@ -135,6 +205,10 @@ void add_parts(const Feature& feature, Parts& parts)
     parts.add_polygon(feature);
   else if constexpr(is_polygon_with_holes_v<Kind>)
     parts.add_polygon_with_holes(feature);
+  else if constexpr(is_mesh_v<Feature>)
+    parts.add_mesh(feature);
+  else if constexpr(is_mesh_v<Kind> || is_soup_v<Kind>)
+    parts.add_mesh(static_cast<const Kind&>(feature));
   else if constexpr(is_variant_v<Feature>)
     std::visit([&](const auto& alternative) { add_parts(alternative, parts); }, feature);
   else if constexpr(Vertex_count<Feature_kind_t<Element_of_range<Feature>>>::value == 1)

@@ -6,8 +6,8 @@
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_FEATURE_PAIRS_SEARCH_H
 
 // The searches behind thick_feature_self_intersection_d(), thick_feature_intersection_d() and
-// fixed_radius_near_features(): the segments of all features take the box route, and then the first
-// vertices of features and the polygons that these may be inside.
+// fixed_radius_near_features(): the pieces of all boundaries take the box route, and then the first
+// vertices of parts and the polygons and solids that these may be inside.
 
 #include <CGAL/Arithmetic_tier.h>
 #include <CGAL/Distance_bound.h>
@@ -17,7 +17,7 @@
 #include <CGAL/Thick_intersection_d/internal/boxes/box_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/features/Feature_boundaries.h>
 #include <CGAL/Thick_intersection_d/internal/features/Feature_insides.h>
-#include <CGAL/Thick_intersection_d/internal/features/Feature_segments.h>
+#include <CGAL/Thick_intersection_d/internal/features/Feature_pieces.h>
 #include <CGAL/Thick_intersection_d/internal/features/Interiors_overlap.h>
 #include <CGAL/Thick_intersection_d/internal/features/Known_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/features/feature_kinds.h>
@@ -38,41 +38,43 @@ namespace Thick_intersection_d {
 namespace internal {
 
 template <class Elements>
-using Point_of_features = Feature_point_t<typename Elements::value_type>;
+using Piece_of_features = Feature_piece_t<typename Elements::value_type>;
 
 // Checks the features of one range, or of two.
 template <class First, class Second, class NamedParameters>
 constexpr bool check_features()
 {
-  using Point = Point_of_features<First>;
-  constexpr bool are_features
-    = !std::is_void_v<Point> && !std::is_void_v<Point_of_features<Second>>;
-  constexpr bool are_alike = !are_features || std::is_same_v<Point, Point_of_features<Second>>;
-  static_assert(are_features, "The elements of the range must be polylines or polygons: ranges "
-                              "of Point_2 or Point_3, Polygon_2 or Polygon_with_holes_2. For "
-                              "others, pass a property map to such features as point_map.");
+  using A = Piece_of_features<First>;
+  using B = Piece_of_features<Second>;
+  constexpr bool are_features = !std::is_void_v<A> && !std::is_void_v<B>;
+  constexpr bool are_alike = !are_features || !std::is_void_v<Common_piece<A, B>>;
+  static_assert(are_features, "The elements of the range must be polylines, polygons or triangle "
+                              "meshes: ranges of Point_2 or Point_3, Polygon_2 or "
+                              "Polygon_with_holes_2, models of FaceListGraph with points in space, "
+                              "or pairs of points and triples of indices. For others, pass a "
+                              "property map to such features as point_map.");
   static_assert(are_alike, "The features of the two ranges must have points of one type.");
   if constexpr(are_features && are_alike)
-    return check_no_traits<Point, NamedParameters>();
+    return check_no_traits<Piece_point<A>, NamedParameters>();
   else
     return false;
 }
 
 // Pairs of features that are within a bound. If one is inside the other, their distance is zero.
-template <class Segment>
-class Segments_near : public Segments_intersect
+template <class Object>
+class Pieces_near : public Pieces_intersect
 {
 public:
   template <class NT>
-  explicit Segments_near(const Distance_bound<NT>& bound)
+  explicit Pieces_near(const Distance_bound<NT>& bound)
     : are_near_(bound, Arithmetic_tier::INT64, nullptr),
       takes_zero_(!bound.is_open() || bound.value() != NT(0))
   {}
 
-  template <class Segments>
-  bool do_meet(const Segments& segments, std::size_t i, std::size_t j) const
+  template <class Pieces>
+  bool do_meet(const Pieces& pieces, std::size_t i, std::size_t j) const
   {
-    return are_near_(segments[i], segments[j]);
+    return are_near_(pieces[i], pieces[j]);
   }
 
   // Two intervals meet if their distance is at most the reach.
@@ -81,30 +83,30 @@ public:
   bool takes_insides() const { return takes_zero_; }
 
 private:
-  const Are_objects_near<Segment> are_near_;
+  const Are_objects_near<Object> are_near_;
   const bool takes_zero_;
 };
 
-// The test of segments for features that intersect, or that are within a bound, or whose interiors
-// do in one range or in both.
-template <class Segments, class Relation, bool is_first_open, bool is_second_open>
-struct Segment_test
+// The test of pieces for features that intersect, or that are within a bound, or whose interiors do
+// in one range or in both.
+template <class Pieces, class Relation, bool is_first_open, bool is_second_open>
+struct Piece_test
 {
-  using type = Interiors_overlap<Segments, is_first_open, is_second_open>;
+  using type = Interiors_overlap<Pieces, is_first_open, is_second_open>;
 };
-template <class Segments>
-struct Segment_test<Segments, Segments_intersect, false, false>
+template <class Pieces>
+struct Piece_test<Pieces, Pieces_intersect, false, false>
 {
-  using type = Segments_intersect;
+  using type = Pieces_intersect;
 };
-template <class Segments, class NT>
-struct Segment_test<Segments, Distance_bound<NT>, false, false>
+template <class Pieces, class NT>
+struct Piece_test<Pieces, Distance_bound<NT>, false, false>
 {
-  using type = Segments_near<typename Segments::Segment>;
+  using type = Pieces_near<typename Pieces::value_type>;
 };
 
 template <class Test, class Relation>
-Test make_segment_test(const Relation& relation, [[maybe_unused]] const Threads& threads)
+Test make_piece_test(const Relation& relation, [[maybe_unused]] const Threads& threads)
 {
   if constexpr(std::is_constructible_v<Test, const Relation&>)
     return Test(relation);
@@ -112,57 +114,62 @@ Test make_segment_test(const Relation& relation, [[maybe_unused]] const Threads&
     return Test(threads);
 }
 
-// Where the second range begins, in the numberings of features, parts and segments. If there is one
-// range, this is at zero.
+// Where the second range begins, in the numberings of features, parts, filled ones and pieces. If
+// there is one range, this is at zero.
 struct Feature_ranges
 {
   std::size_t features = 0;
   std::size_t parts = 0;
-  std::size_t segments = 0;
+  std::size_t filled = 0;
+  std::size_t pieces = 0;
 };
 
-template <class Sets, class Segments, class Report, class Progress>
+template <class Sets, class Pieces, class Report, class Progress>
 class Feature_search
 {
 public:
-  Feature_search(const Segments& segments, const Feature_ranges& second, Report& report,
+  Feature_search(const Pieces& pieces, const Feature_ranges& second, Report& report,
                  Progress& progress, const Threads& threads)
-    : segments_(segments), second_(second), report_(report), progress_(progress),
-      threads_(threads), known_(threads)
+    : pieces_(pieces), second_(second), report_(report), progress_(progress), threads_(threads),
+      known_(threads)
   {}
 
-  // Reports the pairs of features whose segments pass the test, and then those of which one is
-  // inside the other. Returns false iff the search was stopped.
+  // Reports the pairs of features whose pieces pass the test, and then those of which one is inside
+  // the other. Returns false iff the search was stopped.
   template <class Test>
   bool search(const Test& test)
   {
-    const Feature_boundaries<Segments, Test> boundaries(segments_, test, known_);
+    const Feature_boundaries<Pieces, Test> boundaries(pieces_, test, known_);
     Sets sets = {};
     if constexpr(Sets::are_two)
-      sets.first_size = second_.segments;
+      sets.first_size = second_.pieces;
     const auto take = [&](std::size_t i, std::size_t j) {
-      return put(segments_.feature_of(i), segments_.feature_of(second_.segments + j));
+      return put(pieces_.feature_of(i), pieces_.feature_of(second_.pieces + j));
     };
     return report_meeting_boxes(boundaries, sets, take, progress_, threads_)
-           && (segments_.polygon_count() == 0 || !test.takes_insides() || search_insides(test));
+           && (pieces_.filled_count() == 0 || !test.takes_insides() || search_insides(test));
   }
 
 private:
   template <class Test>
   bool search_insides(const Test& test)
   {
-    const Part_range first = {0, second_.parts}, last = {second_.parts, segments_.part_count()};
+    const Part_range first_parts = {0, second_.parts};
+    const Part_range first_filled = {0, second_.filled};
+    const Part_range last_parts = {second_.parts, pieces_.part_count()};
+    const Part_range last_filled = {second_.filled, pieces_.filled_count()};
     if constexpr(Sets::are_two)
-      return search_insides(test, first, last) && search_insides(test, last, first);
+      return search_insides(test, first_parts, last_filled)
+             && search_insides(test, last_parts, first_filled);
     else
-      return search_insides(test, last, last);
+      return search_insides(test, last_parts, last_filled);
   }
 
   template <class Test>
-  bool search_insides(const Test& test, const Part_range& points, const Part_range& parts)
+  bool search_insides(const Test& test, const Part_range& parts, const Part_range& filled)
   {
-    if constexpr(Segments::dimension == 2) {
-      const Feature_insides<Segments, Test> insides(segments_, test, points, parts, known_);
+    if constexpr(Pieces::may_be_filled) {
+      const Feature_insides<Pieces, Test> insides(pieces_, test, parts, filled, known_);
       const auto take = [&](std::size_t i, std::size_t j) {
         return put(insides.feature_of(i), insides.feature_of(insides.point_count() + j));
       };
@@ -179,7 +186,7 @@ private:
     return report_((std::min)(a, b), (std::max)(a, b) - second_.features);
   }
 
-  const Segments& segments_;
+  const Pieces& pieces_;
   const Feature_ranges second_;
   Report& report_;
   Progress& progress_;
@@ -187,7 +194,7 @@ private:
   Known_pairs known_;
 };
 
-// Reads the features, and reports the pairs. `relation` is a bound, or the test of segments itself.
+// Reads the features, and reports the pairs. `relation` is a bound, or the test of pieces itself.
 // Returns false iff the search was stopped.
 template <class Sets, class First, class Second, class Relation, class Callback,
           class NamedParameters>
@@ -195,24 +202,24 @@ bool report_feature_pairs(const First& first, const Second& second, const Relati
                           Callback& callback, const NamedParameters& np, const Threads& threads)
 {
   check_denormals();
-  using Segments = Feature_segments<Point_of_features<First>>;
-  using Test =
-    typename Segment_test<Segments, Relation, First::are_open, Second::are_open>::type;
-  const auto test = make_segment_test<Test>(relation, threads);
-  Segments segments;
+  using Pieces
+    = Feature_pieces<Common_piece<Piece_of_features<First>, Piece_of_features<Second>>>;
+  using Test = typename Piece_test<Pieces, Relation, First::are_open, Second::are_open>::type;
+  const auto test = make_piece_test<Test>(relation, threads);
+  Pieces pieces;
   Feature_ranges ranges;
-  segments.add_features(first);
+  pieces.add_features(first);
   if constexpr(Sets::are_two) {
-    ranges = {segments.feature_count(), segments.part_count(), segments.size()};
-    segments.add_features(second);
+    ranges = {pieces.feature_count(), pieces.part_count(), pieces.filled_count(), pieces.size()};
+    pieces.add_features(second);
   }
-  const bool has_insides = segments.polygon_count() != 0 && test.takes_insides();
+  const bool has_insides = pieces.filled_count() != 0 && test.takes_insides();
   auto&& report = pair_output(first, second, callback, threads);
   auto progress = make_progress(
-    np, segments.size() + (has_insides ? segments.part_count() + segments.polygon_count() : 0));
+    np, pieces.size() + (has_insides ? pieces.part_count() + pieces.filled_count() : 0));
   using Report = std::remove_reference_t<decltype(report)>;
-  return Feature_search<Sets, Segments, Report, decltype(progress)>(segments, ranges, report,
-                                                                    progress, threads)
+  return Feature_search<Sets, Pieces, Report, decltype(progress)>(pieces, ranges, report, progress,
+                                                                  threads)
     .search(test);
 }
 
@@ -223,7 +230,7 @@ constexpr bool check_open_features()
   constexpr bool have_interiors
     = !Elements::are_open || has_interior_v<typename Elements::value_type>;
   static_assert(have_interiors, "Features in interiors() must be polygons in the plane: points and "
-                                "polylines have no interior.");
+                                "polylines have no interior, and solids are always closed.");
   return have_interiors;
 }
 

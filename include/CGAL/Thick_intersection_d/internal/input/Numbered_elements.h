@@ -46,7 +46,7 @@ struct Is_range<Range, std::void_t<Reference_of<Iterator_of<Range>>,
 template <class Range>
 using Read_range = std::conditional_t<Is_range<const Range>::value, const Range, Range>;
 
-// Whether the objects of a range are meant without their boundaries, as `CGAL/interiors.h` says.
+// Whether the objects of a range are meant without their boundaries: `CGAL/interiors.h`.
 template <class Range>
 inline constexpr bool are_interiors_v = false;
 
@@ -105,9 +105,8 @@ constexpr bool may_hold_element()
   }
 }
 
-// Whether an iterator refers to an element that it holds itself. The element is gone with the
-// iterator. The iterators over a `Surface_mesh` of CGAL 5 are such, and they advance step by step
-// after removals as well.
+// Whether an iterator refers to an element that it holds itself, and that is gone with it. Those
+// over a `Surface_mesh` of CGAL 5 are such, and they advance step by step after removals as well.
 template <class Iterator>
 bool holds_element(const Iterator& iterator)
 {
@@ -121,14 +120,18 @@ bool holds_element(const Iterator& iterator)
 }
 
 // The identity, for ranges whose elements are the objects themselves.
-struct No_map
+struct No_map {};
+
+// Returns an element as a map sees it. Without a map, get() is not looked for: that of meshes would
+// be found, which does not compile.
+template <class Map, class Element>
+decltype(auto) look_up([[maybe_unused]] const Map& map, Element&& element)
 {
-  template <class Element>
-  friend Element&& get(const No_map&, Element&& element)
-  {
+  if constexpr(std::is_same_v<Map, No_map>)
     return std::forward<Element>(element);
-  }
-};
+  else
+    return get(map, std::forward<Element>(element));
+}
 
 // Iterates over elements in a range-based for loop.
 template <class Elements>
@@ -161,9 +164,9 @@ class Numbered_elements
   static decltype(auto) mapped(Reference element, const Map& map)
   {
     if constexpr(std::is_reference_v<Reference>)
-      return get(map, static_cast<Reference>(element));
+      return look_up(map, static_cast<Reference>(element));
     else // a reference into a temporary would dangle
-      return std::decay_t<decltype(get(map, element))>(get(map, element));
+      return std::decay_t<decltype(look_up(map, element))>(look_up(map, element));
   }
 
 public:

@@ -58,10 +58,11 @@ constexpr bool check_named_parameters()
 
 // The map of the named parameters, which may not fit the range.
 template <class Map, class Element, class = void>
-struct Maps_element : std::false_type {};
+struct Maps_element : std::is_same<Map, No_map> {};
 template <class Map, class Element>
 struct Maps_element<Map, Element,
-                    std::void_t<decltype(get(std::declval<const Map&>(), std::declval<Element>()))>>
+                    std::void_t<std::enable_if_t<!std::is_same_v<Map, No_map>>,
+                                decltype(get(std::declval<const Map&>(), std::declval<Element>()))>>
   : std::true_type {};
 
 // Refuses the map of another kind of input, which no function of ranges reads.

@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The segments and parts of features of each kind, and what is wrong with some.
+// The pieces and parts of features of each kind, and what is wrong with some.
 
 #include "support/error_messages.h"
 #include "support/unit_test.h"
 
-#include <CGAL/Thick_intersection_d/internal/features/Feature_segments.h>
+#include <CGAL/Thick_intersection_d/internal/features/Feature_pieces.h>
 
 #include <CGAL/Polygon_2.h>
 #include <CGAL/Polygon_with_holes_2.h>
@@ -15,7 +15,7 @@
 #include <list>
 #include <variant>
 
-BOOST_AUTO_TEST_SUITE(Feature_segments)
+BOOST_AUTO_TEST_SUITE(Feature_pieces)
 
 using namespace test_support;
 
@@ -26,7 +26,7 @@ using Polygon = CGAL::Polygon_2<Kernel>;
 using With_holes = CGAL::Polygon_with_holes_2<Kernel>;
 using Polygons = std::vector<Polygon>;
 using Feature = std::variant<Point, Polyline, Polygon, With_holes, Polygons>;
-using Segments = internal::Feature_segments<Point>;
+using Pieces = internal::Feature_pieces<Kernel::Segment_2>;
 using Ends = std::vector<std::pair<Point, Point>>;
 
 Polygon square(double x, double side)
@@ -44,11 +44,11 @@ With_holes frame(double x, double side)
   return frame;
 }
 
-Ends ends_of(const Segments& segments, std::size_t first = 0)
+Ends ends_of(const Pieces& pieces, std::size_t first = 0)
 {
   Ends ends;
-  for(std::size_t i = first; i < segments.size(); ++i)
-    ends.emplace_back(segments[i].source(), segments[i].target());
+  for(std::size_t i = first; i < pieces.size(); ++i)
+    ends.emplace_back(pieces[i].source(), pieces[i].target());
   return ends;
 }
 
@@ -59,46 +59,47 @@ BOOST_AUTO_TEST_CASE(polylines_are_open_and_polygons_are_closed)
   const std::vector<Feature> features
     = {p, Polyline(), Polyline{q}, Polyline{p, q, r}, Polygon(corners, corners + 3), Polygon(),
        Polygon(corners, corners + 1)};
-  Segments segments;
-  segments.add_features(features);
-  BOOST_CHECK((ends_of(segments)
+  Pieces pieces;
+  pieces.add_features(features);
+  BOOST_CHECK((ends_of(pieces)
                == Ends{{p, p}, {q, q}, {p, q}, {q, r}, {p, q}, {q, r}, {r, p}, {p, p}}));
-  BOOST_CHECK_EQUAL(segments.feature_count(), 7u);
-  BOOST_CHECK_EQUAL(segments.part_count(), 5u);
-  BOOST_CHECK_EQUAL(segments.polygon_count(), 2u);
+  BOOST_CHECK_EQUAL(pieces.feature_count(), 7u);
+  BOOST_CHECK_EQUAL(pieces.part_count(), 5u);
+  BOOST_REQUIRE_EQUAL(pieces.filled_count(), 2u);
   const std::size_t feature_of_segment[] = {0, 2, 3, 3, 4, 4, 4, 6};
   for(std::size_t i = 0; i < 8; ++i)
-    BOOST_CHECK_EQUAL(segments.feature_of(i), feature_of_segment[i]);
-  for(std::size_t part = 0; part < 5; ++part)
-    BOOST_CHECK_EQUAL(segments.is_polygon(part), part > 2);
+    BOOST_CHECK_EQUAL(pieces.feature_of(i), feature_of_segment[i]);
+  BOOST_CHECK_EQUAL(pieces.filled(0).first_piece, 4u);
+  BOOST_CHECK_EQUAL(pieces.filled(0).last_piece, 7u);
+  BOOST_CHECK_EQUAL(pieces.part(pieces.filled(1).part).feature, 6u);
 }
 
 BOOST_AUTO_TEST_CASE(each_polygon_of_a_range_is_a_part)
 {
   const std::vector<Feature> features = {square(0, 1), Polygons{square(5, 1), square(9, 1)}};
-  Segments segments;
-  segments.add_features(features);
-  BOOST_REQUIRE_EQUAL(segments.part_count(), 3u);
-  BOOST_CHECK_EQUAL(segments.part(2).feature, 1u);
-  BOOST_CHECK_EQUAL(segments.part(2).first_segment, 8u);
-  BOOST_CHECK_EQUAL(segments.box(2).xmin(), 9);
+  Pieces pieces;
+  pieces.add_features(features);
+  BOOST_REQUIRE_EQUAL(pieces.part_count(), 3u);
+  BOOST_CHECK_EQUAL(pieces.part(2).feature, 1u);
+  BOOST_CHECK_EQUAL(pieces.part(2).piece, 8u);
+  BOOST_CHECK_EQUAL(pieces.box_of_filled(2).xmin(), 9);
 }
 
 BOOST_AUTO_TEST_CASE(holes_are_rings_of_the_same_part)
 {
-  Segments segments;
-  segments.add_features(std::vector<Feature>{square(0, 9), frame(0, 80), square(-9, 9)});
-  BOOST_CHECK_EQUAL(segments.size(), 20u);
-  BOOST_REQUIRE_EQUAL(segments.part_count(), 3u);
-  BOOST_CHECK_EQUAL(segments.box(1).xmax(), 80);
+  Pieces pieces;
+  pieces.add_features(std::vector<Feature>{square(0, 9), frame(0, 80), square(-9, 9)});
+  BOOST_CHECK_EQUAL(pieces.size(), 20u);
+  BOOST_REQUIRE_EQUAL(pieces.part_count(), 3u);
+  BOOST_CHECK_EQUAL(pieces.box_of_filled(1).xmax(), 80);
 
   const double at[] = {0.5, 1.5, 20, 22, 41, 61, 79, 81};
   const bool is_in_frame[] = {true, false, false, true, false, true, true, false};
   for(std::size_t k = 0; k < 8; ++k) {
-    Segments points;
+    Pieces points;
     points.add_features(std::vector<Feature>{frame(0, 80), Point(at[k], at[k]), square(200, 9)});
     BOOST_CHECK_EQUAL(points.is_inside(1, 0), is_in_frame[k]);
-    BOOST_CHECK(!points.is_inside(1, 2));
+    BOOST_CHECK(!points.is_inside(1, 1));
   }
 }
 
@@ -108,11 +109,11 @@ BOOST_AUTO_TEST_CASE(many_holes)
   With_holes sieve(square(0, 100));
   for(int x = 1; x < 100; x += 2)
     sieve.add_hole(square(x, 1));
-  Segments segments;
-  segments.add_features(std::vector<Feature>{sieve});
-  BOOST_CHECK_EQUAL(segments.size(), 4u * 51u);
+  Pieces pieces;
+  pieces.add_features(std::vector<Feature>{sieve});
+  BOOST_CHECK_EQUAL(pieces.size(), 4u * 51u);
   for(int x = 0; x < 100; ++x) {
-    Segments points;
+    Pieces points;
     points.add_features(std::vector<Feature>{sieve, Point(x + .5, x + .25), Point(-1, x + .25)});
     BOOST_CHECK_EQUAL(points.is_inside(1, 0), x % 2 == 0);
     BOOST_CHECK(!points.is_inside(2, 0));
@@ -122,8 +123,8 @@ BOOST_AUTO_TEST_CASE(many_holes)
 template <class Error = std::invalid_argument, class Feature, class... Limit>
 std::string message_of(const std::vector<Feature>& features, Limit... limit)
 {
-  Segments segments{limit...};
-  return error_message<Error>([&] { segments.add_features(features); });
+  Pieces pieces{limit...};
+  return error_message<Error>([&] { pieces.add_features(features); });
 }
 
 BOOST_AUTO_TEST_CASE(errors_name_the_feature)
@@ -151,11 +152,12 @@ BOOST_AUTO_TEST_CASE(too_many_features_or_segments_are_refused)
                     "There are too many features: 4 or more.");
   BOOST_CHECK_EQUAL(message(5, {square(0, 1)}), "");
   BOOST_CHECK_EQUAL(message(4, {square(0, 1)}),
-                    "There are too many segments of features: 4 or more.");
+                    "There are too many segments and faces of features: 4 or more.");
 
   // A polygon of one vertex is a part, a polygon, and one segment.
   const Polygon point(&p, &p + 1);
-  const std::string parts = "There are too many parts of features and polygons: 4 or more.";
+  const std::string parts = "There are too many parts of features, polygons and closed meshes: "
+                            "4 or more.";
   BOOST_CHECK_EQUAL(message(5, {point, point}), "");
   BOOST_CHECK_EQUAL(message(4, {point, point}), parts);
   BOOST_CHECK_EQUAL(message(4, {point, p, p}), parts);

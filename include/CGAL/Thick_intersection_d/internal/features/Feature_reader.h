@@ -1,0 +1,147 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_FEATURE_READER_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_FEATURE_READER_H
+
+// Reads a feature of the user into pieces, as add_parts() hands over its parts.
+
+#include <CGAL/Kernel_traits.h>
+
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
+#include <CGAL/Thick_intersection_d/internal/features/Mesh_shape.h>
+#include <CGAL/Thick_intersection_d/internal/features/feature_kinds.h>
+#include <CGAL/Thick_intersection_d/internal/features/mesh_faces.h>
+#include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// `Pieces` are Feature_pieces. Throws if a coordinate is NaN or infinite, if a polygon has no outer
+// boundary, if a face is no triangle, or if there are too many pieces.
+template <class Pieces>
+class Feature_reader
+{
+  using Point = Piece_point<typename Pieces::value_type>;
+  using Segment = typename Pieces::Segment;
+
+public:
+  // Reads the next feature.
+  explicit Feature_reader(Pieces& pieces) : pieces_(pieces) {}
+
+  template <class Iterator, class Sentinel>
+  void add_polyline(Iterator first, Sentinel last)
+  {
+    if(first != last) {
+      pieces_.begin_part(pieces_.piece_count());
+      add_chain(first, last, false);
+    }
+  }
+
+  template <class Polygon>
+  void add_polygon(const Polygon& polygon)
+  {
+    if(polygon.is_empty())
+      return;
+    const Place first = pieces_.piece_count();
+    pieces_.begin_part(first);
+    add_ring(polygon);
+    pieces_.end_filled(pieces_.part_count() - 1, first);
+  }
+
+  template <class Polygon>
+  void add_polygon_with_holes(const Polygon& polygon)
+  {
+    if(polygon.is_unbounded())
+      throw std::invalid_argument("Feature " + std::to_string(pieces_.feature_count())
+                                  + " has no outer boundary.");
+    const Place first = pieces_.piece_count();
+    pieces_.begin_part(first);
+    add_ring(polygon.outer_boundary());
+    for(auto hole = polygon.holes_begin(); hole != polygon.holes_end(); ++hole)
+      if(!hole->is_empty())
+        add_ring(*hole);
+    pieces_.end_filled(pieces_.part_count() - 1, first);
+  }
+
+  template <class Mesh>
+  void add_mesh(const Mesh& mesh)
+  {
+    const Place first = pieces_.piece_count();
+    const auto add_face = [&](const Point& p, const Point& q, const Point& r) {
+      const auto name = [&] {
+        return "vertex of face " + std::to_string(pieces_.piece_count() - first) + " of feature";
+      };
+      for(const Point* vertex : {&p, &q, &r})
+        check(*vertex, name);
+      pieces_.add_piece(typename Kernel_traits<Point>::Kernel::Triangle_3(p, q, r));
+    };
+    for_each_face(mesh, pieces_.feature_count(), add_face);
+    const std::size_t count = pieces_.size() - first;
+    pieces_.check_count("vertices of the faces of a mesh", 3 * count);
+    const std::size_t first_part = pieces_.part_count();
+    const Mesh_shape shape(count, [&](std::size_t i) -> const auto& {
+      return as_face(pieces_[first + i]);
+    });
+    shape.for_each_component([&](std::size_t i) {
+      pieces_.begin_part(static_cast<Place>(first + i));
+    });
+    if(count != 0 && shape.is_closed())
+      pieces_.end_filled(first_part, first);
+  }
+
+private:
+  template <class Polygon>
+  void add_ring(const Polygon& ring)
+  {
+    pieces_.begin_ring();
+    add_chain(ring.vertices_begin(), ring.vertices_end(), true);
+  }
+
+  // Adds the segments between consecutive points. One point is a segment of length zero.
+  template <class Iterator, class Sentinel>
+  void add_chain(Iterator point, Sentinel last, bool is_closed)
+  {
+    const Point first = checked(*point);
+    Point previous = first;
+    if(++point == last)
+      is_closed = true;
+    for(; point != last; ++point) {
+      const Point next = checked(*point);
+      pieces_.add_piece(Segment(previous, next));
+      previous = next;
+    }
+    if(is_closed)
+      pieces_.add_piece(Segment(previous, first));
+  }
+
+  // Throws if a coordinate is NaN or infinite.
+  template <class Name>
+  void check(const Point& point, const Name& name) const
+  {
+    for(int i = 0; i < Pieces::dimension; ++i)
+      if(!are_bounds_of_finite(coordinate_bounds(point, i)))
+        throw_not_finite(name().c_str(), pieces_.feature_count(), i);
+  }
+
+  const Point& checked(const Point& point) const
+  {
+    check(point, [] { return std::string("vertex of feature"); });
+    return point;
+  }
+
+  Pieces& pieces_;
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_FEATURE_READER_H

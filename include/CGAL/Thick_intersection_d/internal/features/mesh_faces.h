@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_MESH_FACES_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_MESH_FACES_H
+
+// The faces of a triangle mesh: of a model of the concepts of the BGL of CGAL, whose functions are
+// found in its namespace, or of a pair of points and triples of their indices.
+
+#include <CGAL/boost/graph/properties.h>
+
+#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// Throws for a face of a mesh: "Face 1 of feature 2 is no triangle."
+[[noreturn]] inline void throw_wrong_face(std::size_t face, std::size_t feature, const char* what)
+{
+  std::string message("Face ");
+  message.append(std::to_string(face)).append(" of feature ").append(std::to_string(feature));
+  throw std::invalid_argument(message.append(what));
+}
+
+// Calls take(p, q, r) for the points of each face. `feature` is the position of the mesh, for
+// errors.
+template <class Mesh, class Take>
+void for_each_face(const Mesh& mesh, std::size_t feature, const Take& take)
+{
+  const auto points = get(boost::vertex_point, mesh);
+  std::size_t position = 0;
+  const auto range = faces(mesh);
+  for(auto face = range.first; face != range.second; ++face) {
+    const auto first = halfedge(*face, mesh);
+    const auto second = next(first, mesh);
+    const auto third = next(second, mesh);
+    if(next(third, mesh) != first)
+      throw_wrong_face(position, feature, " is no triangle.");
+    take(get(points, target(first, mesh)), get(points, target(second, mesh)),
+         get(points, target(third, mesh)));
+    ++position;
+  }
+}
+
+// Returns the indices of a triple, each less than `count`.
+template <class Triple>
+std::array<std::size_t, 3> read_triple(const Triple& triple, std::size_t count,
+                                       std::size_t face, std::size_t feature)
+{
+  std::array<std::size_t, 3> indices;
+  auto index = std::begin(triple);
+  for(std::size_t k = 0; k < 3; ++k, ++index) {
+    if(!(index != std::end(triple)))
+      throw_wrong_face(face, feature, " is no triangle.");
+    indices[k] = static_cast<std::size_t>(*index);
+    if(indices[k] >= count)
+      throw_wrong_face(face, feature, " has an index beyond the points.");
+  }
+  if(index != std::end(triple))
+    throw_wrong_face(face, feature, " is no triangle.");
+  return indices;
+}
+
+template <class Points, class Triples, class Take>
+void for_each_face(const std::pair<Points, Triples>& soup, std::size_t feature, const Take& take)
+{
+  const Numbered_elements<const Points> points(soup.first);
+  std::size_t position = 0;
+  for(const auto& triple : soup.second) {
+    const auto [p, q, r] = read_triple(triple, points.size(), position, feature);
+    take(points[p], points[q], points[r]);
+    ++position;
+  }
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_MESH_FACES_H

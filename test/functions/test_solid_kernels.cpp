@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Triangle meshes on several kernels, places and scales, against all pairs of their faces and all
+// vertices: which ones intersect, and which ones are within a distance.
+
+#include "support/check_solids.h"
+
+using namespace test_support;
+
+using Float_kernel = CGAL::Simple_cartesian<float>;
+
+BOOST_AUTO_TEST_CASE(solids_of_doubles)
+{
+  const std::vector<Solid_scene> scenes = solid_scenes(60);
+  check_solids<Solids, Epick>(scenes, {{}, {Scale::ONE, 1, 0x1p-52}});
+  check_solids<Solids_and_polylines, Epick>(
+    scenes, {{}, {Scale::ONE, 1, 0x1p-52}, {Scale::ONE, 0x1p+52, 1}, {Scale::HUGE_POWER},
+             {Scale::DENORMAL}});
+  check_solids<Solids_and_polylines, Double_kernel, Float_kernel>(solid_scenes(10), {{}});
+}
+
+BOOST_AUTO_TEST_CASE(solids_of_exact_numbers)
+{
+  const std::vector<Solid_scene> scenes = small_solid_scenes(3);
+  check_solids<Solids, Epeck>(scenes, {{Scale::THIRD}});
+  check_solids<Solids_and_polylines, Epeck, Rational_kernel>(scenes, {{Scale::THIRD}});
+  check_solids<Solids_and_polylines, Epeck>({scenes[0], scenes[2]}, {{Scale::CLOSE}});
+}
+
+BOOST_AUTO_TEST_CASE(near_solids)
+{
+  const std::vector<Solid_scene> scenes = solid_scenes(10);
+  check_near_solids<Solids_and_polylines<Epick>, Epick>(scenes, {2, false});
+  check_near_solids<Solids_and_polylines<Epick>, Epick>(scenes, {2, true});
+  check_near_solids<Solids_and_polylines<Epick>, Epick>(scenes, {1, false});
+  check_near_solids<Solids_and_polylines<Epick>, Epick>(scenes, {0, true});
+  check_near_solids<Solids_and_polylines<Epeck>, Epeck>(small_solid_scenes(2), {1, false});
+}
