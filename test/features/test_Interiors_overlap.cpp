@@ -139,8 +139,18 @@ BOOST_AUTO_TEST_CASE(bridges_and_antennas)
     BOOST_CHECK(do_overlap(ring, large));
     BOOST_CHECK(do_overlap(large, ring));
   }
-  BOOST_CHECK(
-    !do_overlap({{30, 10, 0}, {40, 10, 0}, {40, 15, 0}, {30, 10, 0}, {10, 10, 0}}, large));
+  BOOST_CHECK(!do_overlap({{30, 10, 0}, {40, 10, 0}, {40, 15, 0}, {30, 10, 0}, {10, 10, 0}},
+                          large));
+}
+
+// An edge goes through both points where the ring touches it, and so does one of the other polygon,
+// on the same line. They overlap in a triangle between these points.
+BOOST_AUTO_TEST_CASE(a_ring_touches_an_edge_on_a_common_line)
+{
+  const Chain ring = {{0, 0, 0},  {10, 0, 0}, {10, -1, 0}, {6, -1, 0}, {6, 0, 0},
+                      {4, 3, 0}, {3, 0, 0},  {3, -1, 0},  {0, -1, 0}};
+  BOOST_CHECK(do_overlap(ring, {{-5, 0, 0}, {15, 0, 0}, {15, 9, 0}, {-5, 9, 0}}));
+  BOOST_CHECK(!do_overlap(ring, {{3, 0, 0}, {6, 0, 0}, {4, -1, 0}}));
 }
 
 // The first vertex is on an antenna in the other polygon.

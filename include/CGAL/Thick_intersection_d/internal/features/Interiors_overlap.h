@@ -47,7 +47,11 @@
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/vertices.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Kernel_orientation.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Staged_orientation.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_kernel_objects_intersect.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/do_shapes_intersect.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/planar_objects.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -67,34 +71,76 @@ struct Edge_contact
   bool is_crossing = false;
 };
 
-// Two edges on a line. Sources that are equal count once.
-template <class Segment>
-Edge_contact contact_on_line(const Segment& a, const Segment& b)
+// The ends of two edges, a and then b, decide about their contact. Edges that touch often have
+// vertices in common, which make no turn.
+template <class Orientation>
+class Contact_of_ends
 {
-  if(is_vertex_at(a, 1, a) || is_vertex_at(b, 1, b))
-    return {};
-  const auto is_on = [](const Segment& source, const Segment& edge) {
-    return is_point_on(source, edge) && !is_vertex_at(edge, 1, source);
-  };
-  const bool is_source_a = is_on(a, b);
-  return {is_source_a, is_on(b, a) && !(is_source_a && is_vertex_at(a, 0, b)), false};
-}
+  using Point = typename Orientation::Point;
+
+public:
+  explicit Contact_of_ends(typename Orientation::template Vertices<4>& vertices)
+    : orientation_(vertices), plane_(orientation_, 0, 1),
+      a_{Point(vertices[0]), Point(vertices[1])}, b_{Point(vertices[2]), Point(vertices[3])}
+  {}
+
+  Edge_contact operator()() const
+  {
+    const Sign b0 = side(a_, b_[0]), b1 = side(a_, b_[1]);
+    if(b0 == b1 && b0 != ZERO)
+      return {};
+    const Sign a0 = side(b_, a_[0]), a1 = side(b_, a_[1]);
+    if(a0 == a1)
+      return a0 == ZERO ? on_line() : Edge_contact();
+    if(a1 == ZERO || b1 == ZERO)
+      return {};
+    return {a0 == ZERO && b0 != ZERO, b0 == ZERO, a0 != ZERO && b0 != ZERO};
+  }
+
+private:
+  using Edge = Simplex<Orientation, 2>;
+
+  static bool are_equal(const Point& p, const Point& q)
+  {
+    return are_points_equal<Orientation>(p, q);
+  }
+
+  Sign side(const Edge& edge, const Point& p) const
+  {
+    return are_equal(edge[0], p) || are_equal(edge[1], p)
+             ? ZERO : plane_.orientation(edge[0], edge[1], p);
+  }
+
+  // Sources that are equal count once.
+  Edge_contact on_line() const
+  {
+    if(are_equal(a_[0], a_[1]) || are_equal(b_[0], b_[1]))
+      return {};
+    const auto is_on = [this](const Point& source, const Edge& edge) {
+      return plane_.do_boxes_meet(source, source, edge[0], edge[1]) && !are_equal(source, edge[1]);
+    };
+    const bool is_source_a = is_on(a_[0], b_);
+    return {is_source_a, is_on(b_[0], a_) && !(is_source_a && are_equal(a_[0], b_[0])), false};
+  }
+
+  Orientation orientation_;
+  Projection<Orientation> plane_;
+  Edge a_, b_;
+};
 
 template <class Segment>
 Edge_contact contact_of(const Segment& a, const Segment& b)
 {
-  const auto side = [](const Segment& edge, const Segment& other, int v) {
-    return orientation_of_ends(edge, 0, edge, 1, other, v);
-  };
-  const Sign b0 = side(a, b, 0), b1 = side(a, b, 1);
-  if(b0 == b1 && b0 != ZERO)
-    return {};
-  const Sign a0 = side(b, a, 0), a1 = side(b, a, 1);
-  if(a0 == a1)
-    return a0 == ZERO ? contact_on_line(a, b) : Edge_contact();
-  if(a1 == ZERO || b1 == ZERO)
-    return {};
-  return {a0 == ZERO && b0 != ZERO, b0 == ZERO, a0 != ZERO && b0 != ZERO};
+  Staged_orientation<2>::Vertices<4> vertices;
+  if(read_vertex(a, 0, vertices[0]) && read_vertex(a, 1, vertices[1])
+     && read_vertex(b, 0, vertices[2]) && read_vertex(b, 1, vertices[3]))
+    return Contact_of_ends<Staged_orientation<2>>(vertices)();
+  using Orientation
+    = Kernel_orientation<typename Common_exact_kernel<Segment, Segment>::type, 2>;
+  typename Orientation::template Vertices<4> exact_vertices
+    = {exact_end<Segment>(a, 0), exact_end<Segment>(a, 1), exact_end<Segment>(b, 0),
+       exact_end<Segment>(b, 1)};
+  return Contact_of_ends<Orientation>(exact_vertices)();
 }
 
 // A kernel that holds the points where segments cross.
@@ -195,21 +241,14 @@ private:
   {
     if(!searched_.add(a, b))
       return false;
-    const auto is_any = [&](Place part, const auto& do_overlap) {
-      for(Place segment = pieces.part(part).piece;
-          segment != pieces.last_segment(part); ++segment)
-        if(do_overlap(segment) == Local_answer::OVERLAP)
+    const auto is_any = [&](Place part) {
+      for(Place s = pieces.part(part).piece; s != pieces.last_segment(part); ++s)
+        if(find_local_overlap<are_both_open>(pieces, pieces[s], {a, s, part == a},
+                                             {b, s, part == b}) == Local_answer::OVERLAP)
           return true;
       return false;
     };
-    return is_any(a, [&](Place segment) {
-             return find_local_overlap<are_both_open>(pieces, pieces[segment],
-                                                      {a, segment, true}, {b, 0, false});
-           })
-           || (are_both_open && is_any(b, [&](Place segment) {
-                 return find_local_overlap<are_both_open>(pieces, pieces[segment],
-                                                          {a, 0, false}, {b, segment, true});
-               }));
+    return is_any(a) || (are_both_open && is_any(b));
   }
 
   // Whether two parts whose edges cross have no other edges at the point where they do. Then each

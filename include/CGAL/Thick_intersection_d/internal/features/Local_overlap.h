@@ -18,9 +18,11 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/features/Ring_trees.h>
 #include <CGAL/Thick_intersection_d/internal/input/vertices.h>
+#include <CGAL/Thick_intersection_d/internal/machine/hints.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 
+#include <boost/config.hpp> // BOOST_FORCEINLINE
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
@@ -33,20 +35,29 @@ namespace internal {
 
 // A point is the first vertex of an object: of a segment, or of a point.
 
+template <class Segment, class Object>
+CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+Sign compare_exactly(const Segment& edge, int v, const Object& point, int axis)
+{
+  return CGAL::compare(exact_end<Object>(edge, v).cartesian(axis),
+                       exact_end<Segment>(point, 0).cartesian(axis));
+}
+
 // Compares the coordinates of a vertex of an edge and of a point.
 template <class Segment, class Object>
+BOOST_FORCEINLINE
 Sign compare_with_point(const Segment& edge, int v, const Object& point, int axis)
 {
   const auto x = vertex_bounds(edge, v, axis);
   const auto y = vertex_bounds(point, 0, axis);
+  constexpr bool are_doubles = has_double_vertices_v<Segment> && has_double_vertices_v<Object>;
   if(x.first > y.second)
     return LARGER;
   if(x.second < y.first)
     return SMALLER;
-  if(x.first == x.second && y.first == y.second)
+  if(are_doubles || (x.first == x.second && y.first == y.second))
     return EQUAL;
-  return CGAL::compare(exact_end<Object>(edge, v).cartesian(axis),
-                       exact_end<Segment>(point, 0).cartesian(axis));
+  return compare_exactly(edge, v, point, axis);
 }
 
 // Whether a vertex of an edge is a point.
@@ -127,7 +138,7 @@ public:
       is_inside_ = pieces.is_inside_beside(
         point, place.part, [this](Place segment) { return does_cross(segment); },
         [this] { return is_asked_by_other_; });
-    else
+    else if(!is_vertex_at(pieces[place.segment], 1, point))
       for(int side = 0; side < 2; ++side) // a polyline goes on, and both sides are outside of it
         add_arm(pieces[place.segment], 1);
   }
@@ -145,10 +156,17 @@ private:
   bool does_cross(Place segment)
   {
     const Segment& edge = pieces_[segment];
-    if(!is_point_on(point_, edge))
+    const Sign height = compare_with_point(edge, 0, point_, 1);
+    if(height != EQUAL && height == compare_with_point(edge, 1, point_, 1))
+      return false; // above or below the point, as most edges are
+    const bool begins = is_vertex_at(edge, 0, point_), ends = is_vertex_at(edge, 1, point_);
+    if(!begins && !ends && !is_point_on(point_, edge))
       return does_ray_cross(point_, edge);
     has_point_ = true;
-    const bool begins = !add_arm(edge, 0), ends = !add_arm(edge, 1);
+    if(!begins)
+      add_arm(edge, 0);
+    if(!ends)
+      add_arm(edge, 1);
     if(place_.is_first_asked && segment != place_.segment && !ends) {
       const bool asker_begins = is_vertex_at(pieces_[place_.segment], 0, point_);
       if(begins == asker_begins ? segment < place_.segment : begins)
@@ -157,13 +175,9 @@ private:
     return false;
   }
 
-  // Returns false if the edge ends at the point.
-  bool add_arm(const Segment& edge, int end)
+  void add_arm(const Segment& edge, int end)
   {
-    if(is_vertex_at(edge, end, point_))
-      return false;
     arms_.push_back(arm_of(edge, end, is_second_, point_));
-    return true;
   }
 
   const Pieces& pieces_;

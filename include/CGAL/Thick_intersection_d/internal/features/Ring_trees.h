@@ -79,7 +79,7 @@ bool read_vertex(const Object& object, int v, Staged_orientation<2>::Vertex& ver
 {
   for(int axis = 0; axis < 2; ++axis) {
     const auto x = vertex_bounds(object, v, axis);
-    if(x.first != x.second)
+    if(!has_double_vertices_v<Object> && x.first != x.second)
       return false;
     vertex.x[static_cast<std::size_t>(axis)] = x.first;
   }
