@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 // The work of the search of features: the pairs of segments, and of vertices and polygons, that it
-// looks at are counted where nearly all boxes meet, but are of one feature or of a known pair.
+// looks at are counted where nearly all boxes meet, but are of one feature or of a known pair. Of
+// interiors, it is the edges that are read where boundaries meet in many places, or in one.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2.h>
@@ -159,5 +160,125 @@ BOOST_AUTO_TEST_CASE(pieces_of_known_pairs_are_not_compared)
     check_work("equal bands", Features(2, nested_bands(n / 4)), 1);
     check_work("many equal bands", Features(10, nested_bands(n / 40)), 45);
     check_work("bands and a line across them", {nested_bands(n / 4), to_and_fro(n)}, 1);
+  }
+}
+
+// ---- interiors ----------------------------------------------------------------------------------
+
+namespace {
+
+using Polygons = std::vector<Polygon>;
+
+// Counts the segments that decisions about interiors read.
+struct Counted_segments : Pieces
+{
+  mutable double reads = 0;
+
+  const Pieces::Segment& operator[](std::size_t position) const
+  {
+    ++reads;
+    return Pieces::operator[](position);
+  }
+};
+
+// Returns how many segments are read for each pair of segments that is asked about.
+double reads_per_test(const std::string& name, const Polygons& polygons, std::size_t expected_pairs)
+{
+  using Test = internal::Interiors_overlap<Counted_segments, true, true>;
+  using Boundaries = internal::Feature_boundaries<Counted_segments, Test>;
+  Counted_segments segments;
+  segments.add_features(polygons);
+  const internal::Threads one;
+  const Test test(one);
+  Known known(one);
+  std::size_t pairs = 0;
+  internal::Unwatched_progress progress;
+  const Counted<Boundaries> boundaries(segments, test, known);
+  tests = segments.reads = 0;
+  const auto take = [&](std::size_t, std::size_t) { ++pairs; };
+  internal::report_meeting_boxes(boundaries, internal::One_set(), take, progress, one);
+  BOOST_CHECK_EQUAL(pairs, expected_pairs);
+  const double n = static_cast<double>(segments.size());
+  BOOST_TEST_MESSAGE(name << ", n = " << n << ": tests " << tests / n << " n, reads "
+                          << segments.reads / tests << " of each");
+  return segments.reads / tests;
+}
+
+// Petals from the origin, in every other one of 2 * count equal sectors.
+Polygon rosette(std::size_t count, std::size_t first)
+{
+  Polygon ring;
+  for(std::size_t k = 0; k < count; ++k) {
+    ring.push_back(Point(0, 0));
+    for(std::size_t i = 0; i < 2; ++i) {
+      const double angle = 3.14159265358979 / static_cast<double>(count)
+                           * static_cast<double>(2 * k + first + i);
+      ring.push_back(Point(std::cos(angle), std::sin(angle)));
+    }
+  }
+  return ring;
+}
+
+// The teeth of a comb touch a long edge.
+Polygons comb_on_line(std::size_t teeth)
+{
+  Polygon comb;
+  for(std::size_t k = 0; k < teeth; ++k) {
+    comb.push_back(Point(2. * static_cast<double>(k), 0));
+    comb.push_back(Point(2. * static_cast<double>(k) + 1, 5));
+  }
+  const double end = 2. * static_cast<double>(teeth);
+  comb.push_back(Point(end, 9));
+  comb.push_back(Point(-1, 9));
+  const Point below[] = {{-5, -5}, {end, -5}, {end, 0}, {-5, 0}};
+  return {comb, Polygon(below, below + 4)};
+}
+
+// Two bands along a zigzag, with a border of so many edges in common.
+Polygons bands_of_common_border(std::size_t size)
+{
+  Polygons bands(2);
+  for(std::size_t k = 0; k < size; ++k) {
+    const Point p(static_cast<double>(k), k % 2 ? .5 : 0);
+    bands[0].push_back(p);
+    bands[1].insert(bands[1].vertices_begin(), p);
+  }
+  const double end = static_cast<double>(size - 1);
+  bands[0].push_back(Point(end, 9));
+  bands[0].push_back(Point(0, 9));
+  bands[1].push_back(Point(0, -9));
+  bands[1].push_back(Point(end, -9));
+  return bands;
+}
+
+// A chain passed to and fro crosses the border of a square all the time.
+Polygons antenna_across_border(std::size_t crossings)
+{
+  Polygon ring;
+  const Point triangle[] = {{0, -9}, {1, -9}, {0, -8}};
+  for(const Point& p : triangle)
+    ring.push_back(p);
+  std::vector<Point> chain;
+  for(std::size_t k = 1; k <= crossings; ++k)
+    chain.emplace_back(static_cast<double>(k), k % 2 ? 1.5 : -1.25);
+  for(const Point& p : chain)
+    ring.push_back(p);
+  for(std::size_t k = chain.size() - 1; k-- > 0; )
+    ring.push_back(chain[k]);
+  ring.push_back(triangle[2]);
+  const double end = static_cast<double>(crossings) + 5;
+  const Point large[] = {{-5, 0}, {end, 0}, {end, 9}, {-5, 9}};
+  return {ring, Polygon(large, large + 4)};
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(edges_where_boundaries_meet_are_read_a_few_times)
+{
+  for(const std::size_t n : {200, 800}) {
+    BOOST_CHECK_LT(reads_per_test("a common border", bands_of_common_border(n), 0), 40);
+    BOOST_CHECK_LT(reads_per_test("a comb on a line", comb_on_line(n), 0), 60);
+    BOOST_CHECK_LT(reads_per_test("rosettes", {rosette(n / 4, 0), rosette(n / 4, 1)}, 0), 25);
+    BOOST_CHECK_LT(reads_per_test("an antenna", antenna_across_border(n), 0), 150);
   }
 }
