@@ -49,8 +49,9 @@ public:
                                      typename Kernel::Segment_3>;
   using Box = Bbox_of_dimension<dimension>;
 
-  // Whether a feature may be inside another one: whether there may be polygons, or meshes.
-  static constexpr bool may_be_filled = dimension == 2 || !std::is_same_v<Object, Segment>;
+  // Whether there may be meshes, and whether a feature may be inside another one.
+  static constexpr bool have_faces = !std::is_same_v<Object, Segment>;
+  static constexpr bool may_be_filled = dimension == 2 || have_faces;
 
   struct Part
   {
@@ -78,11 +79,19 @@ public:
   template <class Elements>
   void add_features(const Elements& features)
   {
+    add_features(features, [](std::size_t) { return true; });
+  }
+
+  // Takes the others as features without pieces.
+  template <class Elements, class Is_wanted>
+  void add_features(const Elements& features, const Is_wanted& is_wanted)
+  {
     for(std::size_t position = 0; position < features.size(); ++position) {
       check_count("features", feature_count_ + 1);
       first_parts_.push_back(static_cast<Place>(parts_.size()));
       Feature_reader<Feature_pieces> reader(*this);
-      add_parts(features[position], reader);
+      if(is_wanted(feature_count_))
+        add_parts(features[position], reader);
       ++feature_count_;
     }
   }

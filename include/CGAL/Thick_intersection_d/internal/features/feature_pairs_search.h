@@ -20,6 +20,7 @@
 #include <CGAL/Thick_intersection_d/internal/features/Feature_pieces.h>
 #include <CGAL/Thick_intersection_d/internal/features/Interiors_overlap.h>
 #include <CGAL/Thick_intersection_d/internal/features/Known_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/features/Meeting_features.h>
 #include <CGAL/Thick_intersection_d/internal/features/feature_kinds.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
@@ -194,6 +195,42 @@ private:
   Known_pairs known_;
 };
 
+// Reads the features of one range, or of two. Returns where the second one begins.
+template <class Sets, class First, class Second, class Pieces, class Is_wanted>
+Feature_ranges read_features(const First& first, const Second& second, Pieces& pieces,
+                             const Is_wanted& is_wanted)
+{
+  Feature_ranges ranges;
+  pieces.add_features(first, is_wanted);
+  if constexpr(Sets::are_two) {
+    ranges = {pieces.feature_count(), pieces.part_count(), pieces.filled_count(), pieces.size()};
+    pieces.add_features(second, is_wanted);
+  }
+  return ranges;
+}
+
+// The same, where meshes are read only if their boxes meet others.
+template <class Sets, class First, class Second, class Pieces, class Test>
+Feature_ranges read_features(const First& first, const Second& second, Pieces& pieces,
+                             const Test& test, const Threads& threads)
+{
+  if constexpr(!Pieces::have_faces)
+    return read_features<Sets>(first, second, pieces, [](std::size_t) { return true; });
+  else {
+    Feature_boxes boxes;
+    boxes.add_features(first);
+    Sets sets = {};
+    if constexpr(Sets::are_two) {
+      sets.first_size = first.size();
+      boxes.add_features(second);
+    }
+    Meeting_features<Test> features(boxes, test);
+    features.search(sets, threads);
+    return read_features<Sets>(first, second, pieces,
+                               [&](std::size_t position) { return features.has_met(position); });
+  }
+}
+
 // Reads the features, and reports the pairs. `relation` is a bound, or the test of pieces itself.
 // Returns false iff the search was stopped.
 template <class Sets, class First, class Second, class Relation, class Callback,
@@ -207,12 +244,7 @@ bool report_feature_pairs(const First& first, const Second& second, const Relati
   using Test = typename Piece_test<Pieces, Relation, First::are_open, Second::are_open>::type;
   const auto test = make_piece_test<Test>(relation, threads);
   Pieces pieces;
-  Feature_ranges ranges;
-  pieces.add_features(first);
-  if constexpr(Sets::are_two) {
-    ranges = {pieces.feature_count(), pieces.part_count(), pieces.filled_count(), pieces.size()};
-    pieces.add_features(second);
-  }
+  const Feature_ranges ranges = read_features<Sets>(first, second, pieces, test, threads);
   const bool has_insides = pieces.filled_count() != 0 && test.takes_insides();
   auto&& report = pair_output(first, second, callback, threads);
   auto progress = make_progress(

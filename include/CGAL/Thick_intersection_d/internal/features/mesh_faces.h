@@ -34,6 +34,22 @@ namespace internal {
   throw std::invalid_argument(message.append(what));
 }
 
+// Calls take(p) for each point, even if no face has it.
+template <class Mesh, class Take>
+void for_each_point(const Mesh& mesh, const Take& take)
+{
+  const auto points = get(boost::vertex_point, mesh);
+  const auto range = vertices(mesh);
+  for(auto vertex = range.first; vertex != range.second; ++vertex)
+    take(get(points, *vertex));
+}
+template <class Points, class Triples, class Take>
+void for_each_point(const std::pair<Points, Triples>& soup, const Take& take)
+{
+  for(const auto& point : soup.first)
+    take(point);
+}
+
 // Calls take(p, q, r) for the points of each face. `feature` is the position of the mesh, for
 // errors.
 template <class Mesh, class Take>
