@@ -21,6 +21,7 @@
 #include <CGAL/Thick_intersection_d/internal/features/Interiors_overlap.h>
 #include <CGAL/Thick_intersection_d/internal/features/Known_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/features/Meeting_features.h>
+#include <CGAL/Thick_intersection_d/internal/features/check_features.h>
 #include <CGAL/Thick_intersection_d/internal/features/feature_kinds.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
@@ -37,29 +38,6 @@
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
-
-template <class Elements>
-using Piece_of_features = Feature_piece_t<typename Elements::value_type>;
-
-// Checks the features of one range, or of two.
-template <class First, class Second, class NamedParameters>
-constexpr bool check_features()
-{
-  using A = Piece_of_features<First>;
-  using B = Piece_of_features<Second>;
-  constexpr bool are_features = !std::is_void_v<A> && !std::is_void_v<B>;
-  constexpr bool are_alike = !are_features || !std::is_void_v<Common_piece<A, B>>;
-  static_assert(are_features, "The elements of the range must be polylines, polygons or triangle "
-                              "meshes: ranges of Point_2 or Point_3, Polygon_2 or "
-                              "Polygon_with_holes_2, models of FaceListGraph with points in space, "
-                              "or pairs of points and triples of indices. For others, pass a "
-                              "property map to such features as point_map.");
-  static_assert(are_alike, "The features of the two ranges must have points of one type.");
-  if constexpr(are_features && are_alike)
-    return check_no_traits<Piece_point<A>, NamedParameters>();
-  else
-    return false;
-}
 
 // Pairs of features that are within a bound. If one is inside the other, their distance is zero.
 template <class Object>
@@ -253,36 +231,6 @@ bool report_feature_pairs(const First& first, const Second& second, const Relati
   return Feature_search<Sets, Pieces, Report, decltype(progress)>(pieces, ranges, report, progress,
                                                                   threads)
     .search(test);
-}
-
-// Checks that features that are open have an interior.
-template <class Elements>
-constexpr bool check_open_features()
-{
-  constexpr bool have_interiors
-    = !Elements::are_open || has_interior_v<typename Elements::value_type>;
-  static_assert(have_interiors, "Features in interiors() must be polygons in the plane: points and "
-                                "polylines have no interior, and solids are always closed.");
-  return have_interiors;
-}
-
-template <class Relation, class Callback, class NamedParameters, class First, class Second>
-constexpr bool check_feature_search()
-{
-  constexpr bool may_be_open = !is_bound_v<Relation>;
-  if constexpr(check_range<First, NamedParameters, may_be_open>()
-               && check_range<Second, NamedParameters, may_be_open>()) {
-    using A = Elements_of<First, NamedParameters>;
-    using B = Elements_of<Second, NamedParameters>;
-    if constexpr(!check_features<A, B, NamedParameters>())
-      return false;
-    else if constexpr(check_open_features<A>() && check_open_features<B>())
-      return check_callback<Callback, A, B>();
-    else
-      return false;
-  }
-  else
-    return false;
 }
 
 // Reports the pairs of features of a range.
