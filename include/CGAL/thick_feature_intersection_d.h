@@ -36,6 +36,9 @@ A feature is one of these, with points of one type, `Point_2` or `Point_3` of an
   segment.
 - A *polygon with holes*, `Polygon_with_holes_2`. Holes are open: their edges belong to the polygon.
   Holes lie in the outer boundary, and not in other holes. They may touch these.
+- A *thickened* feature: a `std::pair` of a feature and a radius. It is all points within the radius
+  of the feature, as roads and cables are. Radii are numbers of one type, not negative, and of an
+  integer type only if the coordinates are, because an integer may be an index.
 - A `std::variant` of features.
 - A range of features. It is the union of them, as the multipolygons and collections of geographic
   files are.

@@ -31,7 +31,7 @@ struct Pieces_intersect
   static bool do_meet(const Pieces& pieces, std::size_t i, std::size_t j)
   {
     Arithmetic_tier tier = Arithmetic_tier::INT64;
-    return do_objects_intersect(pieces[i], pieces[j], tier);
+    return do_objects_intersect(pieces.thick(i), pieces.thick(j), tier);
   }
 
   // Whether the first vertex of a part is inside what is filled, where boundaries do not meet.
@@ -63,7 +63,7 @@ public:
 
   auto intervals(std::size_t position) const
   {
-    return [this, box = bounding_box(pieces_[position])](int axis) {
+    return [this, box = bounding_box(pieces_.thick(position))](int axis) {
       return test_.grown({(box.min)(axis), (box.max)(axis)});
     };
   }

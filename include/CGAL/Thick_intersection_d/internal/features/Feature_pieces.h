@@ -29,18 +29,21 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// `Object` is that of a feature, or the common one of several.
-template <class Object>
+// `Object` is that of a feature, or the common one of several. `Radius` is the type of the radii by
+// which features are thickened, or void if none has a radius.
+template <class Object, class Radius = void>
 class Feature_pieces
 {
   using Point = Piece_point<Object>;
   using Kernel = typename Kernel_traits<Point>::Kernel;
+  using Any_radius = std::conditional_t<std::is_void_v<Radius>, int, Radius>;
 
 public:
   using value_type = Object;
@@ -48,6 +51,10 @@ public:
   using Segment = std::conditional_t<dimension == 2, typename Kernel::Segment_2,
                                      typename Kernel::Segment_3>;
   using Box = Bbox_of_dimension<dimension>;
+
+  // A piece with its radius, as a search sees it.
+  using Thick = typename Thick_piece<Object, Radius>::type;
+  static constexpr bool have_radii = !std::is_void_v<Radius>;
 
   // Whether there may be meshes, and whether a feature may be inside another one.
   static constexpr bool have_faces = !std::is_same_v<Object, Segment>;
@@ -99,6 +106,17 @@ public:
   std::size_t feature_count() const { return feature_count_; }
   std::size_t size() const { return pieces_.size(); }
   const Object& operator[](std::size_t position) const { return pieces_[position]; }
+
+  // Returns a piece with its radius, if features have radii.
+  decltype(auto) thick(std::size_t position) const
+  {
+    if constexpr(!have_radii)
+      return (pieces_[position]);
+    else
+      return with_type(pieces_[position], [&](const auto& piece) {
+        return Thick(std::pair(piece, radii_[position]));
+      });
+  }
 
   Place feature_of(std::size_t position) const { return features_of_pieces_[position]; }
 
@@ -208,6 +226,15 @@ public:
     pieces_.emplace_back(piece);
     settle(pieces_.back());
     features_of_pieces_.push_back(static_cast<Place>(feature_count_));
+    if constexpr(have_radii)
+      radii_.push_back(radius_);
+  }
+
+  // Pieces that are added have this radius, which is checked and settled.
+  void set_radius([[maybe_unused]] const Any_radius& radius)
+  {
+    if constexpr(have_radii)
+      radius_ = radius;
   }
 
 private:
@@ -224,12 +251,14 @@ private:
 
   const std::size_t limit_;
   std::vector<Object> pieces_;
+  std::vector<Any_radius> radii_; // of pieces, if features have radii
   std::vector<Place> features_of_pieces_;
   std::vector<Part> parts_;
   std::vector<Place> first_parts_; // of features
   std::vector<Filled> filled_;
   std::conditional_t<dimension == 2, Ring_trees<Object>, Solid_trees<Object>> trees_;
   std::size_t feature_count_ = 0;
+  Any_radius radius_ = Any_radius(0);
 };
 
 } // namespace internal

@@ -14,6 +14,7 @@
 #include <CGAL/Thick_intersection_d/internal/features/Mesh_shape.h>
 #include <CGAL/Thick_intersection_d/internal/features/feature_kinds.h>
 #include <CGAL/Thick_intersection_d/internal/features/mesh_faces.h>
+#include <CGAL/Thick_intersection_d/internal/input/Ball_centers.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 
 #include <cstddef>
@@ -96,6 +97,21 @@ public:
     if(count != 0 && shape.is_closed())
       pieces_.end_filled(first_part, first);
   }
+
+  // Throws if the radius is negative, NaN or infinite.
+  template <class NT>
+  void begin_thick(const NT& radius)
+  {
+    if(!is_radius(radius))
+      throw std::invalid_argument("The radius of feature "
+                                  + std::to_string(pieces_.feature_count())
+                                  + " is negative, NaN or infinite.");
+    if constexpr(Is_lazy<NT>::value)
+      CGAL::exact(radius);
+    pieces_.set_radius(radius);
+  }
+
+  void end_thick() { pieces_.set_radius(0); }
 
 private:
   template <class Polygon>

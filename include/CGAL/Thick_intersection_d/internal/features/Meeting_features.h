@@ -14,6 +14,7 @@
 #include <CGAL/Thick_intersection_d/internal/boxes/box_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/features/feature_kinds.h>
 #include <CGAL/Thick_intersection_d/internal/features/mesh_faces.h>
+#include <CGAL/Thick_intersection_d/internal/input/Ball_centers.h>
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
@@ -50,7 +51,10 @@ public:
   {
     const Box& box = boxes_[position];
     const auto k = static_cast<std::size_t>(axis);
-    return box.low[k] <= box.high[k] ? Interval{box.low[k], box.high[k]} : Interval{0, 0};
+    if(box.low[k] > box.high[k])
+      return {0, 0};
+    const auto ends = thickened_interval({box.low[k], box.high[k]}, box.radius);
+    return {ends.first, ends.second};
   }
 
   // Whether each number is finite. If not, the pieces of the feature have to be checked.
@@ -74,6 +78,17 @@ public:
     for_each_face(mesh, boxes_.size() - 1, [](const auto&, const auto&, const auto&) {});
   }
 
+  // All points of a feature count as those with the largest radius. What is no radius makes a
+  // feature one that has to be checked.
+  template <class NT>
+  void begin_thick(const NT& radius)
+  {
+    const double length = bounds(radius).second;
+    boxes_.back().is_finite &= length >= 0 && length <= largest;
+    boxes_.back().radius = (std::max)(boxes_.back().radius, length);
+  }
+  void end_thick() {}
+
 private:
   static constexpr double largest = (std::numeric_limits<double>::max)();
 
@@ -81,6 +96,7 @@ private:
   {
     std::array<double, 3> low = {largest, largest, largest};
     std::array<double, 3> high = {-largest, -largest, -largest};
+    double radius = 0;
     bool is_finite = true;
 
     template <class Point>

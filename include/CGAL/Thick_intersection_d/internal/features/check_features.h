@@ -20,6 +20,8 @@ namespace internal {
 
 template <class Elements>
 using Piece_of_features = Feature_piece_t<typename Elements::value_type>;
+template <class Elements>
+using Radius_of_features = Feature_radius_t<typename Elements::value_type>;
 
 // Checks the features of one range, or of two.
 template <class First, class Second, class NamedParameters>
@@ -35,7 +37,11 @@ constexpr bool check_features()
                               "or pairs of points and triples of indices. For others, pass a "
                               "property map to such features as point_map.");
   static_assert(are_alike, "The features of the two ranges must have points of one type.");
-  if constexpr(are_features && are_alike)
+  constexpr bool are_radii_alike
+    = !std::is_same_v<Common_radius<Radius_of_features<First>, Radius_of_features<Second>>,
+                      Radii_differ>;
+  static_assert(are_radii_alike, "The radii of features must be numbers of one type.");
+  if constexpr(are_features && are_alike && are_radii_alike)
     return check_no_traits<Piece_point<A>, NamedParameters>();
   else
     return false;

@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
 #include <CGAL/boost/graph/properties.h>
 
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/input/base_kind.h>
 #include <CGAL/Thick_intersection_d/internal/input/kinds.h>
@@ -193,8 +194,64 @@ template <class Feature>
 inline constexpr bool has_interior_v<Feature, std::enable_if_t<is_range_v<Feature>>>
   = has_interior_v<Element_of_range<Feature>>;
 
+// ---- radii --------------------------------------------------------------------------------------
+
+// Whether a feature is a pair of another one, and a radius by which that is thickened.
+template <class Feature>
+inline constexpr bool is_thick_v = false;
+template <class Feature, class NT>
+inline constexpr bool is_thick_v<std::pair<Feature, NT>> = is_number_v<NT>;
+
+// An integer next to a feature may be an index.
+template <class Feature, class NT>
+struct Feature_piece<std::pair<Feature, NT>, std::enable_if_t<is_number_v<NT>>>
+  : Named_type<std::conditional_t<
+      std::is_integral_v<NT> && !Is_coordinate<Feature_piece_t<Feature>, NT>::value, void,
+      Feature_piece_t<Feature>>> {};
+
+// The type of the radii of two features, of which some have none, and then it is that of the
+// others. It is `Radii_differ` if they have two types.
+struct Radii_differ {};
+template <class A, class B>
+using Common_radius
+  = std::conditional_t<std::is_void_v<A> || std::is_same_v<A, B>, B,
+                       std::conditional_t<std::is_void_v<B>, A, Radii_differ>>;
+
+// The type of the radii of a feature and of its members, or void if it has none.
+template <class Feature, class = void>
+struct Feature_radius : Named_type<void> {};
+template <class Feature>
+using Feature_radius_t = typename Feature_radius<Feature>::type;
+
+template <class Feature, class NT>
+struct Feature_radius<std::pair<Feature, NT>, std::enable_if_t<is_number_v<NT>>>
+  : Named_type<Common_radius<NT, Feature_radius_t<Feature>>> {};
+template <class Feature>
+struct Feature_radius<std::variant<Feature>> : Feature_radius<Feature> {};
+template <class First, class... Others>
+struct Feature_radius<std::variant<First, Others...>>
+  : Named_type<Common_radius<Feature_radius_t<First>, Feature_radius_t<std::variant<Others...>>>>
+{};
+template <class Feature>
+struct Feature_radius<Feature, std::enable_if_t<is_range_v<Feature>>>
+  : Feature_radius<Element_of_range<Feature>> {};
+
+// A piece with a radius, as an object that is searched.
+template <class Object, class Radius>
+struct Thick_piece : Named_type<std::pair<Object, Radius>> {};
+template <class... Kinds, class Radius>
+struct Thick_piece<std::variant<Kinds...>, Radius>
+  : Named_type<std::variant<std::pair<Kinds, Radius>...>> {};
+template <class Object>
+struct Thick_piece<Object, void> : Named_type<Object> {};
+template <class... Kinds>
+struct Thick_piece<std::variant<Kinds...>, void> : Named_type<std::variant<Kinds...>> {};
+
+// ---- parts --------------------------------------------------------------------------------------
+
 // Hands the parts of a feature to `parts`, by add_polyline(first, last), add_polygon(polygon),
-// add_polygon_with_holes(polygon) and add_mesh(mesh).
+// add_polygon_with_holes(polygon) and add_mesh(mesh). Those of a feature with a radius are between
+// begin_thick(radius) and end_thick().
 template <class Feature, class Parts>
 void add_parts(const Feature& feature, Parts& parts)
 {
@@ -209,6 +266,11 @@ void add_parts(const Feature& feature, Parts& parts)
     parts.add_mesh(feature);
   else if constexpr(is_mesh_v<Kind> || is_soup_v<Kind>)
     parts.add_mesh(static_cast<const Kind&>(feature));
+  else if constexpr(is_thick_v<Feature>) {
+    parts.begin_thick(feature.second);
+    add_parts(feature.first, parts);
+    parts.end_thick();
+  }
   else if constexpr(is_variant_v<Feature>)
     std::visit([&](const auto& alternative) { add_parts(alternative, parts); }, feature);
   else if constexpr(Vertex_count<Feature_kind_t<Element_of_range<Feature>>>::value == 1)

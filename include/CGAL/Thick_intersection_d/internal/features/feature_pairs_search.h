@@ -53,7 +53,7 @@ public:
   template <class Pieces>
   bool do_meet(const Pieces& pieces, std::size_t i, std::size_t j) const
   {
-    return are_near_(pieces[i], pieces[j]);
+    return are_near_(pieces.thick(i), pieces.thick(j));
   }
 
   // Two intervals meet if their distance is at most the reach.
@@ -81,7 +81,7 @@ struct Piece_test<Pieces, Pieces_intersect, false, false>
 template <class Pieces, class NT>
 struct Piece_test<Pieces, Distance_bound<NT>, false, false>
 {
-  using type = Pieces_near<typename Pieces::value_type>;
+  using type = Pieces_near<typename Pieces::Thick>;
 };
 
 template <class Test, class Relation>
@@ -218,7 +218,8 @@ bool report_feature_pairs(const First& first, const Second& second, const Relati
 {
   check_denormals();
   using Pieces
-    = Feature_pieces<Common_piece<Piece_of_features<First>, Piece_of_features<Second>>>;
+    = Feature_pieces<Common_piece<Piece_of_features<First>, Piece_of_features<Second>>,
+                     Common_radius<Radius_of_features<First>, Radius_of_features<Second>>>;
   using Test = typename Piece_test<Pieces, Relation, First::are_open, Second::are_open>::type;
   const auto test = make_piece_test<Test>(relation, threads);
   Pieces pieces;

@@ -70,11 +70,17 @@ std::pair<double, double> ball_interval(const Ball& ball, int axis)
   return thickened_interval(coordinate_bounds(ball.first, axis), ball.second);
 }
 
+template <class NT>
+bool is_radius(const NT& radius)
+{
+  return is_finite_number(radius) && radius >= NT(0);
+}
+
 // Throws if the radius of an object is negative, NaN or infinite.
 template <class NT>
 void check_radius(const NT& radius, std::size_t position)
 {
-  if(!is_finite_number(radius) || !(radius >= NT(0)))
+  if(!is_radius(radius))
     throw std::invalid_argument("The radius of object " + std::to_string(position)
                                 + " is negative, NaN or infinite.");
 }
