@@ -13,17 +13,6 @@
 #include <CGAL/thick_box_intersection_d.h>
 
 #include <boost/mpl/list.hpp>
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numeric>
-#include <random>
-#include <string>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 using namespace test_support;
 

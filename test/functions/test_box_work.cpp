@@ -5,11 +5,7 @@
 // scenes of all sizes of boxes, and on scenes where no cut helps.
 
 #include "support/number_boxes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <string>
-#include <vector>
+#include "support/unit_test.h"
 
 using namespace test_support;
 

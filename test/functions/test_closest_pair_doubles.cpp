@@ -1,19 +1,14 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The closest pair and a close pair of doubles: larger scenes with ties, crowds and extremes, bad
-// input, and real data. The scenes of all kernels are in test_kernels_*.
+// The closest pair and a close pair of doubles: larger scenes with ties, crowds and extremes, and
+// real data. The scenes of all kernels are in test_kernels_*.
 
-#define BOOST_TEST_MODULE closest_pair
 #include "support/check_closest_pair.h"
 #include "support/check_pairs.h"
 #include "support/data_facts.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
-#include <list>
-#include <random>
-#include <set>
 
 using namespace test_support;
 
@@ -21,13 +16,6 @@ using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 template <int Dimension>
 using Maker = Cartesian_points<Epick, Dimension>;
 using Point = Epick::Point_2;
-
-namespace {
-
-const double infinity = std::numeric_limits<double>::infinity();
-const double nan_value = std::numeric_limits<double>::quiet_NaN();
-
-} // namespace
 
 // ---- scenes that are large enough for a join ----------------------------------------------------
 
@@ -161,33 +149,6 @@ BOOST_AUTO_TEST_CASE(bounds_of_any_size)
 }
 
 // ---- contracts ----------------------------------------------------------------------------------
-
-BOOST_AUTO_TEST_CASE(fewer_than_two_points_have_no_closest_pair)
-{
-  std::vector<Point> points;
-  BOOST_CHECK_THROW(CGAL::closest_pair(points), std::invalid_argument);
-  BOOST_CHECK(!CGAL::has_close_pair(points, CGAL::within_distance(1)));
-  points.emplace_back(1, 2);
-  BOOST_CHECK_THROW(CGAL::closest_pair(points), std::invalid_argument);
-  BOOST_CHECK(!CGAL::has_close_pair(points, CGAL::within_distance(infinity)));
-}
-
-BOOST_AUTO_TEST_CASE(bad_input_is_refused_by_position)
-{
-  for(const double bad : {nan_value, infinity, -infinity})
-    for(const std::size_t n : {std::size_t(3), std::size_t(5000)}) {
-      std::vector<Point> points(n, Point(0, 0)); // with a close pair long before the bad one
-      points[n - 1] = Point(0, bad);
-      const std::string expected
-        = "Coordinate 1 of point " + std::to_string(n - 1) + " is NaN or infinite.";
-      BOOST_CHECK_EQUAL(refusal([&] { CGAL::closest_pair(points); }), expected);
-      BOOST_CHECK_EQUAL(refusal([&] { CGAL::has_close_pair(points, CGAL::within_distance(1)); }),
-                        expected);
-    }
-  const std::vector<Point> none;
-  for(const double bad : {-1., -5e-324, -infinity, nan_value})
-    BOOST_CHECK_NE(refusal([&] { CGAL::has_close_pair(none, CGAL::within_distance(bad)); }), "");
-}
 
 BOOST_AUTO_TEST_CASE(any_range_of_points_will_do)
 {

@@ -3,7 +3,6 @@
 
 // The closest pair does not depend on the number of threads, by any method.
 
-#define BOOST_TEST_MODULE closest_pair_parallel
 #include "support/check_closest_pair.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -69,11 +68,4 @@ BOOST_AUTO_TEST_CASE(progress_grows_to_one_and_cancels)
     check_progress_of_both<CGAL::Parallel_tag>(points, 50);
     check_progress_of_both<CGAL::Parallel_tag>(huge, 50);
   }
-}
-
-BOOST_AUTO_TEST_CASE(bad_input_is_refused)
-{
-  std::vector<Epick::Point_2> points(5000, Epick::Point_2(0, 0));
-  points[4000] = Epick::Point_2(0, std::numeric_limits<double>::quiet_NaN());
-  BOOST_CHECK_THROW(CGAL::closest_pair<CGAL::Parallel_tag>(points), std::invalid_argument);
 }

@@ -4,15 +4,10 @@
 // The work of the search for the closest pair is linear at all scales, whoever makes the input:
 // looks at points are counted.
 
-#define BOOST_TEST_MODULE closest_pair_work
 #include "support/check_closest_pair.h"
 #include "support/counted_points.h"
 
 #include <CGAL/Simple_cartesian.h>
-
-#include <cmath>
-#include <cstring>
-#include <functional>
 
 using namespace test_support;
 

@@ -7,11 +7,9 @@
 
 #include "support/kernels.h"
 #include "support/lattice_counts.h"
-#include "support/point_generators.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
-#include <boost/test/unit_test.hpp>
 
 using namespace test_support;
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 // What the public functions promise beyond the right pairs: which ranges and traits they take, what
-// a callback is, and what happens to bad input. What callbacks and progress may do, and the order
-// of reports, is in test_faults and test_progress.
+// a callback is. What callbacks and progress may do, and the order of reports, is in test_faults and
+// test_progress; what is refused, in test_refusals.
 
 #include "support/brute_force.h"
 #include "support/check_pairs.h"
@@ -11,20 +11,13 @@
 #include "support/lattice_traits.h"
 #include "support/scenes.h"
 
-#include <CGAL/Exact_integer.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Thick_ball_traits_d.h>
 #include <CGAL/closest_pair.h>
 #include <CGAL/thick_feature_intersection_d.h>
-#include <CGAL/thick_intersection_d.h>
 
 #include <boost/iterator/transform_iterator.hpp>
 #include <boost/range/iterator_range.hpp>
-#include <boost/test/unit_test.hpp>
-
-#include <list>
-#include <memory>
 
 #ifdef __SSE2__
 #include <xmmintrin.h>
@@ -37,9 +30,6 @@ using Point = Kernel::Point_2;
 using Maker = Cartesian_points<Kernel, 2>;
 
 namespace {
-
-const double infinity = std::numeric_limits<double>::infinity();
-const double nan_value = std::numeric_limits<double>::quiet_NaN();
 
 Point_scene some_scene()
 {
@@ -191,44 +181,6 @@ BOOST_AUTO_TEST_CASE(infinite_bound_reports_all_pairs)
   BOOST_CHECK_EQUAL(near_pairs(points, CGAL::within_distance(infinity).open()).size(), 3u);
 }
 
-BOOST_AUTO_TEST_CASE(bad_coordinates_are_refused_by_position)
-{
-  for(const double bad : {nan_value, infinity, -infinity}) {
-    auto points = make_points<Maker>({{0, 0}, {0, 0}, {1, 1}});
-    points[2] = Point(1, bad);
-    const std::string message
-      = refusal([&] { near_pairs(points, CGAL::within_distance(1)); });
-    BOOST_CHECK_MESSAGE(contains(message, "point 2") && contains(message, "oordinate 1"), message);
-    const std::string of_two_sets = refusal(
-      [&] { near_pairs(make_points<Maker>({{0, 0}}), points, CGAL::within_distance(1)); });
-    BOOST_CHECK_MESSAGE(contains(of_two_sets, "point 3"), of_two_sets);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(bad_bounds_are_refused_even_without_points)
-{
-  const std::vector<Point> none;
-  for(const double bad : {-1., -5e-324, -infinity, nan_value}) {
-    BOOST_CHECK(refusal([&] { near_pairs(none, CGAL::within_distance(bad)); }) != "");
-    BOOST_CHECK(refusal([&] { near_pairs(none, CGAL::within_squared_distance(bad)); }) != "");
-  }
-  BOOST_CHECK(refusal([&] {
-                near_pairs(none, CGAL::within_distance(CGAL::Exact_rational(-1) / 3));
-              }) != "");
-  BOOST_CHECK_EQUAL(refusal([&] { near_pairs(none, CGAL::within_distance(-0.)); }), "");
-}
-
-BOOST_AUTO_TEST_CASE(nothing_is_reported_before_bad_input_is_refused)
-{
-  auto points = make_points<Maker>(Points(100, Coordinates{0, 0}));
-  points.back() = Point(nan_value, 0);
-  std::size_t calls = 0;
-  BOOST_CHECK_THROW(CGAL::fixed_radius_near_neighbors(points, CGAL::within_distance(1),
-                                                      [&](std::size_t, std::size_t) { ++calls; }),
-                    std::invalid_argument);
-  BOOST_CHECK_EQUAL(calls, 0u);
-}
-
 BOOST_AUTO_TEST_CASE(callback_is_used_and_not_copied)
 {
   struct Counter
@@ -243,40 +195,6 @@ BOOST_AUTO_TEST_CASE(callback_is_used_and_not_copied)
   CGAL::fixed_radius_near_neighbors(make_points<Maker>(scene.points), CGAL::within_distance(0.1),
                                     counter);
   BOOST_CHECK_EQUAL(counter.calls, truth_of(scene).pairs.size());
-}
-
-BOOST_AUTO_TEST_CASE(exceptions_of_a_predicate_pass_through)
-{
-  struct Throwing_traits : Lattice_traits
-  {
-    using Lattice_traits::Lattice_traits;
-    std::size_t* calls_left = nullptr;
-    struct Do_intersect_d
-    {
-      std::size_t* calls_left;
-      bool operator()(const Site&, const Site&) const
-      {
-        if((*calls_left)-- == 0)
-          throw std::runtime_error("no more predicates");
-        return true;
-      }
-    };
-    Do_intersect_d do_intersect_d_object() const { return {calls_left}; }
-  };
-  std::vector<Site> sites;
-  for(long i = 0; i < 200; ++i)
-    sites.emplace_back(std::vector<long>{i % 14, i / 14});
-  for(std::size_t allowed = 0; allowed < 100; allowed += 9) {
-    Calls calls;
-    std::size_t calls_left = allowed, reports = 0;
-    Throwing_traits traits(2, 1, 1, calls);
-    traits.calls_left = &calls_left;
-    BOOST_CHECK_THROW(CGAL::thick_self_intersection_d(
-                        sites, [&](std::size_t, std::size_t) { ++reports; },
-                        CGAL::parameters::geom_traits(traits)),
-                      std::runtime_error);
-    BOOST_CHECK_EQUAL(reports, allowed);
-  }
 }
 
 // Nobody reads the elements: it would take long, and most of their memory is never there.

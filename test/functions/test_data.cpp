@@ -6,14 +6,10 @@
 
 #include "support/data_facts.h"
 #include "support/kernels.h"
+#include "support/unit_test.h"
 #include "support/usual_kernels.h"
 
 #include <CGAL/Thick_ball_traits_d.h>
-#include <CGAL/thick_intersection_d.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <map>
 
 using namespace test_support;
 

@@ -4,9 +4,8 @@
 // The algebraic degree of what the package decides, measured: coordinates are compared at degree 1,
 // distances at degree 2, and nothing is decided at a higher degree. [V03, section 2]
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/degree_traits.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Thick_ball_traits_d.h>
 #include <CGAL/fixed_radius_near_neighbors.h>

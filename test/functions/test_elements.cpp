@@ -6,22 +6,10 @@
 
 #include "support/check_pairs.h"
 #include "support/kernels.h"
-#include "support/point_generators.h"
 
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/fixed_radius_near_neighbors.h>
-#include <CGAL/thick_intersection_d.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <iterator>
-#include <list>
-#include <utility>
-#include <vector>
 
 using namespace test_support;
 

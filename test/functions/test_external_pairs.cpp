@@ -3,38 +3,22 @@
 
 // The search of points that do not fit in memory, compared with the search in memory.
 
-#define BOOST_TEST_MODULE external_pairs
-#include "support/pairs.h"
+#include "support/brute_force.h"
+#include "support/kernels.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Memory_budget.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/external_fixed_radius_near_neighbors.h>
 
-#include <CGAL/Thick_intersection_d/internal/arrays/Random_numbers.h>
-#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/external/Chunk_store.h>
 #include <CGAL/Thick_intersection_d/internal/external/External_parts.h>
 #include <CGAL/Thick_intersection_d/internal/external/Searched_points.h>
 #include <CGAL/Thick_intersection_d/internal/external/Stored_points.h>
 #include <CGAL/Thick_intersection_d/internal/external/external_pairs_search.h>
-#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
 #include <chrono>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <filesystem>
-#include <functional>
-#include <limits>
-#include <stdexcept>
-#include <string>
-#include <system_error>
-#include <tuple>
-#include <vector>
 
 #ifdef __unix__
 #include <sys/stat.h>
@@ -46,8 +30,8 @@ using namespace CGAL::Thick_intersection_d::internal;
 
 namespace fs = std::filesystem;
 
-using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Points = std::vector<Point>;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
 using Bound = CGAL::Distance_bound<double>;
 
 namespace {
@@ -56,55 +40,17 @@ namespace {
 // fit in.
 constexpr std::size_t small = 1 << 16, large = 1 << 26;
 
-class Scene_maker
-{
-public:
-  double number() { return random_() / (1. + Random_numbers::largest()); }
-
-  Point in_cube(double side, const Point& corner = Point(0, 0, 0))
-  {
-    const double x = side * number(), y = side * number(), z = side * number();
-    return Point(corner.x() + x, corner.y() + y, corner.z() + z);
-  }
-
-  Points uniform(std::size_t size)
-  {
-    Points points;
-    while(points.size() < size)
-      points.push_back(in_cube(1));
-    return points;
-  }
-
-  Points clusters(std::size_t size)
-  {
-    Points points, centers = uniform(12);
-    while(points.size() < size)
-      points.push_back(in_cube(.01, centers[points.size() % centers.size()]));
-    return points;
-  }
-
-private:
-  Random_numbers random_;
-};
-
-Points lattice(int side)
-{
-  Points points;
-  for(int x = 0; x < side; ++x)
-    for(int y = 0; y < side; ++y)
-      for(int z = 0; z < side; ++z)
-        points.emplace_back(.1 * z, .1 * x, .1 * y);
-  return points;
-}
+Points uniform(std::size_t size) { return uniform_points(3, size, 0, 1, 1); }
 
 // The callback and the kind of range are the same for all tests, so the search is compiled once.
 using Report = std::function<bool(std::uint64_t, std::uint64_t)>;
 using Go_on = std::function<bool(double)>;
 
-bool search(const Points& points, const Bound& bound, std::size_t bytes, const Report& report,
+bool search(const Points& scene, const Bound& bound, std::size_t bytes, const Report& report,
             const Go_on& go_on = [](double) { return true; })
 {
-  using Search = External_search<3, Points, No_map, double, const Report, Go_on>;
+  const auto points = make_points<Cartesian_points<Kernel, 3>>(scene);
+  using Search = External_search<3, std::vector<Point>, No_map, double, const Report, Go_on>;
   return Search(points, No_map(), bound, CGAL::Memory_budget(bytes), report, go_on,
                 Threads())
     .run();
@@ -121,101 +67,90 @@ Pairs pairs_of(const Points& points, const Bound& bound, std::size_t bytes)
   return sorted(pairs);
 }
 
-// Whether the pairs are the same in parts as in memory, and there are some.
-bool has_equal_pairs(const Points& points, const Bound& bound)
+// The pairs are the same in parts as in memory, and there are some.
+void check_parts(const std::string& name, const Points& points, double distance)
 {
-  const Pairs expected = pairs_of(points, bound, large);
-  return !expected.empty() && pairs_of(points, bound, small) == expected;
+  for(const bool is_open : {false, true})
+    BOOST_TEST_CONTEXT(name << ", r = " << distance << (is_open ? ", open" : ""))
+    {
+      const Bound bound(distance, false, is_open);
+      const Pairs expected = pairs_of(points, bound, large);
+      BOOST_CHECK(!expected.empty());
+      BOOST_CHECK(pairs_of(points, bound, small) == expected);
+    }
 }
+
+Points moved(Points points, const std::function<void(std::size_t, Coordinates&)>& move)
+{
+  for(std::size_t i = 0; i < points.size(); ++i)
+    move(i, points[i]);
+  return points;
+}
+
+// A folder of its own for a test, which leaves nothing in it.
+struct Scratch_folder
+{
+  Scratch_folder()
+  {
+    const auto now = std::chrono::system_clock::now().time_since_epoch().count();
+    path = fs::temp_directory_path() / ("thick_test_" + std::to_string(now));
+    fs::create_directory(path);
+    fs::permissions(path, fs::perms::all);
+  }
+  ~Scratch_folder()
+  {
+    BOOST_CHECK(fs::is_empty(path));
+    fs::remove_all(path);
+  }
+  fs::path path;
+};
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(uniform_points_have_the_same_pairs_in_parts)
+BOOST_AUTO_TEST_CASE(scenes_have_the_same_pairs_in_parts)
 {
-  const Points points = Scene_maker().uniform(20000);
-  BOOST_CHECK(has_equal_pairs(points, CGAL::within_distance(.03)));
-  BOOST_CHECK(has_equal_pairs(points, CGAL::within_squared_distance(.0009).open()));
-}
-
-BOOST_AUTO_TEST_CASE(clusters_have_the_same_pairs_in_parts)
-{
-  BOOST_CHECK(has_equal_pairs(Scene_maker().clusters(9000), CGAL::within_distance(.001)));
-}
-
-BOOST_AUTO_TEST_CASE(ties_of_a_lattice_are_the_same_in_parts)
-{
-  const Points points = lattice(20);
-  BOOST_CHECK(has_equal_pairs(points, CGAL::within_distance(.1)));
-  BOOST_CHECK(has_equal_pairs(points, CGAL::within_distance(.1).open()));
-}
-
-BOOST_AUTO_TEST_CASE(near_ties_far_from_zero_are_the_same_in_parts)
-{
-  Points points;
-  for(const Point& p : lattice(16))
-    points.emplace_back(std::round(10 * p.x()) + 0x1p50, std::round(10 * p.y()) + 0x1p51,
-                        std::round(10 * p.z()) / 8 + 0x1p49);
-  BOOST_CHECK(has_equal_pairs(points, CGAL::within_distance(1.)));
+  check_parts("uniform", uniform(20000), .03);
+  check_parts("clusters", clustered_points(3, 9000, 12, .004, 2), .001);
+  check_parts("a plane", moved(uniform(10000), [](std::size_t, Coordinates& c) { c[0] = 3; }), .01);
+  check_parts("a line", embedded(uniform_points(1, 10000, 0, 1, 3), 3), .0001);
+  check_parts("of all sizes", moved(uniform(6000), [](std::size_t i, Coordinates& c) {
+    for(double& x : c)
+      x = std::ldexp(x, -static_cast<int>(i % 900));
+  }), 0x1p-880);
 }
 
 // Decimals have ties that integers do not decide, and no two of them need be equal.
-BOOST_AUTO_TEST_CASE(near_ties_of_decimals_are_the_same_in_parts)
+BOOST_AUTO_TEST_CASE(near_ties_are_the_same_in_parts)
 {
-  Scene_maker maker;
-  const auto decimal = [&] { return std::floor(5000 * maker.number()) / 1000; };
-  Points points;
-  for(int i = 0; i < 20000; ++i) {
-    const double x = decimal(), y = decimal();
-    points.emplace_back(x, y, 0);
-  }
+  check_parts("a lattice", lattice_points(3, 20, .1), .1);
+  check_parts("far from zero", moved(lattice_points(3, 16, 1), [](std::size_t, Coordinates& c) {
+    c = {c[0] + 0x1p50, c[1] + 0x1p51, c[2] / 8 + 0x1p49};
+  }), 1);
+  Random random(4);
+  const Points decimals
+    = moved(embedded(integer_points(2, 20000, 5000, random), 3), [](std::size_t, Coordinates& c) {
+        for(double& x : c)
+          x /= 1000;
+      });
   for(const double distance : {.005, .05})
-    BOOST_CHECK(has_equal_pairs(points, CGAL::within_distance(distance)));
-}
-
-BOOST_AUTO_TEST_CASE(points_of_a_plane_and_of_a_line_have_the_same_pairs_in_parts)
-{
-  Scene_maker maker;
-  Points plane, line;
-  for(int i = 0; i < 10000; ++i) {
-    plane.emplace_back(3, maker.number(), maker.number());
-    line.emplace_back(maker.number(), 0, 0);
-  }
-  BOOST_CHECK(has_equal_pairs(plane, CGAL::within_distance(.01)));
-  BOOST_CHECK(has_equal_pairs(line, CGAL::within_distance(.0001)));
+    check_parts("decimals", decimals, distance);
 }
 
 // The first points tell where to cut, and here they are all on one side.
 BOOST_AUTO_TEST_CASE(points_in_order_have_the_same_pairs_in_parts)
 {
-  Points points = Scene_maker().uniform(20000);
-  for(const int axis : {0, 2}) {
-    std::sort(points.begin(), points.end(), [&](const Point& p, const Point& q) {
-      return p.cartesian(axis) < q.cartesian(axis);
+  Points points = uniform(20000);
+  for(const std::size_t axis : {0, 2}) {
+    std::sort(points.begin(), points.end(), [&](const Coordinates& p, const Coordinates& q) {
+      return p[axis] < q[axis];
     });
-    BOOST_CHECK(has_equal_pairs(points, CGAL::within_distance(.03)));
+    check_parts("in order", points, .03);
   }
-}
-
-BOOST_AUTO_TEST_CASE(points_of_all_sizes_have_the_same_pairs_in_parts)
-{
-  Scene_maker maker;
-  Points points;
-  for(int i = 0; i < 6000; ++i) {
-    const double size = std::ldexp(1., -i % 900);
-    points.push_back(maker.in_cube(size));
-  }
-  BOOST_CHECK(has_equal_pairs(points, CGAL::within_distance(0x1p-880)));
 }
 
 BOOST_AUTO_TEST_CASE(points_of_type_Point_2_have_the_same_pairs_in_parts)
 {
-  using Plane_point = CGAL::Simple_cartesian<double>::Point_2;
-  Scene_maker maker;
-  std::vector<Plane_point> points;
-  for(int i = 0; i < 140000; ++i) {
-    const double x = maker.number();
-    points.emplace_back(x, maker.number());
-  }
+  const auto points = make_points<Cartesian_points<Kernel, 2>>(uniform_points(2, 140000, 0, 1, 5));
   const auto pairs_within = [&](std::size_t bytes) {
     Pairs pairs;
     CGAL::external_fixed_radius_near_neighbors(
@@ -231,30 +166,24 @@ BOOST_AUTO_TEST_CASE(points_of_type_Point_2_have_the_same_pairs_in_parts)
 
 BOOST_AUTO_TEST_CASE(a_crowd_that_fits_has_its_pairs)
 {
-  Scene_maker maker;
-  Points points = maker.uniform(10000);
-  for(int i = 0; i < 400; ++i)
-    points.push_back(maker.in_cube(1e-6, Point(.5, .5, .5)));
+  Points points = concatenated(uniform(10000), uniform_points(3, 400, .5, 1e-6, 6));
   std::reverse(points.begin() + 5000, points.end());
-  BOOST_CHECK(has_equal_pairs(points, CGAL::within_distance(.01)));
+  check_parts("a crowd", points, .01);
 }
 
 BOOST_AUTO_TEST_CASE(equal_points_are_pairs_across_parts)
 {
-  Points points = Scene_maker().uniform(2500);
-  const Points copy = points;
-  for(int round = 0; round < 3; ++round)
-    points.insert(points.end(), copy.begin(), copy.end());
-  BOOST_CHECK_EQUAL(pairs_of(points, CGAL::within_distance(0.), small).size(), 6 * copy.size());
+  const Points points = repeated(uniform(2500), 4);
+  BOOST_CHECK_EQUAL(pairs_of(points, CGAL::within_distance(0.), small).size(), 6 * 2500);
 }
 
 BOOST_AUTO_TEST_CASE(a_crowd_that_does_not_fit_is_refused)
 {
-  const Points equal(3000, Point(1, 2, 3));
+  const Points equal = identical_points(3, 3000, 1);
   BOOST_CHECK_THROW(pairs_of(equal, CGAL::within_distance(0.), small), std::length_error);
-  const Points points = Scene_maker().uniform(5000);
+  const Points points = uniform(5000);
   BOOST_CHECK_THROW(pairs_of(points, CGAL::within_distance(.7), small), std::length_error);
-  BOOST_CHECK_THROW(pairs_of(points, Bound(std::numeric_limits<double>::infinity(), false), small),
+  BOOST_CHECK_THROW(pairs_of(points, Bound(infinity, false), small),
                     std::length_error);
 }
 
@@ -262,12 +191,12 @@ BOOST_AUTO_TEST_CASE(no_point_and_one_point_have_no_pair)
 {
   for(std::size_t size : {0, 1})
     for(std::size_t bytes : {small, large})
-      BOOST_CHECK(pairs_of(Points(size), CGAL::within_distance(1.), bytes).empty());
+      BOOST_CHECK(pairs_of(uniform(size), CGAL::within_distance(1.), bytes).empty());
 }
 
 BOOST_AUTO_TEST_CASE(callback_stops_the_search_in_a_later_part)
 {
-  const Points points = Scene_maker().uniform(20000);
+  const Points points = uniform(20000);
   std::size_t count = 0;
   BOOST_CHECK(!search(points, CGAL::within_distance(.03), small,
                       [&](std::uint64_t, std::uint64_t) { return ++count < 5000; }));
@@ -276,7 +205,7 @@ BOOST_AUTO_TEST_CASE(callback_stops_the_search_in_a_later_part)
 
 BOOST_AUTO_TEST_CASE(progress_grows_up_to_one_and_stops_the_search)
 {
-  const Points points = Scene_maker().uniform(20000);
+  const Points points = uniform(20000);
   const Report report = [](std::uint64_t, std::uint64_t) { return true; };
   std::vector<double> told;
   BOOST_CHECK(search(points, CGAL::within_distance(.03), small, report, [&](double done) {
@@ -292,9 +221,9 @@ BOOST_AUTO_TEST_CASE(progress_grows_up_to_one_and_stops_the_search)
 
 BOOST_AUTO_TEST_CASE(bad_arguments_are_refused_before_any_pair)
 {
-  Points points = Scene_maker().uniform(3000);
+  Points points = uniform(3000);
   BOOST_CHECK_THROW(pairs_of(points, CGAL::within_distance(-1.), small), std::invalid_argument);
-  points.back() = Point(0, std::nan(""), 0);
+  points.back()[1] = std::nan("");
   const auto names_position = [](const std::invalid_argument& error) {
     return std::string(error.what()).find("point 2999") != std::string::npos;
   };
@@ -312,39 +241,28 @@ BOOST_AUTO_TEST_CASE(a_folder_that_is_missing_is_an_error)
 // As a user who may not read what was made. The superuser may, and plays another user.
 BOOST_AUTO_TEST_CASE(a_scratch_file_that_cannot_be_opened_leaves_nothing_behind)
 {
-  const auto now = std::chrono::system_clock::now().time_since_epoch().count();
-  const fs::path folder = fs::temp_directory_path() / ("thick_closed_" + std::to_string(now));
-  fs::create_directory(folder);
-  fs::permissions(folder, fs::perms::all);
+  const Scratch_folder folder;
   const bool is_superuser = geteuid() == 0;
   constexpr uid_t nobody = 65534;
   BOOST_REQUIRE(!is_superuser || seteuid(nobody) == 0);
   const mode_t mask = umask(0777);
-  BOOST_CHECK_THROW(Scratch_file file(folder), std::system_error);
+  BOOST_CHECK_THROW(Scratch_file file(folder.path), std::system_error);
   umask(mask);
   BOOST_REQUIRE(!is_superuser || seteuid(0) == 0);
-  BOOST_CHECK(fs::is_empty(folder));
-  fs::remove_all(folder);
 }
 #endif
 
 BOOST_AUTO_TEST_CASE(a_scratch_file_leaves_nothing_behind)
 {
-  const auto now = std::chrono::system_clock::now().time_since_epoch().count();
-  const fs::path folder = fs::temp_directory_path() / ("thick_test_" + std::to_string(now));
-  fs::create_directory(folder);
-  {
-    Scratch_file file(folder), other(folder);
-    const std::array<double, 3> written = {1, 2, 3};
-    std::array<double, 3> read = {};
-    const std::uint64_t far = std::uint64_t(5) << 30; // beyond 32 bits; the file has a hole
-    file.write(far, written.data(), sizeof written);
-    file.read(far, read.data(), sizeof read);
-    BOOST_CHECK(read == written);
-    BOOST_CHECK_THROW(other.read(0, read.data(), sizeof read), std::system_error);
-  }
-  BOOST_CHECK(fs::is_empty(folder));
-  fs::remove_all(folder);
+  const Scratch_folder folder;
+  Scratch_file file(folder.path), other(folder.path);
+  const std::array<double, 3> written = {1, 2, 3};
+  std::array<double, 3> read = {};
+  const std::uint64_t far = std::uint64_t(5) << 30; // beyond 32 bits; the file has a hole
+  file.write(far, written.data(), sizeof written);
+  file.read(far, read.data(), sizeof read);
+  BOOST_CHECK(read == written);
+  BOOST_CHECK_THROW(other.read(0, read.data(), sizeof read), std::system_error);
 }
 
 BOOST_AUTO_TEST_CASE(a_list_on_disk_gives_its_chunks_to_the_next_list)
@@ -402,10 +320,10 @@ BOOST_AUTO_TEST_CASE(points_of_a_part_are_found_by_their_numbers)
 
 BOOST_AUTO_TEST_CASE(stripes_have_about_as_many_numbers_each)
 {
-  Scene_maker maker;
+  Random random(7);
   std::vector<double> values;
   for(int i = 0; i < 6400; ++i)
-    values.push_back(std::ldexp(maker.number(), i % 600));
+    values.push_back(std::ldexp(random.uniform(), i % 600));
   std::sort(values.begin(), values.end());
   const Stripes stripes(values, 32);
   std::array<int, 32> counts = {};
@@ -441,11 +359,11 @@ BOOST_AUTO_TEST_CASE(a_huge_budget_has_parts_that_a_search_takes)
 
 BOOST_AUTO_TEST_CASE(parts_fill_the_budget_with_the_points_near_them)
 {
-  const Points points = Scene_maker().uniform(60000);
+  const Points points = uniform(60000);
   for(const auto& [bytes, reach, most_parts] : {std::tuple(small, .03, 250), {1 << 20, .003, 6}}) {
     External_parts<3> parts(CGAL::Memory_budget(bytes), reach);
     const auto point_at = [&](std::uint64_t i) {
-      return Stored_point<3>({points[i].x(), points[i].y(), points[i].z()}, i);
+      return Stored_point<3>({points[i][0], points[i][1], points[i][2]}, i);
     };
     parts.make(points.size(), point_at, [&](const auto& visit) {
       for(std::size_t i = 0; i < points.size(); ++i)

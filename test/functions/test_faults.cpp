@@ -6,23 +6,15 @@
 // callback is called that need not, and the next search finds all pairs, in the same order.
 
 #include "support/counting_allocator.h"
-#include "support/pairs.h"
 #include "support/searches.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Dimension.h>
 #include <CGAL/closest_pair.h>
 
-#include <boost/test/unit_test.hpp>
 #include <tbb/global_control.h>
 
-#include <atomic>
-#include <cmath>
-#include <functional>
-#include <new>
-#include <stdexcept>
 #include <thread>
-#include <utility>
-#include <vector>
 
 using namespace test_support;
 
@@ -117,7 +109,7 @@ template <class ConcurrencyTag>
 std::vector<Search> searches_with_throwing_predicates()
 {
   return {
-    search_by_traits<ConcurrencyTag>("intervals", searched_boxes(600), Interval_traits()),
+    search_by_traits<ConcurrencyTag>("intervals", searched_boxes(4000), Interval_traits()),
     search_by_traits<ConcurrencyTag>("three predicates", searched_points<2>(400),
                                      Predicate_traits())};
 }

@@ -5,19 +5,12 @@
 // looks at are counted where nearly all boxes meet, but are of one feature or of a known pair. Of
 // interiors, it is the edges that are read where boundaries meet in many places, or in one.
 
+#include "support/unit_test.h"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2.h>
 #include <CGAL/Polygon_with_holes_2.h>
 #include <CGAL/thick_feature_intersection_d.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <cstddef>
-#include <random>
-#include <string>
-#include <variant>
-#include <vector>
 
 namespace internal = CGAL::Thick_intersection_d::internal;
 

@@ -7,15 +7,8 @@
 #include "support/check_pairs.h"
 #include "support/counting_allocator.h"
 
-
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/thick_box_intersection_d.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <limits>
-#include <random>
-#include <vector>
 
 using namespace test_support;
 
@@ -98,26 +91,6 @@ BOOST_AUTO_TEST_CASE(few_boxes_meet_none_of_an_empty_range)
   const auto report = [](const auto&, const auto&) { BOOST_ERROR("a pair of one range"); };
   CGAL::thick_box_intersection_d(boxes.begin(), boxes.end(), boxes.end(), boxes.end(), report);
   CGAL::thick_box_intersection_d(boxes.end(), boxes.end(), boxes.begin(), boxes.end(), report);
-}
-
-BOOST_AUTO_TEST_CASE(a_callback_stops_the_search_of_few_boxes)
-{
-  const auto boxes = boxes_on_grid<3>(60, 2, 3);
-  int count = 0;
-  const auto stop = [&](const auto&, const auto&) { return ++count != 2; };
-  BOOST_CHECK(!CGAL::thick_box_self_intersection_d(boxes.begin(), boxes.end(), stop));
-  BOOST_CHECK_EQUAL(count, 2);
-}
-
-BOOST_AUTO_TEST_CASE(few_boxes_with_nan_are_refused)
-{
-  auto boxes = boxes_on_grid<2>(5, 3, 1);
-  double corner[] = {1, std::numeric_limits<double>::quiet_NaN()};
-  boxes[3] = Box<2>(corner, corner);
-  const auto report = [](const auto&, const auto&) { BOOST_ERROR("a pair before an error"); };
-  BOOST_CHECK_EQUAL(refusal([&] {
-    CGAL::thick_box_self_intersection_d(boxes.begin(), boxes.end(), report);
-  }), "Coordinate 1 of box 3 is NaN.");
 }
 
 BOOST_AUTO_TEST_CASE(few_boxes_need_no_memory)

@@ -10,7 +10,6 @@
 #include "support/counting_allocator.h"
 #include "support/instruction_sets.h"
 #include "support/kernels.h"
-#include "support/point_generators.h"
 #include "support/scenes.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -18,23 +17,11 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/closest_pair.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
-
 using namespace test_support;
 
 namespace {
 
 constexpr std::size_t max_size = 260; // a few more than are searched each with each
-const double infinity = std::numeric_limits<double>::infinity();
 
 template <int Dimension>
 using Epick_points = Cartesian_points<CGAL::Epick, Dimension>;
@@ -283,49 +270,6 @@ BOOST_AUTO_TEST_CASE(the_closest_of_rounded_squares)
   const double x = 0x1p-537 * std::sqrt(.4), y = 0x1p-537 * std::sqrt(.6);
   const auto points = make_points<Epick_points<3>>({{0, 0, 0}, {x, x, 0}, {0, 0, 1}, {y, 0, 1}});
   BOOST_CHECK(CGAL::closest_pair(points) == Pair(2, 3));
-}
-
-// The text is that of the search of many points, and nothing is reported before.
-BOOST_AUTO_TEST_CASE(errors_are_those_of_many_points)
-{
-  const double nan_value = std::numeric_limits<double>::quiet_NaN();
-  const auto report = [](std::size_t, std::size_t) { BOOST_ERROR("a pair before an error"); };
-  for(const std::size_t size : {2, 8, 9, 64, 200, 256})
-    for(const double value : {nan_value, infinity, -infinity})
-      for(const std::size_t position : {std::size_t(0), size / 2, size - 1})
-        for(const std::size_t axis : {0, 1, 2}) {
-          Points scene_points = identical_points(3, size, 1);
-          scene_points[position][axis] = value;
-          const auto points = make_points<Epick_points<3>>(scene_points);
-          const auto bound = CGAL::within_distance(1.);
-          CGAL::Scene_profile profile;
-          const std::string error = refusal(
-            [&] { CGAL::fixed_radius_near_neighbors(points, bound, report); });
-          BOOST_CHECK_EQUAL(error, refusal([&] {
-            CGAL::fixed_radius_near_neighbors(points, bound, report, profile);
-          }));
-          BOOST_CHECK_EQUAL(error, refusal([&] { CGAL::closest_pair(points); }));
-          BOOST_CHECK_EQUAL(error, refusal([&] { CGAL::find_close_pair(points, bound); }));
-          BOOST_CHECK_EQUAL(error, "Coordinate " + std::to_string(axis) + " of point "
-                                     + std::to_string(position) + " is NaN or infinite.");
-          const auto [a, b] = split(points, 1);
-          BOOST_CHECK_EQUAL(error, refusal([&, &a = a, &b = b] {
-            CGAL::fixed_radius_near_neighbors(a, b, bound, report);
-          }));
-        }
-  const auto two = make_points<Epick_points<2>>(identical_points(2, 2, 1));
-  for(const double value : {-1., -infinity, nan_value})
-    for(const bool is_squared : {false, true}) {
-      const CGAL::Distance_bound<double> bound(value, is_squared);
-      const std::string expected = "The distance bound is negative or NaN.";
-      BOOST_CHECK_EQUAL(expected, refusal([&] {
-        CGAL::fixed_radius_near_neighbors(two, bound, report);
-      }));
-      BOOST_CHECK_EQUAL(expected, refusal([&] { CGAL::find_close_pair(two, bound); }));
-    }
-  BOOST_CHECK_EQUAL("There is no closest pair of fewer than two points.", refusal([&] {
-    CGAL::closest_pair(std::vector<CGAL::Epick::Point_2>(1));
-  }));
 }
 
 BOOST_AUTO_TEST_CASE(a_callback_stops_the_search_of_few_points)

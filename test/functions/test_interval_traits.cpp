@@ -3,7 +3,7 @@
 
 // What the public functions promise for objects that are searched by their boxes: those of traits
 // with intervals, kernel objects, and balls. What callbacks and progress may do, and the order of
-// reports, is in test_faults and test_progress.
+// reports, is in test_faults and test_progress; what is refused, in test_refusals.
 
 #include "support/check_pairs.h"
 #include "support/interval_traits.h"
@@ -14,18 +14,10 @@
 #include <CGAL/thick_intersection_d.h>
 
 #include <boost/property_map/function_property_map.hpp>
-#include <boost/test/unit_test.hpp>
-
-#include <functional>
-#include <list>
-#include <string>
 
 using namespace test_support;
 
 namespace {
-
-const double infinity = std::numeric_limits<double>::infinity();
-const double nan_value = std::numeric_limits<double>::quiet_NaN();
 
 // One type of callback, because compilers make a search for each.
 using Callback = std::function<bool(std::size_t, std::size_t)>;
@@ -154,35 +146,6 @@ BOOST_AUTO_TEST_CASE(intervals_may_be_infinite)
   }
 }
 
-BOOST_AUTO_TEST_CASE(empty_intervals_and_nan_are_refused_by_position)
-{
-  for(const internal::Interval& bad :
-      {internal::Interval{1, 0}, internal::Interval{nan_value, 0},
-       internal::Interval{0, nan_value}, internal::Interval{infinity, -infinity}})
-    for(const int dimension : {1, 2, 5}) {
-      Number_boxes boxes = some_boxes(dimension, 60);
-      boxes[57][dimension - 1] = boxes[58][0] = bad; // the first one is named
-      Call_count calls = 0;
-      const Interval_traits traits(dimension, calls);
-      const auto objects = colored(boxes);
-      std::size_t reports = 0;
-      const Callback count = [&](std::size_t, std::size_t) { return ++reports > 0; };
-      const auto check = [&](const auto& search_boxes) {
-        const std::string error = refusal(search_boxes);
-        const std::string axis = "axis " + std::to_string(dimension - 1);
-        BOOST_CHECK_MESSAGE(contains(error, "object 57 ") && contains(error, axis), error);
-      };
-      check([&] { search(objects, traits, count); });
-      const auto [a, b] = split(boxes, 50);
-      const auto objects_a = colored(a), objects_b = colored(b);
-      check([&] {
-        CGAL::thick_intersection_d(objects_a, objects_b, count,
-                                   CGAL::parameters::geom_traits(traits));
-      });
-      BOOST_CHECK_EQUAL(reports, 0u);
-    }
-}
-
 namespace {
 
 struct Checking_traits : Interval_traits
@@ -270,35 +233,6 @@ BOOST_AUTO_TEST_CASE(balls_beyond_the_range_of_doubles_are_searched_exactly)
   }
   const CGAL::Thick_ball_traits_d<Point> traits(balls);
   check_pairs("balls", expected, found_pairs(balls, traits));
-}
-
-namespace {
-
-template <class Object>
-void check_refused(const Object& good, const Object& bad)
-{
-  std::vector<Object> objects(70, good);
-  objects[60] = bad;
-  std::size_t reports = 0;
-  const Callback count = [&](std::size_t, std::size_t) { return ++reports > 0; };
-  const std::string error
-    = refusal([&] { CGAL::thick_self_intersection_d(objects, count); });
-  BOOST_CHECK_MESSAGE(contains(error, "object 60"), error);
-  BOOST_CHECK_EQUAL(reports, 0u);
-}
-
-} // namespace
-
-BOOST_AUTO_TEST_CASE(bad_coordinates_of_kernel_objects_are_refused_before_any_report)
-{
-  using Kernel = CGAL::Simple_cartesian<double>;
-  using Point = Kernel::Point_2;
-  for(const double bad : {nan_value, infinity, -infinity}) {
-    check_refused(Kernel::Segment_2(Point(0, 0), Point(1, 1)),
-                  Kernel::Segment_2(Point(0, 0), Point(1, bad)));
-    check_refused(Kernel::Iso_rectangle_2(0, 0, 1, 1),
-                  Kernel::Iso_rectangle_2(Point(0, 0), Point(1, bad)));
-  }
 }
 
 BOOST_AUTO_TEST_CASE(empty_and_single_ranges_of_kernel_objects_have_no_pairs)

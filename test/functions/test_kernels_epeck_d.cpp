@@ -3,11 +3,9 @@
 
 // Scenes on the lazy exact kernel for points of any dimension, fixed when compiled or not.
 
-#include "support/brute_force.h"
 #include "support/check_kernel.h"
 
 #include <CGAL/Epeck_d.h>
-#include <CGAL/closest_pair.h>
 
 using namespace test_support;
 

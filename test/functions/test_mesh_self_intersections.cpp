@@ -6,7 +6,6 @@
 
 #include "support/check_pairs.h"
 #include "support/data_files.h"
-#include "support/point_generators.h"
 #include "support/usual_kernels.h"
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
@@ -17,20 +16,6 @@
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/generators.h>
 #include <CGAL/thick_mesh_self_intersections.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <iterator>
-#include <limits>
-#include <map>
-#include <string>
-#include <utility>
-#include <vector>
 
 using namespace test_support;
 

@@ -5,24 +5,12 @@
 
 #include "support/brute_force.h"
 #include "support/kernels.h"
-#include "support/point_generators.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Epick_d.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/neighbor_squared_distances.h>
 #include <CGAL/property_map.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cstdint>
-#include <limits>
-#include <list>
-#include <stdexcept>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 using namespace test_support;
 

@@ -4,22 +4,11 @@
 // What a scene of objects needs: its grid and bits, every tier that is exact for it, and the counts
 // of decisions.
 
-#include "support/pairs.h"
 #include "support/parallel_pairs.h"
-#include "support/point_generators.h"
+#include "support/unit_test.h"
 #include "support/usual_kernels.h"
 
 #include <CGAL/thick_intersection_d.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <sstream>
-#include <stdexcept>
-#include <vector>
 
 using namespace test_support;
 using CGAL::Arithmetic_tier;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Boxes and traits of one's own, without the header of CGAL: what the functions take and refuse.
+// Boxes and traits of one's own, without the header of CGAL: what the functions take.
 
 #include <CGAL/thick_box_intersection_d.h>
 
@@ -10,18 +10,7 @@
 #endif
 
 #include "support/pairs.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <limits>
-#include <list>
-#include <memory>
-#include <mutex>
-#include <stdexcept>
-#include <string>
-#include <vector>
+#include "support/unit_test.h"
 
 BOOST_AUTO_TEST_SUITE(own_boxes)
 
@@ -29,9 +18,6 @@ using namespace test_support;
 using namespace CGAL::Thick_box_intersection_d;
 
 namespace {
-
-const double infinity = std::numeric_limits<double>::infinity();
-const double nan_value = std::numeric_limits<double>::quiet_NaN();
 
 // The least that a box needs.
 template <std::size_t D>
@@ -88,19 +74,6 @@ struct Fattening_traits
   double min_coord(double x, int) const { return x - distance; }
   double max_coord(double x, int) const { return x + distance; }
 };
-
-// The text of the exception that the boxes are refused with. Nothing is reported before it.
-std::string refusal(const Intervals& a, const Intervals& b)
-{
-  try {
-    CGAL::thick_box_intersection_d(a.begin(), a.end(), b.begin(), b.end(),
-                                   [](const Interval&, const Interval&) { BOOST_ERROR("pair"); });
-  }
-  catch(const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
-}
 
 } // namespace
 
@@ -232,15 +205,6 @@ BOOST_AUTO_TEST_CASE(infinite_boxes_are_boxes)
   BOOST_CHECK((self_pairs(boxes, 10, HALF_OPEN) == Pairs{{1, 0}, {2, 0}, {4, 0}}));
 }
 
-BOOST_AUTO_TEST_CASE(nan_is_refused_before_the_first_report)
-{
-  Intervals boxes = chain;
-  boxes.push_back({{nan_value}, {1}});
-  BOOST_CHECK_EQUAL(refusal(chain, boxes), "Coordinate 0 of box 8 is NaN.");
-  boxes.back() = {{1}, {nan_value}};
-  BOOST_CHECK_EQUAL(refusal(boxes, chain), "Coordinate 0 of box 4 is NaN.");
-}
-
 BOOST_AUTO_TEST_CASE(false_stops_the_search_and_other_results_do_not)
 {
   std::size_t count = 0;
@@ -258,16 +222,6 @@ BOOST_AUTO_TEST_CASE(false_stops_the_search_and_other_results_do_not)
   BOOST_CHECK_EQUAL(count, 2u);
   BOOST_CHECK(count_and_return(0));
   BOOST_CHECK_EQUAL(count, 2u);
-}
-
-BOOST_AUTO_TEST_CASE(exceptions_of_the_callback_pass_through)
-{
-  struct Stop
-  {};
-  BOOST_CHECK_THROW(CGAL::thick_box_self_intersection_d(
-                      chain.begin(), chain.end(),
-                      [](const Interval&, const Interval&) { throw Stop(); }),
-                    Stop);
 }
 
 BOOST_AUTO_TEST_CASE(boxes_in_parallel)

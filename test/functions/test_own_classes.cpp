@@ -5,6 +5,7 @@
 // functor, which are asked.
 
 #include "support/pairs.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Cartesian.h>
@@ -24,16 +25,6 @@
 #include <CGAL/intersections.h>
 #include <CGAL/thick_feature_intersection_d.h>
 #include <CGAL/thick_intersection_d.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <cstddef>
-#include <random>
-#include <stdexcept>
-#include <utility>
-#include <variant>
-#include <vector>
 
 using namespace test_support;
 using CGAL::within_distance;

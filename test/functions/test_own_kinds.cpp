@@ -14,19 +14,7 @@
 #include <CGAL/fixed_radius_near_neighbors.h>
 #include <CGAL/thick_intersection_d.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cstddef>
 #include <forward_list>
-#include <iterator>
-#include <limits>
-#include <list>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <variant>
-#include <vector>
 
 using namespace test_support;
 
@@ -213,25 +201,6 @@ BOOST_AUTO_TEST_CASE(traits_for_two_types_need_no_checks)
                == Pairs{{1, 0}, {3, 1}}));
 }
 
-BOOST_AUTO_TEST_CASE(objects_of_two_types_are_checked)
-{
-  const double infinity = std::numeric_limits<double>::infinity();
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<CGAL::Bbox_2> boxes = {{0, 0, 1, 1}, {2, 2, 3, 3}};
-  const auto check = [&](const auto& a, const auto& b, const std::string& position) {
-    const std::string error = refusal([&] { CGAL::thick_intersection_d(a, b, fail); });
-    BOOST_CHECK_MESSAGE(contains(error, position), error);
-    CGAL::Scene_profile profile;
-    BOOST_CHECK_EQUAL(error, refusal([&] { CGAL::thick_intersection_d(a, b, fail, profile); }));
-  };
-  const std::vector<Segment> segments = {{Point(0, 0), Point(1, 1)}, {Point(0, 0), Point(nan, 1)}};
-  check(segments, boxes, " 1");
-  check(boxes, segments, " 3");
-  check(std::vector<Ball>{{Point(0, 0), -1}}, boxes, " 0");
-  check(boxes, std::vector<Ball>{{Point(0, 0), infinity}}, " 2");
-  check(std::vector<std::variant<Segment, CGAL::Bbox_2>>{segments[1]}, boxes, " 0");
-}
-
 BOOST_AUTO_TEST_CASE(own_object_beside_one_of_a_kernel)
 {
   const std::vector<Segment> segments = {{Point(0, 0), Point(4, 0)}, {Point(3, -1), Point(3, 1)}};
@@ -310,22 +279,6 @@ BOOST_AUTO_TEST_CASE(lists_and_elements_of_two_types)
   BOOST_REQUIRE_EQUAL(elements.size(), 2u);
   for(const auto& [segment, ball] : elements)
     BOOST_CHECK_EQUAL(segment.is_horizontal(), ball.second == 2);
-}
-
-// ---- errors -------------------------------------------------------------------------------------
-
-BOOST_AUTO_TEST_CASE(errors_name_the_position_in_both_ranges)
-{
-  using Object = std::variant<Segment, Ball>;
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<Point> points = {Point(0, 0), Point(1, 1)};
-  const auto bound = CGAL::within_distance(1);
-  const std::vector<Object> with_nan = {Segment(Point(0, 0), Point(nan, 0))};
-  BOOST_CHECK(contains(refusal([&] { found_pairs(points, with_nan, bound); }),
-                       "vertex of object 2"));
-  const std::vector<Object> with_radius = {Ball(Point(0, 0), -1)};
-  BOOST_CHECK(contains(refusal([&] { found_pairs(with_radius, bound); }), "radius of object 0"));
-  BOOST_CHECK_THROW(found_pairs(with_nan, CGAL::within_distance(nan)), std::invalid_argument);
 }
 
 // ---- the profile --------------------------------------------------------------------------------

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Objects of no kernel: a class of the user with a box and a test, and bounding boxes themselves.
+// Objects of no kernel: a class of the user with a box and a test.
 
 #include "support/check_pairs.h"
 
@@ -10,13 +10,6 @@
 #include <CGAL/Thick_object_traits_d.h>
 #include <CGAL/tags.h>
 #include <CGAL/thick_intersection_d.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cstddef>
-#include <limits>
-#include <random>
-#include <vector>
 
 using namespace test_support;
 
@@ -62,29 +55,6 @@ std::vector<Disk> random_disks(std::size_t n)
   return disks;
 }
 
-CGAL::Bbox_2 make_box(std::mt19937& random, CGAL::Dimension_tag<2>)
-{
-  const double x = random_number(random, 100), y = random_number(random, 100);
-  return {x, y, x + random_number(random, 6), y + random_number(random, 6)};
-}
-
-CGAL::Bbox_3 make_box(std::mt19937& random, CGAL::Dimension_tag<3>)
-{
-  const double x = random_number(random, 20), y = random_number(random, 20);
-  const double z = random_number(random, 20);
-  return {x, y, z, x + random_number(random, 4), y + random_number(random, 4), z};
-}
-
-template <class Dimension>
-auto random_boxes(std::size_t n)
-{
-  std::mt19937 random(2);
-  std::vector<decltype(make_box(random, Dimension()))> boxes;
-  for(std::size_t i = 0; i < n; ++i)
-    boxes.push_back(make_box(random, Dimension()));
-  return boxes;
-}
-
 template <class Object, class Test>
 Pairs all_pairs(const std::vector<Object>& objects, const Test& test)
 {
@@ -112,29 +82,6 @@ void check_objects(const std::vector<Object>& objects, const Test& test)
               found_pairs<CGAL::Parallel_if_available_tag>(objects));
 }
 
-template <class Box>
-bool do_boxes_overlap(const Box& a, const Box& b)
-{
-  bool do_overlap = true;
-  for(int i = 0; i < a.dimension(); ++i)
-    do_overlap = do_overlap && (a.min)(i) <= (b.max)(i) && (b.min)(i) <= (a.max)(i);
-  return do_overlap;
-}
-
-// Checks that a bad object at two positions is an error that tells the first position.
-template <class ConcurrencyTag, class Object>
-void check_error(std::vector<Object> objects, const Object& bad)
-{
-  objects[objects.size() - 1] = bad;
-  objects[1207] = bad;
-  bool is_reported = false;
-  const auto callback = [&](std::size_t, std::size_t) { is_reported = true; };
-  BOOST_CHECK_EQUAL(
-    refusal([&] { CGAL::thick_self_intersection_d<ConcurrencyTag>(objects, callback); }),
-    "The bounding box of object 1207 is empty or not finite.");
-  BOOST_CHECK(!is_reported);
-}
-
 } // namespace
 
 BOOST_AUTO_TEST_CASE(a_class_with_a_box_and_a_test_is_searched_without_traits)
@@ -158,22 +105,4 @@ BOOST_AUTO_TEST_CASE(derived_traits_without_intervals_take_the_recursive_route)
     CGAL::thick_self_intersection_d(
       disks, collect, CGAL::parameters::geom_traits(Traits_without_intervals(disks)));
   }));
-}
-
-BOOST_AUTO_TEST_CASE(bounding_boxes_are_searched_without_traits)
-{
-  check_objects(random_boxes<CGAL::Dimension_tag<2>>(3000), do_boxes_overlap<CGAL::Bbox_2>);
-  check_objects(random_boxes<CGAL::Dimension_tag<3>>(3000), do_boxes_overlap<CGAL::Bbox_3>);
-}
-
-BOOST_AUTO_TEST_CASE(an_object_without_a_finite_box_is_an_error_at_its_first_position)
-{
-  const double infinity = std::numeric_limits<double>::infinity();
-  const auto boxes = random_boxes<CGAL::Dimension_tag<3>>(3000);
-  const CGAL::Bbox_3 empty;
-  check_error<CGAL::Sequential_tag>(boxes, empty);
-  check_error<CGAL::Parallel_if_available_tag>(boxes, empty);
-  check_error<CGAL::Parallel_if_available_tag>(random_disks(3000), Disk{1, 2, infinity});
-  check_error<CGAL::Parallel_if_available_tag>(
-    random_disks(3000), Disk{1, std::numeric_limits<double>::quiet_NaN(), 1});
 }

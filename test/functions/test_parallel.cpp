@@ -6,12 +6,7 @@
 #include "support/check_pairs.h"
 #include "support/check_threads.h"
 #include "support/kernels.h"
-#include "support/point_generators.h"
 #include "support/usual_kernels.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <atomic>
 
 using namespace test_support;
 

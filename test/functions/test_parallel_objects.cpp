@@ -7,21 +7,10 @@
 #include "support/check_pairs.h"
 #include "support/check_threads.h"
 #include "support/interval_traits.h"
-#include "support/point_generators.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
 #include <CGAL/thick_intersection_d.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <atomic>
-#include <cmath>
-#include <functional>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 using namespace test_support;
 
@@ -113,41 +102,6 @@ bool search_colored(const Number_boxes& boxes, const Traits& traits, const Callb
     colored(boxes), callback, CGAL::parameters::geom_traits(traits));
 }
 
-// Traits of a user who throws at a call of a functor: at that of which `calls_left` are left.
-struct Throwing_traits : Interval_traits
-{
-  using Count = std::atomic<std::ptrdiff_t>;
-  static constexpr std::ptrdiff_t never = std::ptrdiff_t(1) << 40;
-
-  template <class Functor>
-  struct Throwing
-  {
-    Functor functor;
-    Count* calls_left;
-
-    template <class A, class B>
-    auto operator()(const A& a, const B& b) const
-    {
-      if(calls_left->fetch_sub(1, std::memory_order_relaxed) == 1)
-        throw std::runtime_error("enough");
-      return functor(a, b);
-    }
-  };
-
-  using Interval_traits::Interval_traits;
-  Throwing<Interval_d> interval_d_object() const
-  {
-    return {Interval_traits::interval_d_object(), &intervals_left};
-  }
-  Throwing<Do_intersect_d> do_intersect_d_object() const
-  {
-    return {Interval_traits::do_intersect_d_object(), &tests_left};
-  }
-
-  mutable Count intervals_left = never;
-  mutable Count tests_left = never;
-};
-
 } // namespace
 
 BOOST_AUTO_TEST_CASE(same_pairs_of_traits_with_intervals)
@@ -175,40 +129,5 @@ BOOST_AUTO_TEST_CASE(same_pairs_of_traits_with_intervals)
         boxes_a, boxes_b, [&](std::size_t i, std::size_t j) { add(i, half + j); },
         CGAL::parameters::geom_traits(traits));
     }));
-  }
-}
-
-BOOST_AUTO_TEST_CASE(exceptions_of_traits_with_intervals_come_out)
-{
-  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, thread_count);
-  const Number_boxes boxes = boxes_of_all_sizes(3, 4000);
-  Call_count calls = 0;
-  const Callback go_on = [](std::size_t, std::size_t) { return true; };
-  Throwing_traits traits(3, calls);
-  BOOST_CHECK(search_colored(boxes, traits, go_on));
-  const std::ptrdiff_t intervals = Throwing_traits::never - traits.intervals_left;
-  const std::ptrdiff_t tests = Throwing_traits::never - traits.tests_left;
-  for(const double part : {0., 0.3, 0.6, 1.}) {
-    traits.intervals_left = 1 + static_cast<std::ptrdiff_t>(part * (intervals - 1));
-    BOOST_CHECK_THROW(search_colored(boxes, traits, go_on), std::runtime_error);
-    traits.tests_left = 1 + static_cast<std::ptrdiff_t>(part * (tests - 1));
-    BOOST_CHECK_THROW(search_colored(boxes, traits, go_on), std::runtime_error);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(empty_intervals_and_nan_are_refused_by_position)
-{
-  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, thread_count);
-  Number_boxes boxes = boxes_of_all_sizes(3, 4000);
-  Call_count calls = 0;
-  const Callback fail = [](std::size_t, std::size_t) -> bool {
-    throw std::logic_error("reported before all was checked");
-  };
-  for(const internal::Interval& bad :
-      {internal::Interval{1, 0}, internal::Interval{0, std::nan("")}}) {
-    boxes[3210][2] = bad;
-    const std::string error
-      = refusal([&] { search_colored(boxes, Interval_traits(3, calls), fail); });
-    BOOST_CHECK_MESSAGE(contains(error, "object 3210 along axis 2"), error);
   }
 }

@@ -6,7 +6,7 @@
 // here are larger ones.
 
 #include "support/periodic_oracle.h"
-#include "support/point_generators.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
@@ -14,15 +14,6 @@
 #include <CGAL/periodic_fixed_radius_near_neighbors.h>
 
 #include <boost/property_map/property_map.hpp>
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cstddef>
-#include <iterator>
-#include <limits>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(periodic)
 

@@ -4,8 +4,8 @@
 // What each function tells a progress functor: growing values, of which the last one is 1, and no
 // value after it was cancelled.
 
-#define BOOST_TEST_MODULE progress
 #include "support/searches.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Memory_budget.h>
 #include <CGAL/Surface_mesh.h>
@@ -15,14 +15,6 @@
 #include <CGAL/periodic_closest_pair.h>
 #include <CGAL/periodic_fixed_radius_near_neighbors.h>
 #include <CGAL/thick_mesh_self_intersections.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cstddef>
-#include <iterator>
-#include <utility>
-#include <vector>
 
 using namespace test_support;
 

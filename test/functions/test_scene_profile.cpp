@@ -9,17 +9,11 @@
 #include "support/brute_force.h"
 #include "support/counting_allocator.h"
 #include "support/kernels.h"
-#include "support/point_generators.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Thick_ball_traits_d.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cfenv>
-#include <limits>
-#include <string>
 
 using namespace test_support;
 using CGAL::Arithmetic_tier;

@@ -7,7 +7,6 @@
 #include "support/check_pairs.h"
 #include "support/kernel_types.h"
 #include "support/parallel_pairs.h"
-#include "support/point_generators.h"
 #include "support/seeds.h"
 #include "support/usual_kernels.h"
 
@@ -18,20 +17,6 @@
 #include <CGAL/Thick_intersection_d/internal/objects/segment_pairs_search.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
 #include <CGAL/thick_intersection_d.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <limits>
-#include <stdexcept>
-#include <utility>
-#include <variant>
-#include <vector>
 
 using namespace test_support;
 using CGAL::Arithmetic_tier;

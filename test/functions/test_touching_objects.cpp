@@ -6,7 +6,6 @@
 
 #include "support/check_pairs.h"
 #include "support/hull_oracle.h"
-#include "support/point_generators.h"
 #include "support/usual_kernels.h"
 
 #include <CGAL/Homogeneous.h>
@@ -14,16 +13,6 @@
 #include <CGAL/thick_intersection_d.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <string>
-#include <tuple>
-#include <vector>
 
 using namespace test_support;
 
@@ -186,17 +175,5 @@ BOOST_AUTO_TEST_CASE(last_bit_decides_whether_objects_touch)
     const std::vector<Epick::Triangle_3> triangles
       = {triangle(0, height), triangle(0.5, height), triangle(0, above), triangle(0, below)};
     BOOST_CHECK(pairs_of(triangles) == Pairs({{0, 1}}));
-  }
-}
-
-BOOST_AUTO_TEST_CASE(coordinates_that_are_not_finite_are_refused_with_their_position)
-{
-  for(const double x : {std::numeric_limits<double>::quiet_NaN(),
-                        std::numeric_limits<double>::infinity()}) {
-    using Point = Epick::Point_2;
-    const std::vector<Epick::Segment_2> segments
-      = {{Point(0, 0), Point(1, 1)}, {Point(0, x), Point(1, 0)}};
-    BOOST_CHECK_EQUAL(refusal([&] { pairs_of(segments); }),
-                      "Coordinate 1 of vertex of object 1 is NaN or infinite.");
   }
 }

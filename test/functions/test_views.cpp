@@ -4,6 +4,7 @@
 // Views of C++20: ranges that are not const, that end in a sentinel, or that make their elements.
 
 #include "support/pairs.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Simple_cartesian.h>
@@ -11,11 +12,7 @@
 #include <CGAL/fixed_radius_near_neighbors.h>
 #include <CGAL/thick_intersection_d.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <iterator>
 #include <ranges>
-#include <vector>
 
 using namespace test_support;
 

@@ -4,17 +4,13 @@
 // A right answer with too much work is wrong too: predicate calls and coordinate comparisons are
 // counted against O(C(n + k)) and O(n log n) [V03, Theorem 1], bytes against O(n).
 
-#include "support/recursion_variants.h"
 #include "support/counting_allocator.h"
 #include "support/lattice_traits.h"
+#include "support/recursion_variants.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <random>
 
 using namespace test_support;
 
@@ -181,20 +177,4 @@ BOOST_AUTO_TEST_CASE(memory_does_not_depend_on_the_number_of_pairs)
     points.emplace_back(uniform(), uniform());
   for(const double r : {0., 0.001, 0.01, 0.1, 0.4, 2.})
     BOOST_CHECK_LE(bytes_of_search(points, r, pairs), limit);
-}
-
-BOOST_AUTO_TEST_CASE(memory_is_released_when_the_callback_throws)
-{
-  const std::vector<Point> points(1000, Point(1, 2));
-  const std::size_t before = current_bytes();
-  try {
-    CGAL::fixed_radius_near_neighbors(points, CGAL::within_distance(1),
-                                      [&](std::size_t i, std::size_t) {
-                                        if(i == 500)
-                                          throw 1;
-                                      });
-  }
-  catch(int) {
-  }
-  BOOST_CHECK_EQUAL(current_bytes(), before);
 }

@@ -13,19 +13,12 @@
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_DEGREE_NUMBER_H
 #define THICK_INTERSECTION_TEST_SUPPORT_DEGREE_NUMBER_H
 
+#include "standard_library.h"
+
 #include <CGAL/Gmpq.h>
 #include <CGAL/number_type_basic.h>
 
-#include <algorithm>
-#include <array>
-#include <cstdint>
 #include <istream>
-#include <limits>
-#include <map>
-#include <ostream>
-#include <string>
-#include <type_traits>
-#include <utility>
 
 namespace test_support {
 

@@ -12,12 +12,6 @@
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/box_intersection_d.h>
 
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <stdexcept>
-#include <vector>
-
 namespace test_support {
 
 template <int Dimension>

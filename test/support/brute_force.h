@@ -9,9 +9,6 @@
 #include "exact_points.h"
 #include "pairs.h"
 
-#include <map>
-#include <tuple>
-
 namespace test_support {
 
 struct Truth

@@ -10,12 +10,9 @@
 #include "closest_pair_oracle.h"
 #include "kernels.h"
 #include "scenes.h"
+#include "unit_test.h"
 
 #include <CGAL/closest_pair.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <map>
 
 namespace test_support {
 

@@ -6,29 +6,26 @@
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_CHECK_FEATURES_H
 #define THICK_INTERSECTION_TEST_SUPPORT_CHECK_FEATURES_H
 
-#include "check_objects.h"
+#include "check_pairs.h"
 #include "feature_oracle.h"
 #include "feature_scenes.h"
 #include "kernel_types.h"
-#include "pairs.h"
 #include "parallel_pairs.h"
+#include "scales.h"
+#include "usual_kernels.h"
+#include "unit_test.h"
 
 #include <CGAL/Polygon_2.h>
 #include <CGAL/Polygon_with_holes_2.h>
 #include <CGAL/thick_feature_intersection_d.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <initializer_list>
-#include <iterator>
-#include <utility>
-#include <variant>
-#include <vector>
-
 namespace test_support {
+
+// One type of callback, because compilers make a search for each.
+using Callback = std::function<void(std::size_t, std::size_t)>;
+
+// The first set of two, of one feature in three.
+inline std::size_t first_set_size(std::size_t size) { return size / 3; }
 
 template <class Kernel, int Dimension>
 auto scaled_point(const Lattice_point& p, Scale scale)

@@ -11,9 +11,10 @@
 #include "fuzz_scenes.h"
 #include "hull_oracle.h"
 #include "instruction_sets.h"
-#include "pairs.h"
+#include "object_routes.h"
 #include "rounding_mode.h"
 #include "seeds.h"
+#include "unit_test.h"
 
 #include <CGAL/Box_intersection_d/Box_d.h>
 #include <CGAL/Exact_rational.h>
@@ -27,14 +28,6 @@
 #include <CGAL/thick_intersection_d.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <optional>
-#include <tuple>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace test_support {
 
@@ -46,7 +39,8 @@ enum Fuzz_parts : unsigned {
   BALLS = 8,
   OBJECTS = 16,
   ALL_PARTS = 31,
-  PARTNERS = 32 // near pairs of scenes at the limits of narrow coordinates
+  PARTNERS = 32, // near pairs of scenes at the limits of narrow coordinates
+  ROUTES = 64    // of balls and objects, also by routes that other scenes take
 };
 
 // One scene and one search.
@@ -166,8 +160,8 @@ private:
     std::vector<std::int64_t> radii;
     std::vector<Ball> balls;
     for(const Point& point : points_) {
-      radii.push_back(radii.empty() || draw_.is_chance(radius_one_in) ? draw_.length(5)
-                                                                     : radii.front());
+      radii.push_back(radii.empty() || draw_.is_chance(radius_one_in)
+                        ? draw_.length(draw_.is_chance(10) ? 40 : 5) : radii.front());
       balls.emplace_back(point, Maker::number(radii.back(), scene_.exponent));
     }
     const auto do_intersect = [&](std::size_t i, std::size_t j) {
@@ -175,8 +169,13 @@ private:
       return bound.holds_for(squared_distance(scene_.places[i], scene_.places[j]));
     };
     const CGAL::Thick_ball_traits_d<Point> traits(balls);
-    compare_pairs("balls", pairs_where(scene_.size(), first_set_size_, do_intersect),
-                  object_pairs(balls, CGAL::parameters::geom_traits(traits)));
+    const Pairs expected = pairs_where(scene_.size(), first_set_size_, do_intersect);
+    if constexpr((parts & ROUTES) != 0)
+      if(draw_.is_chance(3))
+        return compare_pairs("balls by recursion", expected, reported([&](auto collect) {
+          report_by_recursion(balls, first_set_size_, traits, collect);
+        }));
+    compare_pairs("balls", expected, object_pairs(balls, CGAL::parameters::geom_traits(traits)));
   }
 
   void check_objects()
@@ -184,9 +183,13 @@ private:
     using Types = typename Maker::Types;
     if(draw_.is_chance(4))
       return check_hulls<typename Types::Triangle, 3>("triangles", 8);
-    if constexpr(dimension == 2)
+    if constexpr(dimension == 3 && (parts & ROUTES) != 0)
+      if(draw_.is_chance(4))
+        return check_hulls<typename Maker::Kernel::Tetrahedron_3, 4>("tetrahedra", 6);
+    if constexpr(dimension == 2 || (parts & ROUTES) != 0)
       if(draw_.is_chance(2))
-        return check_hulls<typename Types::Segment, 2>("segments", scene_.size());
+        return check_hulls<typename Types::Segment, 2>("segments",
+                                                       dimension == 2 ? scene_.size() : 12);
     if constexpr(std::is_same_v<typename Maker::FT, double>)
       if(draw_.is_chance(2))
         return check_boxes();
@@ -218,7 +221,7 @@ private:
     const auto find_pairs = [&] {
       const Rounding_mode rounding(Maker::is_exact ? FE_TONEAREST
                                                    : rounding_modes[draw_.random().below(4)]);
-      return object_pairs(objects, CGAL::parameters::default_values());
+      return kernel_object_pairs(objects);
     };
     compare_pairs(what, pairs_where(size, first_set_size_, [&](std::size_t i, std::size_t j) {
       return do_hulls_intersect(hulls[i], hulls[j]);
@@ -233,8 +236,14 @@ private:
     for(const Lattice_box& box : ends)
       boxes.emplace_back(Maker::point(box.first, scene_.exponent),
                          Maker::point(box.second, scene_.exponent));
-    compare_pairs("iso-boxes", meeting_boxes(ends, true),
-                  object_pairs(boxes, CGAL::parameters::default_values()));
+    const Pairs expected = meeting_boxes(ends, true);
+    compare_pairs("iso-boxes", expected, kernel_object_pairs(boxes));
+    if constexpr(std::is_same_v<typename Maker::FT, double> && (parts & ROUTES) != 0) {
+      std::vector<decltype(boxes[0].bbox())> bounding_boxes;
+      for(const Iso_box& box : boxes)
+        bounding_boxes.push_back(box.bbox());
+      compare_pairs("bounding boxes", expected, kernel_object_pairs(bounding_boxes));
+    }
   }
 
   // Half-open boxes are not flat: the rules for these are those of CGAL, not of geometry.
@@ -291,6 +300,23 @@ private:
     return pairs_where(boxes.size(), first_set_size_, [&](std::size_t i, std::size_t j) {
       return do_boxes_meet(boxes[i], boxes[j], dimension, are_closed);
     });
+  }
+
+  template <class Object>
+  Pairs kernel_object_pairs(const std::vector<Object>& objects)
+  {
+    if constexpr((parts & ROUTES) != 0) {
+      const CGAL::Thick_object_traits_d<Object> traits(objects);
+      const std::int64_t route = draw_.below(4);
+      if(route < 2)
+        return reported([&](auto collect) {
+          if(route == 0)
+            report_by_recursion(objects, first_set_size_, traits, collect);
+          else
+            report_by_cuts(objects, first_set_size_, traits, collect, seed_);
+        });
+    }
+    return object_pairs(objects, CGAL::parameters::default_values());
   }
 
   template <class Object, class NamedParameters>

@@ -12,8 +12,7 @@
 #include "check_pairs.h"
 #include "kernels.h"
 #include "scenes.h"
-
-#include <boost/test/unit_test.hpp>
+#include "unit_test.h"
 
 namespace test_support {
 

@@ -12,24 +12,11 @@
 #include "pairs.h"
 #include "rounding_mode.h"
 #include "seeds.h"
+#include "unit_test.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
 #include <CGAL/thick_intersection_d.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
-#include <sstream>
-#include <string>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 namespace test_support {
 

@@ -7,12 +7,7 @@
 #define THICK_INTERSECTION_TEST_SUPPORT_CHECK_PAIRS_H
 
 #include "pairs.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <cstddef>
-#include <stdexcept>
-#include <string>
+#include "unit_test.h"
 
 namespace test_support {
 

@@ -11,24 +11,12 @@
 #include "periodic_fuzz_scenes.h"
 #include "rounding_mode.h"
 #include "seeds.h"
+#include "unit_test.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Periodic_lattice_d.h>
 #include <CGAL/periodic_closest_pair.h>
 #include <CGAL/periodic_fixed_radius_near_neighbors.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <mutex>
-#include <sstream>
-#include <tuple>
-#include <type_traits>
-#include <vector>
 
 namespace test_support {
 

@@ -8,14 +8,9 @@
 #define THICK_INTERSECTION_TEST_SUPPORT_CHECK_THREADS_H
 
 #include "parallel_pairs.h"
+#include "unit_test.h"
 
-#include <boost/test/unit_test.hpp>
 #include <tbb/global_control.h>
-
-#include <atomic>
-#include <cstddef>
-#include <functional>
-#include <stdexcept>
 
 namespace test_support {
 

@@ -13,9 +13,6 @@
 
 #include <boost/multiprecision/gmp.hpp>
 
-#include <numeric>
-#include <optional>
-
 namespace test_support {
 
 using Scaled_integer = boost::multiprecision::mpz_int;

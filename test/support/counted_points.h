@@ -6,8 +6,7 @@
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_COUNTED_POINTS_H
 #define THICK_INTERSECTION_TEST_SUPPORT_COUNTED_POINTS_H
 
-#include <cstddef>
-#include <vector>
+#include "standard_library.h"
 
 namespace test_support {
 

@@ -7,12 +7,7 @@
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_COUNTING_ALLOCATOR_H
 #define THICK_INTERSECTION_TEST_SUPPORT_COUNTING_ALLOCATOR_H
 
-#include <atomic>
-#include <cstddef>
-#include <cstdlib>
-#include <cstring>
-#include <new>
-#include <stdexcept>
+#include "standard_library.h"
 
 namespace test_support {
 

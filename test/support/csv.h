@@ -6,11 +6,9 @@
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_CSV_H
 #define THICK_INTERSECTION_TEST_SUPPORT_CSV_H
 
-#include <algorithm>
+#include "standard_library.h"
+
 #include <fstream>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 namespace test_support {
 

@@ -10,16 +10,8 @@
 #include "csv.h"
 #include "decimal.h"
 
-#include <array>
 #include <cctype>
-#include <cmath>
-#include <cstdlib>
 #include <filesystem>
-#include <map>
-#include <optional>
-#include <sstream>
-#include <string>
-#include <vector>
 
 namespace test_support {
 

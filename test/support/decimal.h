@@ -7,14 +7,9 @@
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_DECIMAL_H
 #define THICK_INTERSECTION_TEST_SUPPORT_DECIMAL_H
 
-#include <boost/multiprecision/gmp.hpp>
+#include "standard_library.h"
 
-#include <algorithm>
-#include <cstdlib>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <vector>
+#include <boost/multiprecision/gmp.hpp>
 
 namespace test_support {
 

@@ -12,10 +12,6 @@
 
 #include <CGAL/Simple_cartesian.h>
 
-#include <cmath>
-#include <random>
-#include <vector>
-
 namespace test_support {
 
 using Degree_kernel = CGAL::Simple_cartesian<Degree_number>;

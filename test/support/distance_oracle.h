@@ -21,12 +21,6 @@
 
 #include <boost/multiprecision/gmp.hpp>
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <stdexcept>
-
 namespace test_support {
 
 // The point `multiple` / `factor`, which is the foot of the origin on a line or plane, or a point.

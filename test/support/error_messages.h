@@ -6,8 +6,7 @@
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_ERROR_MESSAGES_H
 #define THICK_INTERSECTION_TEST_SUPPORT_ERROR_MESSAGES_H
 
-#include <stdexcept>
-#include <string>
+#include "standard_library.h"
 
 namespace test_support {
 

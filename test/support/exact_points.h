@@ -12,11 +12,6 @@
 
 #include <boost/multiprecision/gmp.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <vector>
-
 namespace test_support {
 
 using Integer = boost::multiprecision::mpz_int;

@@ -15,13 +15,6 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <utility>
-#include <vector>
-
 namespace test_support {
 
 using Lattice_point = Hull_vector<std::int64_t>; // in the plane, the last coordinate is zero

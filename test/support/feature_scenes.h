@@ -10,12 +10,6 @@
 #include "feature_oracle.h"
 #include "point_generators.h"
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <string>
-#include <vector>
-
 namespace test_support {
 
 struct Feature_scene

@@ -11,11 +11,6 @@
 
 #include <CGAL/Exact_rational.h>
 
-#include <cmath>
-#include <cstdint>
-#include <type_traits>
-#include <vector>
-
 namespace test_support {
 
 inline CGAL::Exact_rational exact_rational(const Wide_integer& x)
@@ -38,8 +33,9 @@ struct Fuzz_coordinates
   using FT = typename Kernel::FT;
   static constexpr int dimension = Dimension;
   static constexpr bool is_exact = is_exact_;
-  static constexpr Number_range range
-    = std::is_same_v<FT, float> ? range_of_floats : range_of_doubles;
+  static constexpr Number_range range = std::is_same_v<FT, float> ? range_of_floats
+                                        : std::is_integral_v<FT>  ? range_of_integers
+                                                                  : range_of_doubles;
 
   static FT number(std::int64_t place, int exponent)
   {
@@ -62,6 +58,20 @@ struct Fuzz_cartesian : Fuzz_coordinates<K, Dimension, is_exact>
   static Point point(const Lattice_place& p, int exponent)
   {
     return Types::point([&](std::size_t axis) { return number(p[axis], exponent); });
+  }
+};
+
+// Exact numbers that no double is between, so that all boxes of doubles meet.
+template <class K, int Dimension>
+struct Fuzz_close : Fuzz_cartesian<K, Dimension, true>
+{
+  using FT = typename K::FT;
+
+  static auto point(const Lattice_place& p, int)
+  {
+    return Kernel_types<K, Dimension>::point([&](std::size_t axis) {
+      return FT(FT(1) + FT(std::ldexp(static_cast<double>(p[axis]), -120)));
+    });
   }
 };
 

@@ -12,19 +12,10 @@
 
 #include <boost/multiprecision/cpp_int.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <utility>
-#include <vector>
-
 namespace test_support {
 
 using Wide_integer = boost::multiprecision::int128_t;
-using Lattice_place = std::array<std::int64_t, 3>;
+using Lattice_place = std::array<std::int64_t, 5>; // axes beyond the dimension are zero
 
 // What the numbers of a kernel hold: integers below 2^digits, times 2^exponent.
 struct Number_range
@@ -35,6 +26,7 @@ struct Number_range
 };
 inline constexpr Number_range range_of_doubles = {53, -1074, 970};
 inline constexpr Number_range range_of_floats = {24, -149, 103};
+inline constexpr Number_range range_of_integers = {53, 0, 0};
 
 struct Fuzz_scene
 {
@@ -212,7 +204,7 @@ private:
     const int exponents[] = {0, 0, 0, -3, -spread, spread, low, high,
                              (std::min)(low + spread, high), (std::max)(high - spread, low),
                              low / 2 - spread / 2, high / 2 - spread / 2};
-    return exponents[random_.below(12)];
+    return std::clamp(exponents[random_.below(12)], low, high);
   }
 
   std::int64_t offset()

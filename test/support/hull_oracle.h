@@ -13,10 +13,7 @@
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_HULL_ORACLE_H
 #define THICK_INTERSECTION_TEST_SUPPORT_HULL_ORACLE_H
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <vector>
+#include "standard_library.h"
 
 namespace test_support {
 

@@ -6,13 +6,11 @@
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_INSTRUCTION_SETS_H
 #define THICK_INTERSECTION_TEST_SUPPORT_INSTRUCTION_SETS_H
 
+#include "unit_test.h"
+
 #include <CGAL/Thick_intersection_d/internal/lanes/instruction_set.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/lanes_plain.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/with_lanes.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <vector>
 
 namespace test_support {
 

@@ -12,15 +12,6 @@
 
 #include <CGAL/Dimension.h>
 
-#include <atomic>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <optional>
-#include <stdexcept>
-#include <utility>
-#include <vector>
-
 namespace test_support {
 
 // A box with a color. Neither default constructible nor copyable.

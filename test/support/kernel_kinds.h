@@ -14,13 +14,6 @@
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Simple_cartesian.h>
 
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <type_traits>
-#include <utility>
-#include <variant>
-
 namespace test_support {
 
 // What all dimensions share. With exact numbers, the unit may be a third of the power of two, so

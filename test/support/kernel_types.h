@@ -6,7 +6,7 @@
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_KERNEL_TYPES_H
 #define THICK_INTERSECTION_TEST_SUPPORT_KERNEL_TYPES_H
 
-#include <cstddef>
+#include "standard_library.h"
 
 namespace test_support {
 

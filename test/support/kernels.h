@@ -17,8 +17,6 @@
 #include <CGAL/fixed_radius_near_neighbors.h>
 #include <CGAL/thick_intersection_d.h>
 
-#include <sstream>
-
 namespace test_support {
 
 // Points in the plane or in space with the coordinates of a scene, in a Cartesian kernel.

@@ -9,13 +9,6 @@
 #include "kinds.h"
 #include "point_generators.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <utility>
-#include <vector>
-
 namespace test_support {
 
 // All numbers are doubles, and so are their products with the unit.

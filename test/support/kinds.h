@@ -8,12 +8,6 @@
 
 #include "distance_oracle.h"
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <ostream>
-#include <vector>
-
 namespace test_support {
 
 // Boxes of exact numbers and boxes of doubles are two kinds.

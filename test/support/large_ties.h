@@ -6,8 +6,7 @@
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_LARGE_TIES_H
 #define THICK_INTERSECTION_TEST_SUPPORT_LARGE_TIES_H
 
-#include <random>
-#include <vector>
+#include "standard_library.h"
 
 namespace test_support {
 

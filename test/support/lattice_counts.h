@@ -7,7 +7,7 @@
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_LATTICE_COUNTS_H
 #define THICK_INTERSECTION_TEST_SUPPORT_LATTICE_COUNTS_H
 
-#include <cstdint>
+#include "standard_library.h"
 
 namespace test_support {
 

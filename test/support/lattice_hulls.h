@@ -9,10 +9,6 @@
 #include "hull_oracle.h"
 #include "point_generators.h"
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
-
 namespace test_support {
 
 using Integers = Hull_vectors<std::int64_t>;

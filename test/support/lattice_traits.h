@@ -9,9 +9,6 @@
 
 #include "pairs.h"
 
-#include <cstdlib>
-#include <vector>
-
 namespace test_support {
 
 // A point with integer coordinates. Neither default constructible nor copyable.

@@ -8,12 +8,12 @@
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_MPFR_KERNEL_NUMBER_H
 #define THICK_INTERSECTION_TEST_SUPPORT_MPFR_KERNEL_NUMBER_H
 
+#include "standard_library.h"
+
 #include <CGAL/boost_mp.h>
 #include <CGAL/number_type_basic.h>
 
 #include <boost/multiprecision/mpfr.hpp>
-
-#include <utility>
 
 namespace test_support {
 

@@ -6,7 +6,7 @@
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_MPI_FIXTURE_H
 #define THICK_INTERSECTION_TEST_SUPPORT_MPI_FIXTURE_H
 
-#include <boost/test/unit_test.hpp>
+#include "unit_test.h"
 
 #include <mpi.h>
 

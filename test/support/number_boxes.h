@@ -18,14 +18,6 @@
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 
-#include <array>
-#include <cmath>
-#include <limits>
-#include <numeric>
-#include <optional>
-#include <random>
-#include <vector>
-
 namespace test_support {
 
 namespace internal = CGAL::Thick_intersection_d::internal;

@@ -1,15 +1,12 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Makers of the types of objects of a kernel, for object_scenes.h.
+// Makers of the types of objects of a kernel.
 
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_OBJECT_MAKERS_H
 #define THICK_INTERSECTION_TEST_SUPPORT_OBJECT_MAKERS_H
 
 #include "kernel_types.h"
-
-#include <cstddef>
-#include <utility>
 
 namespace test_support {
 

@@ -7,14 +7,7 @@
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_PAIRS_H
 #define THICK_INTERSECTION_TEST_SUPPORT_PAIRS_H
 
-#include <algorithm>
-#include <cstddef>
-#include <iterator>
-#include <mutex>
-#include <optional>
-#include <ostream>
-#include <utility>
-#include <vector>
+#include "standard_library.h"
 
 namespace test_support {
 

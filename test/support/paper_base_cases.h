@@ -4,6 +4,8 @@
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_PAPER_BASE_CASES_H
 #define THICK_INTERSECTION_TEST_SUPPORT_PAPER_BASE_CASES_H
 
+#include "standard_library.h"
+
 // Two ways in which [V03] ends the recursion, beside the sweep of the package. Each reports the
 // intersecting pairs of a range of members that share no side, and returns false iff the search is
 // to stop.
@@ -12,10 +14,6 @@
 //   all_pairs   dimension zero: the alternative of [V03], end of section 2.3.2
 
 #include <CGAL/Thick_intersection_d/internal/recursion/Members.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <vector>
 
 namespace test_support {
 

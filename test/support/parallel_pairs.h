@@ -8,8 +8,6 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
-#include <cstddef>
-
 namespace test_support {
 
 // More than processors, so that they interrupt each other.

@@ -12,16 +12,6 @@
 #include "fuzz_scenes.h"
 #include "periodic_oracle.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <tuple>
-#include <utility>
-#include <vector>
-
 namespace test_support {
 
 // A bound in units of the points: a distance, or only a squared one.

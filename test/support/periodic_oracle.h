@@ -10,13 +10,6 @@
 
 #include "exact_points.h"
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <functional>
-#include <tuple>
-#include <vector>
-
 namespace test_support {
 
 template <int Dimension>

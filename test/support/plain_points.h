@@ -11,8 +11,6 @@
 
 #include <CGAL/Dimension.h>
 
-#include <vector>
-
 namespace test_support {
 
 template <class Number>

@@ -10,11 +10,6 @@
 
 #include "point_scene.h"
 
-#include <cmath>
-#include <cstdint>
-#include <random>
-#include <utility>
-
 namespace test_support {
 
 class Random

@@ -7,12 +7,7 @@
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_POINT_SCENE_H
 #define THICK_INTERSECTION_TEST_SUPPORT_POINT_SCENE_H
 
-#include <cstddef>
-#include <optional>
-#include <ostream>
-#include <string>
-#include <utility>
-#include <vector>
+#include "standard_library.h"
 
 namespace test_support {
 

@@ -18,14 +18,6 @@
 #include <CGAL/Thick_intersection_d/internal/slabs/Slabs.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/tuning.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace test_support {
 
 namespace internal = CGAL::Thick_intersection_d::internal;

@@ -15,12 +15,6 @@
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 #include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
 
-#include <array>
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace test_support {
 
 namespace internal = CGAL::Thick_intersection_d::internal;

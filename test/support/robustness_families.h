@@ -12,10 +12,6 @@
 #include "point_generators.h"
 #include "point_scene.h"
 
-#include <cmath>
-#include <limits>
-#include <string>
-
 namespace test_support {
 
 class Robustness_families

@@ -6,7 +6,7 @@
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_ROUNDING_MODE_H
 #define THICK_INTERSECTION_TEST_SUPPORT_ROUNDING_MODE_H
 
-#include <cfenv>
+#include "standard_library.h"
 
 namespace test_support {
 

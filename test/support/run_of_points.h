@@ -11,12 +11,6 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Run.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <utility>
-#include <vector>
-
 namespace test_support {
 
 template <int Dimension, class Number = double>

@@ -12,11 +12,6 @@
 #include "point_scene.h"
 #include "robustness_families.h"
 
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <string>
-
 namespace test_support {
 
 inline Point_scene scene(std::string name, int dimension, Points points, Radius radius)

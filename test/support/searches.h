@@ -17,13 +17,6 @@
 #include <CGAL/thick_feature_intersection_d.h>
 #include <CGAL/thick_intersection_d.h>
 
-#include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace test_support {
 
 using On_pair = std::function<bool(std::size_t, std::size_t)>;

@@ -11,11 +11,9 @@
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_SEEDS_H
 #define THICK_INTERSECTION_TEST_SUPPORT_SEEDS_H
 
-#include <boost/test/unit_test.hpp>
+#include "unit_test.h"
 
 #include <chrono>
-#include <cstdint>
-#include <string>
 
 namespace test_support {
 

@@ -8,6 +8,7 @@
 
 #include "pairs.h"
 #include "point_generators.h"
+#include "unit_test.h"
 
 #include <CGAL/fixed_radius_near_neighbors.h>
 
@@ -15,14 +16,6 @@
 #include <CGAL/Thick_intersection_d/internal/near_points/Element_points.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/List_route.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_route.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <optional>
-#include <vector>
 
 namespace test_support {
 

@@ -7,7 +7,7 @@
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_SQUARED_DISTANCE_H
 #define THICK_INTERSECTION_TEST_SUPPORT_SQUARED_DISTANCE_H
 
-#include <cstddef>
+#include "standard_library.h"
 
 namespace test_support {
 

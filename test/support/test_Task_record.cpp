@@ -4,19 +4,10 @@
 // The record of tasks that run in turn, and the stand-in for oneTBB, with a clock that tasks set.
 
 #include "tbb_in_turn.h"
+#include "unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/machine/Per_thread.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <set>
-#include <stdexcept>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Task_record)
 

@@ -10,25 +10,9 @@
 #define THICK_INTERSECTION_TEST_SUPPORT_UNIT_TEST_H
 
 #include "point_generators.h"
+#include "standard_library.h"
 
 #include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
-#include <limits>
-#include <map>
-#include <numeric>
-#include <optional>
-#include <set>
-#include <stdexcept>
-#include <string>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Thick_intersection_d::internal {}
 

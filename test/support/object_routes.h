@@ -1,0 +1,51 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The pairs of objects by routes that the public functions take for other scenes.
+
+#ifndef THICK_INTERSECTION_TEST_SUPPORT_OBJECT_ROUTES_H
+#define THICK_INTERSECTION_TEST_SUPPORT_OBJECT_ROUTES_H
+
+#include "number_boxes.h"
+
+#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
+#include <CGAL/Thick_intersection_d/internal/objects/Object_route.h>
+#include <CGAL/Thick_intersection_d/internal/recursion/Recursive_route.h>
+#include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
+
+namespace test_support {
+
+// The recursive route, as public functions call it: so it is not compiled once more.
+template <class Object, class Traits, class Callback>
+void report_by_recursion(const std::vector<Object>& objects,
+                         std::optional<std::size_t> first_set_size, const Traits& traits,
+                         Callback& callback)
+{
+  const auto& np = CGAL::parameters::default_values();
+  internal::Unwatched_progress progress;
+  const auto report = [&](const auto& elements, const auto& sets) {
+    internal::search_recursively(elements, sets, traits, callback, progress, internal::Threads());
+  };
+  if(!first_set_size)
+    return report(internal::make_elements(objects, np), internal::One_set());
+  const auto [a, b] = split(objects, *first_set_size);
+  internal::with_sets(report, internal::make_elements(a, np), internal::make_elements(b, np));
+}
+
+// The box route with many cuts, in another way for each seed. One numbering is for both sets.
+template <class Object, class Traits, class Callback>
+void report_by_cuts(const std::vector<Object>& objects, std::optional<std::size_t> first_set_size,
+                    const Traits& traits, Callback& callback, std::uint64_t seed)
+{
+  using Elements = internal::Numbered_elements<std::vector<Object>>;
+  const Elements elements(objects);
+  const internal::Traits_boxes<Elements, Traits> boxes(elements, traits);
+  Generator random(seed);
+  internal::Unwatched_progress progress;
+  search_boxes<decltype(boxes)::static_dimension>(boxes, small_tuning(random), first_set_size,
+                                                  callback, progress);
+}
+
+} // namespace test_support
+
+#endif // THICK_INTERSECTION_TEST_SUPPORT_OBJECT_ROUTES_H
