@@ -6,6 +6,7 @@
 // boxes and copies of boxes.
 
 #include "support/check_pairs.h"
+#include "support/counting_allocator.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Lazy_exact_nt.h>
@@ -146,6 +147,9 @@ void compare_self(const std::vector<Handle>& a, std::ptrdiff_t cutoff, Topology 
     CGAL::thick_box_self_intersection_d(a.begin(), a.end(), callback, cutoff, topology);
   });
   check_pairs(std::to_string(dimension_now) + "D, one set", expected, found);
+  BOOST_CHECK(found == ids_of<Handle>([&](const auto& callback) { // in the same order
+    CGAL::thick_box_self_intersection_d(a.begin(), a.end(), callback, cutoff, topology);
+  }));
 }
 
 template <class Handle, class Topology, class Setting>
@@ -201,12 +205,17 @@ std::vector<NT> special_coordinates()
           std::nextafter(NT(1), NT(2)), large};
 }
 
-std::vector<Box<double>> some_boxes()
+std::vector<double> numbers_up_to(std::size_t count)
+{
+  std::vector<double> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), 0.);
+  return numbers;
+}
+
+std::vector<Box<double>> some_boxes(std::size_t size)
 {
   dimension_now = 3;
-  std::vector<double> coordinates(8);
-  std::iota(coordinates.begin(), coordinates.end(), 0.);
-  return boxes_at(lattice_boxes(100, 8, 2, true, 0, 3), coordinates);
+  return boxes_at(lattice_boxes(size, 8, 2, true, 0, 3), numbers_up_to(8));
 }
 
 } // namespace
@@ -266,6 +275,31 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(exact_numbers_give_the_pairs_of_their_order, NT, E
     }
 }
 
+// Up to 64 boxes are compared each with each, on the stack.
+BOOST_AUTO_TEST_CASE(few_boxes_give_the_pairs_of_CGAL)
+{
+  for(std::size_t size = 0; size <= 68; ++size)
+    for(const bool are_flat : {false, true}) {
+      const Scene scene = lattice_scene(size, 14, are_flat, static_cast<unsigned int>(size));
+      const auto a = boxes_at(scene.a, numbers_up_to(14)), b = boxes_at(scene.b, numbers_up_to(14));
+      for(dimension_now = 2; dimension_now <= 3; ++dimension_now)
+        compare_all_choices(a, b);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(few_boxes_need_no_memory)
+{
+  for(std::size_t size = 0; size <= 64; ++size) {
+    const auto boxes = some_boxes(size);
+    std::size_t count = 0;
+    BOOST_CHECK_NO_THROW({
+      const Memory_that_runs_out none(0);
+      const auto add = [&](const auto&, const auto&) { ++count; };
+      CGAL::thick_box_self_intersection_d(boxes.begin(), boxes.end(), add);
+    });
+  }
+}
+
 BOOST_AUTO_TEST_CASE(boxes_of_CGAL_are_taken_as_they_are)
 {
   using Iterator = std::vector<CGAL::Bbox_3>::const_iterator;
@@ -321,7 +355,7 @@ BOOST_AUTO_TEST_CASE(boxes_may_have_fewer_axes_than_their_base)
 
 BOOST_AUTO_TEST_CASE(every_form_of_the_call_finds_the_same)
 {
-  std::vector<Box<double>> a = some_boxes(), b = a;
+  std::vector<Box<double>> a = some_boxes(100), b = a;
   const auto begin = a.begin(), end = a.end(), begin2 = b.begin(), end2 = b.end();
   const CGAL::Box_intersection_d::Box_traits_d<Box<double>> traits;
   const auto own_topology = CGAL::Thick_box_intersection_d::CLOSED;
@@ -360,7 +394,7 @@ BOOST_AUTO_TEST_CASE(every_form_of_the_call_finds_the_same)
 
 BOOST_AUTO_TEST_CASE(boxes_stay_in_place_and_the_callback_gets_them)
 {
-  std::vector<Box<double>> boxes = some_boxes();
+  std::vector<Box<double>> boxes = some_boxes(100);
   std::vector<std::size_t> before, after;
   for(const Box<double>& box : boxes)
     before.push_back(box.id());

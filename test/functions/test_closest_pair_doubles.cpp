@@ -1,12 +1,10 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The closest pair and a close pair of doubles: larger scenes with ties, crowds and extremes, and
-// real data. The scenes of all kernels are in test_kernels_*.
+// The closest pair and a close pair of doubles: larger scenes with ties, crowds and extremes. The scenes of all kernels are in test_kernels_*.
 
 #include "support/check_closest_pair.h"
 #include "support/check_pairs.h"
-#include "support/data_facts.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -148,109 +146,10 @@ BOOST_AUTO_TEST_CASE(bounds_of_any_size)
                                     CGAL::within_distance(least).open()));
 }
 
-// ---- contracts ----------------------------------------------------------------------------------
-
-BOOST_AUTO_TEST_CASE(any_range_of_points_will_do)
-{
-  const Points scene = uniform_points(2, 2000, 0, 1, 15);
-  const auto points = make_points<Maker<2>>(scene);
-  const Pair expected = known_closest(scene).pair;
-  const auto bound = CGAL::within_distance(0.01);
-  const auto close = CGAL::find_close_pair(points, bound);
-
-  const std::list<Point> list(points.begin(), points.end());
-  check_pair("list", expected, CGAL::closest_pair(list));
-  BOOST_CHECK(CGAL::find_close_pair(list, bound) == close);
-
-  std::vector<std::pair<Point, int>> named;
-  for(const Point& p : points)
-    named.emplace_back(p, 1);
-  const auto np = CGAL::parameters::point_map(
-    CGAL::First_of_pair_property_map<std::pair<Point, int>>()).geom_traits(Epick());
-  check_pair("map", expected, CGAL::closest_pair(named, np));
-  BOOST_CHECK(CGAL::find_close_pair(named, bound, np) == close);
-}
-
 BOOST_AUTO_TEST_CASE(close_pair_is_a_function_of_the_input)
 {
   const auto points = make_points<Maker<2>>(uniform_points(2, 5000, 0, 1, 16));
   for(const double r : {0.5, 0.01, 0.001})
     BOOST_CHECK(CGAL::find_close_pair(points, CGAL::within_distance(r))
                 == CGAL::find_close_pair(points, CGAL::within_distance(r)));
-}
-
-// ---- progress -----------------------------------------------------------------------------------
-
-namespace {
-
-template <class Scene>
-void check_progress_on(const std::string& name, const Scene& scene, std::size_t least_calls)
-{
-  BOOST_TEST_CONTEXT(name)
-  check_progress_of_both<CGAL::Sequential_tag>(make_points<Maker<2>>(scene), least_calls);
-}
-
-} // namespace
-
-// By the join, by comparing few points, and by slabs.
-BOOST_AUTO_TEST_CASE(progress_grows_to_one_and_cancels)
-{
-  const Points uniform = uniform_points(2, 20000, 0, 1, 17);
-  check_progress_on("uniform", uniform, 40);
-  check_progress_on("few", uniform_points(2, 300, 0, 1, 18), 2);
-  check_progress_on("crowded", clustered_points(2, 20000, 3, 1. / 1048576, 19), 40);
-  check_progress_on("huge", moved(uniform, 1e200, 0), 40);
-}
-
-// The last step of a search that finds a pair early, and of one that has nothing to do.
-BOOST_AUTO_TEST_CASE(progress_ends_at_one)
-{
-  const auto points = make_points<Maker<2>>(uniform_points(2, 20000, 0, 1, 20));
-  const std::vector<Point> same(5000, Point(1, 2)), none;
-  const auto find = [](const auto& points) {
-    return [&](const auto& np) {
-      CGAL::find_close_pair(points, CGAL::within_distance(0.1), np);
-    };
-  };
-  BOOST_CHECK_EQUAL(progress_of(find(points), 2).back(), 1);
-  BOOST_CHECK_EQUAL(progress_of(find(same), 2).back(), 1);
-  BOOST_CHECK_EQUAL(progress_of(find(none), 2).back(), 1);
-  BOOST_CHECK_EQUAL(progress_of([&](const auto& np) { CGAL::closest_pair(same, np); }, 2).back(),
-                    1);
-}
-
-// ---- real data ----------------------------------------------------------------------------------
-
-namespace {
-
-template <int Dimension>
-void check_data(const Decimal_points& decimals)
-{
-  const auto doubles = as_exact_doubles(decimals);
-  if(!doubles) // a kernel of rationals is for these
-    return;
-  const auto points = make_points<Maker<Dimension>>(*doubles);
-  check_pair("default", closest_of_integers(decimals.coordinates).pair,
-             CGAL::closest_pair(points));
-  check_pair("division", closest_of_integers(decimals.coordinates).pair,
-             closest_by_division(points));
-}
-
-} // namespace
-
-BOOST_AUTO_TEST_CASE(files_have_the_closest_pair_of_their_integers)
-{
-  std::set<std::string> checked;
-  for(const Fact& fact : facts())
-    if(const auto path = find_data_file(fact.file, data_folders()))
-      if(checked.insert(fact.file + std::to_string(fact.dimension)).second)
-        BOOST_TEST_CONTEXT(fact)
-        {
-          const Decimal_points points = read_view(*path, fact.view);
-          if(fact.dimension == 2)
-            check_data<2>(points);
-          else
-            check_data<3>(points);
-        }
-  BOOST_CHECK_GE(checked.size(), 9u); // the shipped files
 }

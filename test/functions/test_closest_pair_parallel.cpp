@@ -56,16 +56,3 @@ void check_parallel_scenes()
 
 BOOST_AUTO_TEST_CASE(same_pair_in_the_plane) { check_parallel_scenes<2>(); }
 BOOST_AUTO_TEST_CASE(same_pair_in_space) { check_parallel_scenes<3>(); }
-
-BOOST_AUTO_TEST_CASE(progress_grows_to_one_and_cancels)
-{
-  const auto points
-    = make_points<Cartesian_points<Epick, 2>>(uniform_points(2, 50000, 0, 1, 5));
-  const auto huge
-    = make_points<Cartesian_points<Epick, 2>>(uniform_points(2, 20000, 0, 1e200, 6));
-  for(const std::size_t threads : {1, 2, 7}) {
-    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-    check_progress_of_both<CGAL::Parallel_tag>(points, 50);
-    check_progress_of_both<CGAL::Parallel_tag>(huge, 50);
-  }
-}

@@ -113,9 +113,12 @@ BOOST_AUTO_TEST_CASE(any_range_of_points_will_do)
   std::vector<Named> named;
   for(const Point& p : points)
     named.emplace_back(p, 1);
-  check("points within larger elements", named,
-        CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Named>())
-          .geom_traits(Kernel()));
+  const auto np = CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Named>())
+                    .geom_traits(Kernel());
+  check("points within larger elements", named, np);
+  BOOST_CHECK(CGAL::closest_pair(named, np) == CGAL::closest_pair(points));
+  const auto bound = CGAL::within_distance(0.01);
+  BOOST_CHECK(CGAL::find_close_pair(named, bound, np) == CGAL::find_close_pair(points, bound));
 }
 
 BOOST_AUTO_TEST_CASE(two_ranges_may_differ_in_type)
@@ -125,15 +128,6 @@ BOOST_AUTO_TEST_CASE(two_ranges_may_differ_in_type)
   Pairs found;
   CGAL::fixed_radius_near_neighbors(a, b, CGAL::within_distance(1), Pair_collector{found});
   BOOST_CHECK(sorted(found) == (Pairs{{0, 1}, {0, 2}, {1, 0}}));
-}
-
-BOOST_AUTO_TEST_CASE(two_ranges_one_of_them_empty)
-{
-  const auto points = make_points<Maker>({{0, 0}, {0, 0}});
-  const std::vector<Point> none;
-  BOOST_CHECK(near_pairs(points, none, CGAL::within_distance(1)).empty());
-  BOOST_CHECK(near_pairs(none, points, CGAL::within_distance(1)).empty());
-  BOOST_CHECK(near_pairs(none, none, CGAL::within_distance(1)).empty());
 }
 
 BOOST_AUTO_TEST_CASE(bound_of_any_number_type)

@@ -1,11 +1,12 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Real scenes exactly as they are printed, at the radii whose pairs have been counted elsewhere.
+// Real scenes exactly as they are printed, at the radii whose pairs have been counted elsewhere, and
+// their closest pairs.
 // Files that are not shipped are read if a folder has them.
 
+#include "support/check_closest_pair.h"
 #include "support/data_facts.h"
-#include "support/kernels.h"
 #include "support/unit_test.h"
 #include "support/usual_kernels.h"
 
@@ -40,8 +41,7 @@ void check_as_doubles(const Points& points, double radius, const Fact& fact)
 
 // The scaled integers as rational numbers, divided by `unit`.
 template <int Dimension>
-void check_as_rationals(const Decimal_points& points, const CGAL::Exact_rational& radius,
-                        const CGAL::Exact_rational& unit, const Fact& fact)
+auto as_rationals(const Decimal_points& points, const CGAL::Exact_rational& unit)
 {
   using Maker = Cartesian_points<Rational_kernel, Dimension>;
   std::vector<typename Maker::Point> exact;
@@ -49,17 +49,39 @@ void check_as_rationals(const Decimal_points& points, const CGAL::Exact_rational
     exact.push_back(Maker::Types::point([&](std::size_t axis) {
       return CGAL::Exact_rational(rational(c[axis]) / unit);
     }));
-  check_counts(exact, CGAL::within_distance(CGAL::Exact_rational(radius / unit)), fact);
+  return exact;
 }
 
 template <int Dimension>
-void check_fact(const Decimal_points& points, const Fact& fact)
+void check_as_rationals(const Decimal_points& points, const CGAL::Exact_rational& radius,
+                        const CGAL::Exact_rational& unit, const Fact& fact)
+{
+  check_counts(as_rationals<Dimension>(points, unit),
+               CGAL::within_distance(CGAL::Exact_rational(radius / unit)), fact);
+}
+
+template <class Point>
+void check_closest(const std::vector<Point>& points, const Decimal_points& decimals)
+{
+  const Pair expected = closest_of_integers(decimals.coordinates).pair;
+  check_pair("default", expected, CGAL::closest_pair(points));
+  check_pair("division", expected, closest_by_division(points));
+}
+
+template <int Dimension>
+void check_fact(const Decimal_points& points, const Fact& fact, bool is_first_of_file)
 {
   const Decimal_integer radius = scaled_decimal(fact.radius, points.decimals);
-  if(const auto doubles = as_exact_doubles(points))
+  if(const auto doubles = as_exact_doubles(points)) {
     check_as_doubles<Dimension>(*doubles, static_cast<double>(radius), fact);
-  else
+    if(is_first_of_file)
+      check_closest(make_points<Cartesian_points<Epick, Dimension>>(*doubles), points);
+  }
+  else {
     check_as_rationals<Dimension>(points, rational(radius), 1, fact);
+    if(is_first_of_file)
+      check_closest(as_rationals<Dimension>(points, 1), points);
+  }
 }
 
 struct Aircraft
@@ -106,6 +128,7 @@ struct Conflict_traits
 BOOST_AUTO_TEST_CASE(files_have_the_pairs_of_the_facts)
 {
   std::size_t checked = 0;
+  std::set<std::string> files;
   for(const Fact& fact : facts())
     if(const auto path = find_data_file(fact.file, data_folders()))
       BOOST_TEST_CONTEXT(fact)
@@ -113,10 +136,11 @@ BOOST_AUTO_TEST_CASE(files_have_the_pairs_of_the_facts)
         ++checked;
         const Decimal_points points = read_view(*path, fact.view);
         BOOST_CHECK_EQUAL(points.coordinates.size(), fact.n);
+        const bool is_first = files.insert(fact.file + std::to_string(fact.dimension)).second;
         if(fact.dimension == 2)
-          check_fact<2>(points, fact);
+          check_fact<2>(points, fact, is_first);
         else
-          check_fact<3>(points, fact);
+          check_fact<3>(points, fact, is_first);
       }
   BOOST_TEST_MESSAGE(checked << " of " << facts().size() << " facts checked");
   BOOST_CHECK_GE(checked, 18u); // those of the shipped files

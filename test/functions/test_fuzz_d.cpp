@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Small random scenes in kernels whose points alone know their dimension.
+// Small random scenes in kernels for points of any dimension.
 
 #include "support/check_fuzz.h"
 
@@ -28,4 +28,9 @@ BOOST_AUTO_TEST_CASE(epeck_2)
 BOOST_AUTO_TEST_CASE(epeck_3)
 {
   fuzz<Fuzz_points_d<Epeck, 3, true>, NEAR_PAIRS | CLOSEST_PAIRS>(5000);
+}
+BOOST_AUTO_TEST_CASE(epeck_of_fixed_dimension_3)
+{
+  using Static = CGAL::Epeck_d<CGAL::Dimension_tag<3>>;
+  fuzz<Fuzz_points_d<Static, 3, true>, NEAR_PAIRS | CLOSEST_PAIRS>(2000);
 }

@@ -5,13 +5,11 @@
 // with intervals, kernel objects, and balls. What callbacks and progress may do, and the order of
 // reports, is in test_faults and test_progress; what is refused, in test_refusals.
 
-#include "support/check_pairs.h"
 #include "support/interval_traits.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Thick_ball_traits_d.h>
-#include <CGAL/thick_intersection_d.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
@@ -30,31 +28,6 @@ Callback collector(Pairs& pairs)
   };
 }
 
-// Searches one set, by traits.
-template <class Objects, class Traits>
-bool search(const Objects& objects, const Traits& traits, const Callback& callback)
-{
-  return CGAL::thick_self_intersection_d(objects, callback,
-                                         CGAL::parameters::geom_traits(traits));
-}
-
-template <class Objects, class Traits>
-Pairs found_pairs(const Objects& objects, const Traits& traits)
-{
-  Pairs pairs;
-  BOOST_CHECK(search(objects, traits, collector(pairs)));
-  return pairs;
-}
-
-template <class Objects, class Traits>
-Pairs found_pairs(const Objects& a, const Objects& b, const Traits& traits)
-{
-  Pairs pairs;
-  BOOST_CHECK(CGAL::thick_intersection_d(a, b, collector(pairs),
-                                         CGAL::parameters::geom_traits(traits)));
-  return pairs;
-}
-
 // Some boxes of a lattice, most of them short, a few as long as the scene.
 Number_boxes some_boxes(int dimension, std::size_t size)
 {
@@ -69,25 +42,11 @@ Number_boxes some_boxes(int dimension, std::size_t size)
   return boxes;
 }
 
-template <class Traits>
-void check_colored(const Number_boxes& boxes, const Traits& traits)
-{
-  const int dimension = traits.dimension();
-  BOOST_TEST_CONTEXT(dimension << " axes, " << boxes.size() << " boxes")
-  {
-    const auto objects = colored(boxes);
-    const std::size_t half = boxes.size() / 6 * 3; // so that colors go on in the second set
-    const auto [a, b] = split(boxes, half);
-    check_pairs("boxes", pairs_of_colored(boxes, dimension), found_pairs(objects, traits),
-                found_pairs(colored(a), colored(b), traits), half);
-  }
-}
-
 template <int... Dimensions>
 void check_fixed_dimensions(std::size_t size)
 {
   Call_count calls = 0;
-  (check_colored(some_boxes(Dimensions, size), Fixed_interval_traits<Dimensions>(calls)), ...);
+  (check_colored<CGAL::Sequential_tag>(some_boxes(Dimensions, size), Fixed_interval_traits<Dimensions>(calls)), ...);
 }
 
 } // namespace
@@ -97,7 +56,7 @@ BOOST_AUTO_TEST_CASE(archetype_traits_are_enough_in_any_dimension)
   for(const int dimension : {1, 2, 3, 4, 5, 8})
     for(const std::size_t size : {0, 1, 2, 50, 400, 3000}) {
       Call_count calls = 0;
-      check_colored(some_boxes(dimension, size), Interval_traits(dimension, calls));
+      check_colored<CGAL::Sequential_tag>(some_boxes(dimension, size), Interval_traits(dimension, calls));
     }
 }
 
@@ -105,7 +64,7 @@ BOOST_AUTO_TEST_CASE(boxes_may_have_any_sizes)
 {
   for(int dimension = 1; dimension <= 6; ++dimension) {
     Call_count calls = 0;
-    check_colored(boxes_of_all_sizes(dimension, 2000), Interval_traits(dimension, calls));
+    check_colored<CGAL::Sequential_tag>(boxes_of_all_sizes(dimension, 2000), Interval_traits(dimension, calls));
   }
 }
 
@@ -120,7 +79,7 @@ BOOST_AUTO_TEST_CASE(predicate_is_asked_once_about_boxes_that_meet_and_about_no_
   for(const int dimension : {1, 2, 3, 4}) {
     const Number_boxes boxes = some_boxes(dimension, 3000);
     Call_count calls = 0;
-    found_pairs(colored(boxes), Interval_traits(dimension, calls));
+    pairs_by_traits<CGAL::Sequential_tag>(boxes, Interval_traits(dimension, calls));
     BOOST_CHECK_EQUAL(calls, all_meeting_pairs(boxes, dimension).size());
   }
 }
@@ -142,7 +101,7 @@ BOOST_AUTO_TEST_CASE(intervals_may_be_infinite)
     boxes[6][0] = {-infinity, -infinity};
     boxes[7].fill({-infinity, infinity});
     Call_count calls = 0;
-    check_colored(boxes, Fixed_interval_traits<3>(calls));
+    check_colored<CGAL::Sequential_tag>(boxes, Fixed_interval_traits<3>(calls));
   }
 }
 
@@ -171,7 +130,8 @@ BOOST_AUTO_TEST_CASE(traits_check_objects_before_intervals_are_read)
     return true;
   };
   BOOST_CHECK_EQUAL(refusal<std::out_of_range>([&] {
-    search(colored(boxes), Checking_traits(3, calls), fail);
+    CGAL::thick_self_intersection_d(colored(boxes), fail,
+                                    CGAL::parameters::geom_traits(Checking_traits(3, calls)));
   }), "Object 150 is not allowed.");
 }
 
@@ -232,25 +192,7 @@ BOOST_AUTO_TEST_CASE(balls_beyond_the_range_of_doubles_are_searched_exactly)
       expected.emplace_back(i, i + 10);
   }
   const CGAL::Thick_ball_traits_d<Point> traits(balls);
-  check_pairs("balls", expected, found_pairs(balls, traits));
-}
-
-BOOST_AUTO_TEST_CASE(empty_and_single_ranges_of_kernel_objects_have_no_pairs)
-{
-  using Kernel = CGAL::Simple_cartesian<double>;
-  const Callback fail = [](std::size_t, std::size_t) {
-    BOOST_ERROR("there is no pair");
-    return true;
-  };
-  const std::vector<Kernel::Segment_2> none;
-  const std::vector<Kernel::Segment_2> one = {{Kernel::Point_2(0, 0), Kernel::Point_2(1, 1)}};
-  BOOST_CHECK(CGAL::thick_self_intersection_d(none, fail));
-  BOOST_CHECK(CGAL::thick_self_intersection_d(one, fail));
-  BOOST_CHECK(CGAL::thick_intersection_d(none, one, fail));
-  BOOST_CHECK(CGAL::thick_intersection_d(one, none, fail));
-  BOOST_CHECK(CGAL::thick_intersection_d(none, none, fail));
-  const std::vector<std::pair<Kernel::Point_3, double>> no_balls;
-  BOOST_CHECK(CGAL::thick_self_intersection_d(
-    no_balls, fail,
-    CGAL::parameters::geom_traits(CGAL::Thick_ball_traits_d<Kernel::Point_3>(no_balls))));
+  check_pairs("balls", expected, reported([&](auto collect) {
+    CGAL::thick_self_intersection_d(balls, collect, CGAL::parameters::geom_traits(traits));
+  }));
 }

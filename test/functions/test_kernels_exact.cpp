@@ -4,7 +4,6 @@
 // Every scene on the kernels whose coordinates are exact numbers.
 
 #include "support/check_kernel.h"
-#include "support/data_facts.h"
 #include "support/usual_kernels.h"
 
 #include <CGAL/Homogeneous.h>
@@ -24,34 +23,12 @@ struct Thirds : Cartesian_points<Kernel, Dimension>
 
   static Point make(const Coordinates& c)
   {
-    if constexpr(Dimension == 2)
-      return Point(FT(c[0]) / FT(3), FT(c[1]) / FT(3));
-    else
-      return Point(FT(c[0]) / FT(3), FT(c[1]) / FT(3), FT(c[2]) / FT(3));
+    return Thirds::Types::point([&](std::size_t axis) { return FT(FT(c[axis]) / FT(3)); });
   }
 };
 
-CGAL::Exact_rational square_of(const Radius& radius)
-{
-  if(!radius.length())
-    return exact_rational(radius.square_text());
-  const CGAL::Exact_rational length(*radius.length());
-  return length * length;
-}
-
-// Coordinates that are doubles are searched as such, whatever their type; these by their bounds.
-template <class Kernel, int Dimension>
-void check_thirds(const Scenes& scenes)
-{
-  for(const Point_scene& scene : scenes) {
-    const CGAL::Exact_rational square = square_of(scene.radius) / 9;
-    check_scene<Thirds<Kernel, Dimension>>(scene, CGAL::within_squared_distance(square));
-  }
-}
-
 // Coordinates are quotients of big integers, so that all of the time is spent in allocations; where
-// addresses are watched these take ten times as long. A closest pair needs few of them. Near pairs
-// of whole scenes of exact numbers that are no doubles are those of thirds.
+// addresses are watched these take ten times as long. A closest pair needs few of them.
 #ifdef __SANITIZE_ADDRESS__
 constexpr std::size_t max_size = 150;
 constexpr std::size_t max_closest_size = 150;
@@ -79,12 +56,6 @@ BOOST_AUTO_TEST_CASE(rational_2) { check_kernel<Cartesian_points<Rational_kernel
 BOOST_AUTO_TEST_CASE(rational_3) { check_kernel<Cartesian_points<Rational_kernel, 3>>(3); }
 BOOST_AUTO_TEST_CASE(homogeneous_2) { check_quotients<2>(); }
 BOOST_AUTO_TEST_CASE(homogeneous_3) { check_quotients<3>(); }
-
-// Each lazy number takes memory: all scenes of these take a minute.
-BOOST_AUTO_TEST_CASE(thirds_epeck_2) { check_thirds<Epeck, 2>(small_scenes(2)); }
-BOOST_AUTO_TEST_CASE(thirds_epeck_3) { check_thirds<Epeck, 3>(small_scenes(3)); }
-BOOST_AUTO_TEST_CASE(thirds_rational_2) { check_thirds<Rational_kernel, 2>(all_scenes(2)); }
-BOOST_AUTO_TEST_CASE(thirds_rational_3) { check_thirds<Rational_kernel, 3>(all_scenes(3)); }
 
 // Coordinates beyond the range of doubles.
 BOOST_AUTO_TEST_CASE(coordinates_beyond_the_doubles)
@@ -158,28 +129,4 @@ BOOST_AUTO_TEST_CASE(closest_pair_beyond_the_doubles)
     points.emplace_back(huge + 100 + 5 * i, 5 * i);
   BOOST_CHECK(CGAL::closest_pair(points) == Pair(1, 2));
   BOOST_CHECK(CGAL::find_close_pair(points, CGAL::within_distance(4)) == Pair(1, 2));
-}
-
-// Files with more digits than a double has.
-BOOST_AUTO_TEST_CASE(files_have_the_closest_pair_of_their_decimals)
-{
-  std::size_t checked = 0;
-  for(const Fact& fact : facts()) {
-    const auto path = find_data_file(fact.file, data_folders());
-    if(!path || fact.dimension != 2)
-      continue;
-    const Decimal_points decimals = read_view(*path, fact.view);
-    if(as_exact_doubles(decimals))
-      continue;
-    std::vector<Rational_kernel::Point_2> points;
-    for(const auto& c : decimals.coordinates)
-      points.emplace_back(exact_rational(c[0].str()), exact_rational(c[1].str()));
-    BOOST_TEST_CONTEXT(fact)
-    {
-      check_pair("rationals", closest_of_integers(decimals.coordinates).pair,
-                 CGAL::closest_pair(points));
-    }
-    ++checked;
-  }
-  BOOST_CHECK_GE(checked, 1u);
 }

@@ -175,16 +175,6 @@ BOOST_AUTO_TEST_CASE(forward_iterators_are_fine)
   BOOST_CHECK_EQUAL(count, 2u);
 }
 
-BOOST_AUTO_TEST_CASE(no_boxes_and_one_box_give_no_pairs)
-{
-  const Intervals none, one = {chain[0]};
-  for(const Intervals& boxes : {none, one}) {
-    BOOST_CHECK(self_pairs(boxes).empty());
-    BOOST_CHECK(pairs_between(boxes, none).empty());
-    BOOST_CHECK(pairs_between(none, boxes).empty());
-  }
-}
-
 BOOST_AUTO_TEST_CASE(an_empty_box_meets_no_box)
 {
   const Interval empty = {{infinity}, {-infinity}}, turned = {{2}, {1}}, all = {{0}, {9}};

@@ -4,13 +4,11 @@
 // Objects with boxes in parallel: the same pairs, a stop that is obeyed, exceptions that come out.
 // ThreadSanitizer watches these tests too.
 
-#include "support/check_pairs.h"
 #include "support/check_threads.h"
 #include "support/interval_traits.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
-#include <CGAL/thick_intersection_d.h>
 
 using namespace test_support;
 
@@ -90,20 +88,6 @@ BOOST_AUTO_TEST_CASE(search_of_rectangles_stops_throws_and_is_cancelled)
   });
 }
 
-namespace {
-
-// One type of callback, because compilers make a search for each.
-using Callback = std::function<bool(std::size_t, std::size_t)>;
-
-template <class Traits>
-bool search_colored(const Number_boxes& boxes, const Traits& traits, const Callback& callback)
-{
-  return CGAL::thick_self_intersection_d<CGAL::Parallel_tag>(
-    colored(boxes), callback, CGAL::parameters::geom_traits(traits));
-}
-
-} // namespace
-
 BOOST_AUTO_TEST_CASE(same_pairs_of_traits_with_intervals)
 {
   const tbb::global_control control(tbb::global_control::max_allowed_parallelism, thread_count);
@@ -111,23 +95,9 @@ BOOST_AUTO_TEST_CASE(same_pairs_of_traits_with_intervals)
     const Number_boxes boxes = boxes_of_all_sizes(dimension, 4000);
     Call_count calls = 0;
     const Interval_traits traits(dimension, calls);
-    const std::string what = std::to_string(dimension) + "D";
-    check_pairs(what, pairs_of_colored(boxes, dimension), collected([&](const auto& add) {
-      BOOST_CHECK(search_colored(boxes, traits, [&](std::size_t i, std::size_t j) {
-        add(i, j);
-        return true;
-      }));
-    }));
+    check_colored<CGAL::Parallel_tag>(boxes, traits);
+    calls = 0;
+    pairs_by_traits<CGAL::Parallel_tag>(boxes, traits);
     BOOST_CHECK_EQUAL(calls, all_meeting_pairs(boxes, dimension).size());
-
-    const std::size_t half = 1500; // so that colors go on in the second set
-    const auto [a, b] = split(boxes, half);
-    const auto boxes_a = colored(a), boxes_b = colored(b);
-    const Pairs two_sets = pairs_of_colored(boxes, dimension, half);
-    check_pairs(what + ", two sets", two_sets, collected([&](const auto& add) {
-      CGAL::thick_intersection_d<CGAL::Parallel_tag>(
-        boxes_a, boxes_b, [&](std::size_t i, std::size_t j) { add(i, half + j); },
-        CGAL::parameters::geom_traits(traits));
-    }));
   }
 }

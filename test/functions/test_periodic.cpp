@@ -114,7 +114,7 @@ BOOST_AUTO_TEST_CASE(what_is_refused)
                     std::invalid_argument);
 }
 
-BOOST_AUTO_TEST_CASE(a_callback_and_a_progress_functor_stop_the_search)
+BOOST_AUTO_TEST_CASE(a_callback_stops_the_search)
 {
   const std::vector<Plain::Point_2> points(50, Plain::Point_2(0, 0.5));
   const auto bound = CGAL::within_distance(0.1);
@@ -122,20 +122,6 @@ BOOST_AUTO_TEST_CASE(a_callback_and_a_progress_functor_stop_the_search)
   const auto stop_at_3 = [&](std::size_t, std::size_t, const Offset_of<2>&) { return ++calls < 3; };
   BOOST_CHECK(!CGAL::periodic_fixed_radius_near_neighbors(points, unit_square, bound, stop_at_3));
   BOOST_CHECK_EQUAL(calls, 3);
-
-  std::vector<double> told;
-  const auto tell = [&told](double done) {
-    told.push_back(done);
-    return true;
-  };
-  std::size_t count = 0;
-  BOOST_CHECK(CGAL::periodic_fixed_radius_near_neighbors(
-    points, unit_square, CGAL::within_distance(1),
-    counter(count),
-    CGAL::parameters::callback(tell)));
-  BOOST_CHECK_EQUAL(count, 50 * 49 / 2 * 5 + 50 * 2); // itself and four images at distance 1
-  BOOST_CHECK(std::is_sorted(told.begin(), told.end()));
-  BOOST_CHECK_EQUAL(told.back(), 1);
 }
 
 BOOST_AUTO_TEST_CASE(the_profile_does_not_change_if_a_callback_throws)
@@ -170,23 +156,6 @@ BOOST_AUTO_TEST_CASE(several_threads_find_the_same)
               == CGAL::periodic_fixed_radius_neighbor_lists(points, unit_square, bound));
   BOOST_CHECK(CGAL::periodic_closest_pair<Tag>(points, unit_square)
               == CGAL::periodic_closest_pair(points, unit_square));
-}
-
-// Of each part of the search.
-BOOST_AUTO_TEST_CASE(closest_pair_does_not_go_on_when_it_is_cancelled)
-{
-  const std::vector<Plain::Point_2> points = {{.5, .5}, {.5, .6}, {.01, .2}, {.99, .2}};
-  std::size_t calls = 0, last = 0;
-  const auto cancel = [&](double) { return ++calls != last; };
-  const auto np = CGAL::parameters::callback(cancel);
-  CGAL::periodic_closest_pair(points, unit_square, np);
-  BOOST_CHECK_GT(calls, 2u);
-  const std::size_t all = calls;
-  for(last = 1; last <= all; ++last) {
-    calls = 0;
-    CGAL::periodic_closest_pair(points, unit_square, np);
-    BOOST_CHECK_EQUAL(calls, last);
-  }
 }
 
 BOOST_AUTO_TEST_CASE(elements_are_handed_over)

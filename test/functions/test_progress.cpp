@@ -42,7 +42,7 @@ const auto ignore = [](const auto&...) {};
 
 // A search by run(np) with a functor of progress, whose pairs are ignored.
 template <class Run>
-Search watched(const char* name, const Run& run)
+Search watched(const std::string& name, const Run& run)
 {
   return {name, [=](const On_pair&, const On_progress& on_progress) {
     run(CGAL::parameters::callback(on_progress));
@@ -97,7 +97,11 @@ std::vector<Search> periodic_searches_of(std::size_t size, const Domain& domain,
     watched("closest images", [=](auto np) { CGAL::periodic_closest_pair(points, domain, np); })};
 }
 
-void check(const std::vector<Search>& searches)
+struct Failure
+{};
+
+// Another run by threads may tell less.
+void check(const std::vector<Search>& searches, std::size_t least_tells = 1, bool is_parallel = false)
 {
   const On_pair go_on = [](std::size_t, std::size_t) { return true; };
   for(const Search& search : searches)
@@ -110,15 +114,59 @@ void check(const std::vector<Search>& searches)
       });
       BOOST_REQUIRE(!told.empty());
       BOOST_CHECK(std::is_sorted(told.begin(), told.end()));
+      BOOST_CHECK_GE(told.front(), 0);
+      BOOST_CHECK_EQUAL(std::count(told.begin(), told.end(), 1.), 1);
       BOOST_CHECK_EQUAL(told.back(), 1);
+      BOOST_CHECK_GE(told.size(), least_tells);
       BOOST_CHECK_LE(told.size(), 1001u);
-      const std::size_t all = told.size();
+      const std::size_t all = is_parallel ? 1 : told.size();
       for(const std::size_t last : {std::size_t(1), all / 2 + 1, all}) {
         std::size_t calls = 0;
         search.run(go_on, [&](double) { return ++calls != last; });
         BOOST_CHECK_EQUAL(calls, last);
       }
+      BOOST_CHECK_THROW(search.run(go_on, [](double) -> bool { throw Failure(); }), Failure);
     }
+}
+
+// Whatever is cancelled when, closest_pair() returns a pair that is no farther than the first two
+// points, and find_close_pair() a close one or none.
+template <class Tag>
+std::vector<Search> closest_searches(const std::string& name, const Points& scene)
+{
+  const auto points = make_points<Cartesian_points<Kernel, 2>>(scene);
+  const auto square_of = [=](const std::pair<std::size_t, std::size_t>& pair) {
+    return internal::exact_squared_distance(points[pair.first], points[pair.second], 2);
+  };
+  const auto least = square_of(CGAL::closest_pair(points));
+  const auto bound = CGAL::within_squared_distance(least);
+  return {watched("closest pair, " + name, [=](auto np) {
+            const auto pair = CGAL::closest_pair<Tag>(points, np);
+            BOOST_CHECK(pair.first < pair.second && pair.second < points.size());
+            BOOST_CHECK(square_of(pair) <= square_of({0, 1}));
+          }),
+          watched("no close pair, " + name, [=](auto np) {
+            BOOST_CHECK(!CGAL::has_close_pair<Tag>(points, bound.open(), np));
+            const auto pair = CGAL::find_close_pair<Tag>(points, bound);
+            BOOST_CHECK(pair && square_of(*pair) == least);
+          })};
+}
+
+// Cancelled at once, they have seen little; told that all is done, they have the answer.
+template <class Tag>
+void check_closest(const std::string& name, const Points& scene, std::size_t least_tells,
+                   bool is_parallel)
+{
+  check(closest_searches<Tag>(name, scene), least_tells, is_parallel);
+  const auto points = make_points<Cartesian_points<Kernel, 2>>(scene);
+  const auto closest = CGAL::closest_pair(points);
+  const auto at_once = CGAL::parameters::callback([](double) { return false; });
+  BOOST_CHECK(CGAL::closest_pair<Tag>(points, at_once) != closest);
+  const auto least = CGAL::within_squared_distance(
+    internal::exact_squared_distance(points[closest.first], points[closest.second], 2));
+  BOOST_CHECK(!CGAL::find_close_pair<Tag>(points, least, at_once));
+  const auto to_the_end = CGAL::parameters::callback([](double done) { return done < 1; });
+  BOOST_CHECK(CGAL::closest_pair<Tag>(points, to_the_end) == closest);
 }
 
 BOOST_AUTO_TEST_CASE(progress_of_few_ends_at_1) { check(searches_of(20)); }
@@ -131,6 +179,30 @@ BOOST_AUTO_TEST_CASE(progress_of_images_ends_at_1)
     check(periodic_searches_of(200, box, radius));
     check(periodic_searches_of(200, CGAL::Periodic_lattice_d(box), radius));
   }
+}
+
+// By the join, by comparing few points, and by slabs.
+BOOST_AUTO_TEST_CASE(progress_of_closest_pairs_ends_at_1)
+{
+  const auto check_both = [](const std::string& name, const Points& scene, std::size_t least) {
+    check_closest<CGAL::Sequential_tag>(name, scene, least, false);
+    check_closest<CGAL::Parallel_if_available_tag>(name, scene, least, true);
+  };
+  const Points uniform = uniform_points(2, 20000, 0, 1, 17);
+  check_both("uniform", uniform, 40);
+  check_both("few", uniform_points(2, 300, 0, 1, 18), 2);
+  check_both("crowded", clustered_points(2, 20000, 3, 1. / 1048576, 19), 40);
+  check_both("huge", uniform_points(2, 20000, 0, 1e200, 17), 40);
+}
+
+// The last step of a search that finds a pair early, and of one that has nothing to do.
+BOOST_AUTO_TEST_CASE(progress_of_early_ends_is_1)
+{
+  const std::vector<Point> same(5000, Point(1, 2)), none;
+  const auto near = CGAL::within_distance(0.1);
+  for(const auto& points : {searched_points<2>(20000), same, none})
+    check({watched("close pair", [=](auto np) { CGAL::find_close_pair(points, near, np); })});
+  check({watched("equal points", [=](auto np) { CGAL::closest_pair(same, np); })});
 }
 
 // The closest pair is across the boundary, or within it.

@@ -7,10 +7,12 @@
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_INTERVAL_TRAITS_H
 #define THICK_INTERSECTION_TEST_SUPPORT_INTERVAL_TRAITS_H
 
+#include "check_pairs.h"
 #include "lattice_traits.h"
 #include "number_boxes.h"
 
 #include <CGAL/Dimension.h>
+#include <CGAL/thick_intersection_d.h>
 
 namespace test_support {
 
@@ -111,10 +113,35 @@ inline Pairs pairs_of_colored(const Number_boxes& boxes, int dimension,
   return pairs;
 }
 
+template <class ConcurrencyTag, class Traits>
+Pairs pairs_by_traits(const Number_boxes& boxes, const Traits& traits)
+{
+  Pairs pairs;
+  Locked_collector collect(pairs);
+  BOOST_CHECK(CGAL::thick_self_intersection_d<ConcurrencyTag>(
+    colored(boxes), collect, CGAL::parameters::geom_traits(traits)));
+  return pairs;
+}
+
+// Searches one set and two.
+template <class ConcurrencyTag, class Traits>
+void check_colored(const Number_boxes& boxes, const Traits& traits)
+{
+  const int dimension = traits.dimension();
+  const std::size_t half = boxes.size() / 6 * 3; // so that colors go on in the second set
+  const auto [a, b] = split(boxes, half);
+  Pairs two_sets;
+  Locked_collector collect(two_sets);
+  BOOST_CHECK(CGAL::thick_intersection_d<ConcurrencyTag>(colored(a), colored(b), collect,
+                                                         CGAL::parameters::geom_traits(traits)));
+  check_pairs(std::to_string(dimension) + " axes, " + std::to_string(boxes.size()) + " boxes",
+              pairs_of_colored(boxes, dimension), pairs_by_traits<ConcurrencyTag>(boxes, traits),
+              two_sets, half);
+}
+
 // Boxes with extents over three decades. Some are infinite along axis 0.
 inline Number_boxes boxes_of_all_sizes(int dimension, std::size_t size)
 {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   Generator random(size);
   Number_boxes boxes(size);
   for(std::size_t i = 0; i < size; ++i) {

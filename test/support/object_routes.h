@@ -32,7 +32,7 @@ void report_by_recursion(const std::vector<Object>& objects,
   internal::with_sets(report, internal::make_elements(a, np), internal::make_elements(b, np));
 }
 
-// The box route with many cuts, in another way for each seed. One numbering is for both sets.
+// The box route with many cuts, in another way for each seed.
 template <class Object, class Traits, class Callback>
 void report_by_cuts(const std::vector<Object>& objects, std::optional<std::size_t> first_set_size,
                     const Traits& traits, Callback& callback, std::uint64_t seed)
@@ -42,8 +42,11 @@ void report_by_cuts(const std::vector<Object>& objects, std::optional<std::size_
   const internal::Traits_boxes<Elements, Traits> boxes(elements, traits);
   Generator random(seed);
   internal::Unwatched_progress progress;
+  const auto report = [&](std::size_t i, std::size_t j) {
+    callback(i, j - first_set_size.value_or(0)); // one numbering is for both sets
+  };
   search_boxes<decltype(boxes)::static_dimension>(boxes, small_tuning(random), first_set_size,
-                                                  callback, progress);
+                                                  report, progress);
 }
 
 } // namespace test_support
