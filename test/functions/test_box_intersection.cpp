@@ -50,10 +50,10 @@ struct Box
   NT max_coord(int i) const { return high[i]; }
 };
 
-template <class NT>
-std::size_t id_of(const Box<NT>& box) { return box.id(); }
-template <class NT>
-std::size_t id_of(const Box<NT>* box) { return box->id(); }
+template <class AnyBox>
+std::size_t id_of(const AnyBox& box) { return box.id(); }
+template <class AnyBox>
+std::size_t id_of(const AnyBox* box) { return box->id(); }
 
 // `size` boxes with ends among the first `count` coordinates. Their extents are up to `extent`, and
 // positive if they are not to be flat. They are in any order, or ids ascend if the seed is odd.
@@ -205,17 +205,25 @@ std::vector<NT> special_coordinates()
           std::nextafter(NT(1), NT(2)), large};
 }
 
-std::vector<double> numbers_up_to(std::size_t count)
+template <int Dimension>
+auto boxes_of_CGAL(const std::vector<Lattice_box>& lattice)
 {
-  std::vector<double> numbers(count);
-  std::iota(numbers.begin(), numbers.end(), 0.);
-  return numbers;
+  std::vector<CGAL::Box_intersection_d::Box_d<double, Dimension>> boxes;
+  for(const Lattice_box& box : lattice) {
+    double low[Dimension], high[Dimension];
+    std::copy_n(box.low, Dimension, low);
+    std::copy_n(box.high, Dimension, high);
+    boxes.emplace_back(low, high);
+  }
+  return boxes;
 }
 
-std::vector<Box<double>> some_boxes(std::size_t size)
+std::vector<Box<double>> some_boxes()
 {
   dimension_now = 3;
-  return boxes_at(lattice_boxes(size, 8, 2, true, 0, 3), numbers_up_to(8));
+  std::vector<double> coordinates(8);
+  std::iota(coordinates.begin(), coordinates.end(), 0.);
+  return boxes_at(lattice_boxes(100, 8, 2, true, 0, 3), coordinates);
 }
 
 } // namespace
@@ -281,16 +289,15 @@ BOOST_AUTO_TEST_CASE(few_boxes_give_the_pairs_of_CGAL)
   for(std::size_t size = 0; size <= 68; ++size)
     for(const bool are_flat : {false, true}) {
       const Scene scene = lattice_scene(size, 14, are_flat, static_cast<unsigned int>(size));
-      const auto a = boxes_at(scene.a, numbers_up_to(14)), b = boxes_at(scene.b, numbers_up_to(14));
-      for(dimension_now = 2; dimension_now <= 3; ++dimension_now)
-        compare_all_choices(a, b);
+      compare_all_choices(boxes_of_CGAL<2>(scene.a), boxes_of_CGAL<2>(scene.b));
+      compare_all_choices(boxes_of_CGAL<3>(scene.a), boxes_of_CGAL<3>(scene.b));
     }
 }
 
 BOOST_AUTO_TEST_CASE(few_boxes_need_no_memory)
 {
   for(std::size_t size = 0; size <= 64; ++size) {
-    const auto boxes = some_boxes(size);
+    const auto boxes = boxes_of_CGAL<3>(lattice_boxes(size, 14, 2, true, 0, 3));
     std::size_t count = 0;
     BOOST_CHECK_NO_THROW({
       const Memory_that_runs_out none(0);
@@ -355,7 +362,7 @@ BOOST_AUTO_TEST_CASE(boxes_may_have_fewer_axes_than_their_base)
 
 BOOST_AUTO_TEST_CASE(every_form_of_the_call_finds_the_same)
 {
-  std::vector<Box<double>> a = some_boxes(100), b = a;
+  std::vector<Box<double>> a = some_boxes(), b = a;
   const auto begin = a.begin(), end = a.end(), begin2 = b.begin(), end2 = b.end();
   const CGAL::Box_intersection_d::Box_traits_d<Box<double>> traits;
   const auto own_topology = CGAL::Thick_box_intersection_d::CLOSED;
@@ -394,7 +401,7 @@ BOOST_AUTO_TEST_CASE(every_form_of_the_call_finds_the_same)
 
 BOOST_AUTO_TEST_CASE(boxes_stay_in_place_and_the_callback_gets_them)
 {
-  std::vector<Box<double>> boxes = some_boxes(100);
+  std::vector<Box<double>> boxes = some_boxes();
   std::vector<std::size_t> before, after;
   for(const Box<double>& box : boxes)
     before.push_back(box.id());

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The closest pair and a close pair of doubles: larger scenes with ties, crowds and extremes. The scenes of all kernels are in test_kernels_*.
+// The closest pair and a close pair of doubles: larger scenes with ties, crowds and extremes. The
+// scenes of all kernels are in test_kernels_*.
 
 #include "support/check_closest_pair.h"
 #include "support/check_pairs.h"
@@ -107,6 +108,45 @@ BOOST_AUTO_TEST_CASE(a_few_points_of_a_small_lattice)
       BOOST_TEST_CONTEXT(n << " points, repetition " << repetition)
       check_closest_and_close_pair<Maker<2>>(points);
     }
+}
+
+// Squares that are rounded to one double, or that differ by less than their errors.
+BOOST_AUTO_TEST_CASE(the_closest_of_near_ties)
+{
+  for(const double scale : {1., 0x1p-600, 0x1p600, 0x1p-1020})
+    for(const double tiny : {0x1p-30, 0x1p-40, 0x1p-51}) {
+      const Points far = {{0, 0, 0}, {scale, scale * tiny, 0}}, near = {{0, 0, 9}, {scale, 0, 9}};
+      for(const bool is_first : {false, true}) {
+        Points scene_points = is_first ? concatenated(near, far) : concatenated(far, near);
+        for(Coordinates& c : scene_points)
+          c[2] *= 1e3 * scale;
+        const auto points = make_points<Maker<3>>(scene_points);
+        const Pair closest = is_first || scale * tiny == 0 ? Pair(0, 1) : Pair(2, 3);
+        BOOST_CHECK(CGAL::closest_pair(points) == closest);
+      }
+    }
+}
+
+// Squares whose order is another one as they are rounded. Two points have almost the same distance
+// from the origin, because they have almost the same coordinates, in another order.
+BOOST_AUTO_TEST_CASE(the_closest_of_rounded_squares)
+{
+  Random random(5);
+  const auto square = [](const Coordinates& c) { return c[0] * c[0] + c[1] * c[1] + c[2] * c[2]; };
+  int count = 0;
+  for(int i = 0; i < 1000; ++i) {
+    const Coordinates v = {random.uniform(), random.uniform(), random.uniform()};
+    const Coordinates w = {v[2], v[0], std::nextafter(v[1], 0.)};
+    count += square(v) < square(w);
+    const auto points = make_points<Maker<3>>({{0, 0, 0}, v, {-w[0], -w[1], -w[2]}});
+    BOOST_CHECK(CGAL::closest_pair(points) == Pair(0, 2));
+  }
+  BOOST_CHECK_GT(count, 10);
+
+  // Squares that underflow: of .4 and .6 of the smallest number, and .8 is more than .6.
+  const double x = 0x1p-537 * std::sqrt(.4), y = 0x1p-537 * std::sqrt(.6);
+  const auto points = make_points<Maker<3>>({{0, 0, 0}, {x, x, 0}, {0, 0, 1}, {y, 0, 1}});
+  BOOST_CHECK(CGAL::closest_pair(points) == Pair(2, 3));
 }
 
 // Nearly all points are in the strip, so that it is cut into cells; the closest pair is often in

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 // What the public functions promise beyond the right pairs: which ranges and traits they take, what
-// a callback is. What callbacks and progress may do, and the order of reports, is in test_faults and
-// test_progress; what is refused, in test_refusals.
+// a callback is. What callbacks and progress may do, and the order of reports, is in test_faults
+// and test_progress; what is refused, in test_refusals.
 
 #include "support/brute_force.h"
 #include "support/check_pairs.h"

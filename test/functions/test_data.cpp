@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Real scenes exactly as they are printed, at the radii whose pairs have been counted elsewhere, and
-// their closest pairs.
+// Real scenes exactly as they are printed, at the radii whose pairs have been counted elsewhere,
+// and their closest pairs.
 // Files that are not shipped are read if a folder has them.
 
 #include "support/check_closest_pair.h"

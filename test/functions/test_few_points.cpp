@@ -1,16 +1,15 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Few points are searched each with each, on the stack. They get the pairs, the errors and the
-// order of reports that are promised for any number of points, and they get no memory.
+// Few points are searched each with each, on the stack. They get the pairs and the order of reports
+// that are promised for any number of points, and they get no memory. Scenes of all sizes, and
+// their closest pairs, are those of test_fuzz.
 
 #include "support/brute_force.h"
 #include "support/check_pairs.h"
-#include "support/closest_pair_oracle.h"
 #include "support/counting_allocator.h"
 #include "support/instruction_sets.h"
 #include "support/kernels.h"
-#include "support/scenes.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -20,8 +19,6 @@
 using namespace test_support;
 
 namespace {
-
-constexpr std::size_t max_size = 260; // a few more than are searched each with each
 
 template <int Dimension>
 using Epick_points = Cartesian_points<CGAL::Epick, Dimension>;
@@ -66,56 +63,7 @@ void check_all_sizes(const std::string& name, const Points& scene, const Pairs& 
   }
 }
 
-template <int Dimension>
-std::vector<Point_scene> scenes_of_few_points()
-{
-  const auto some = [](Points points) {
-    points.resize((std::min)(points.size(), max_size));
-    return points;
-  };
-  const auto lattice = [&](double unit) {
-    return some(shuffled(lattice_points(Dimension, Dimension == 2 ? 17 : 7, unit), 3));
-  };
-  return {scene("uniform", Dimension, uniform_points(Dimension, max_size, 0, 1, 5),
-                Radius::of_length(0.1)),
-          scene("dense", Dimension, uniform_points(Dimension, max_size, 0, 1, 6),
-                Radius::of_length(0.9)),
-          scene("lattice of integers", Dimension, lattice(1), Radius::of_length(1)),
-          scene("lattice of integers, long bound", Dimension, lattice(1), Radius::of_length(5)),
-          scene("lattice of tenths", Dimension, lattice(0.1), Radius::of_length(0.1)),
-          scene("equal points", Dimension, identical_points(Dimension, max_size, 0.3),
-                Radius::of_length(0)),
-          scene("repeated points, bound 0", Dimension,
-                shuffled(repeated(uniform_points(Dimension, max_size / 4, 0, 1, 7), 4), 8),
-                Radius::of_length(0)),
-          scene("tiny", Dimension, uniform_points(Dimension, 40, 0, 1e-300, 9),
-                Radius::of_length(3e-301)),
-          scene("huge", Dimension, uniform_points(Dimension, 40, -8e307, 1.6e308, 10),
-                Radius::of_length(1e308))};
-}
-
-template <class Maker, int Dimension>
-void check_scenes()
-{
-  for(const Point_scene& s : scenes_of_few_points<Dimension>()) {
-    const Truth& truth = truth_of(s);
-    const auto bound = CGAL::within_distance(*s.radius.length());
-    check_all_sizes<Maker>(s.name, s.points, truth.pairs, bound);
-    check_all_sizes<Maker>(s.name + ", open", s.points, truth.open_pairs, bound.open());
-  }
-}
-
 } // namespace
-
-BOOST_AUTO_TEST_CASE(pairs_in_the_plane)
-{
-  check_scenes<Epick_points<2>, 2>();
-}
-
-BOOST_AUTO_TEST_CASE(pairs_in_space)
-{
-  check_scenes<Epick_points<3>, 3>();
-}
 
 // Squares of numbers that are no squares, bounds beyond all points, and bounds of other types.
 BOOST_AUTO_TEST_CASE(bounds_of_any_kind)
@@ -161,117 +109,6 @@ BOOST_AUTO_TEST_CASE(sums_that_are_rounded_onto_the_bound)
   }
 }
 
-BOOST_AUTO_TEST_CASE(pairs_of_other_kernels)
-{
-  check_scenes<Cartesian_points<CGAL::Epeck, 2>, 2>();
-  const Points lattice = shuffled(lattice_points(3, 5, 0.5), 5);
-  const Truth truth = brute_force(lattice, Radius::of_length(0.5));
-  check_all_sizes<Cartesian_points<CGAL::Simple_cartesian<float>, 3>>(
-    "float", lattice, truth.pairs, CGAL::within_distance(0.5));
-}
-
-namespace {
-
-// For each n, the closest pair of the first n points, from 2 on.
-Pairs closest_pairs_of_first(const Points& points)
-{
-  const Scaled_points scaled = scaled_points(points);
-  std::optional<Closest> least;
-  Pairs closest(1);
-  for(std::size_t j = 0; j < scaled.size(); ++j) {
-    for(std::size_t i = 0; i < j; ++i) {
-      const Scaled_integer square = squared_distance(scaled[i], scaled[j]);
-      if(!least || square < least->square
-         || (square == least->square && Pair(i, j) < least->pair))
-        least = Closest{{i, j}, square};
-    }
-    closest.push_back(least ? least->pair : Pair());
-  }
-  return closest;
-}
-
-template <int Dimension>
-void check_closest_pairs()
-{
-  namespace internal = CGAL::Thick_intersection_d::internal;
-  const auto np = CGAL::parameters::default_values();
-  for(const Point_scene& s : scenes_of_few_points<Dimension>()) {
-    const Pairs closest = closest_pairs_of_first(s.points);
-    const Truth& truth = truth_of(s);
-    const auto bound = CGAL::within_distance(*s.radius.length());
-    const auto all = make_points<Epick_points<Dimension>>(s.points);
-    for(std::size_t size = 2; size <= all.size(); ++size) {
-      const auto end = all.begin() + static_cast<std::ptrdiff_t>(size);
-      const std::vector<typename Epick_points<Dimension>::Point> points(all.begin(), end);
-      BOOST_TEST_CONTEXT(s.name << ", " << size << " points") {
-        const Pair found = CGAL::closest_pair(points);
-        BOOST_CHECK(found == closest[size]);
-        BOOST_CHECK(found
-                    == internal::find_closest_pair_of_many(internal::make_elements(points, np), np,
-                                                           internal::Threads()));
-        for(const bool is_open : {false, true}) {
-          const Pairs pairs = pairs_among(is_open ? truth.open_pairs : truth.pairs, size);
-          const auto close = CGAL::find_close_pair(points, is_open ? bound.open() : bound);
-          BOOST_CHECK_EQUAL(close.has_value(), !pairs.empty());
-          if(close)
-            BOOST_CHECK(std::find(pairs.begin(), pairs.end(), *close) != pairs.end());
-        }
-      }
-    }
-  }
-}
-
-} // namespace
-
-BOOST_AUTO_TEST_CASE(closest_pairs_in_the_plane)
-{
-  check_closest_pairs<2>();
-}
-
-BOOST_AUTO_TEST_CASE(closest_pairs_in_space)
-{
-  check_closest_pairs<3>();
-}
-
-// Squares that are rounded to one double, or that differ by less than their errors.
-BOOST_AUTO_TEST_CASE(the_closest_of_near_ties)
-{
-  for(const double scale : {1., 0x1p-600, 0x1p600, 0x1p-1020})
-    for(const double tiny : {0x1p-30, 0x1p-40, 0x1p-51}) {
-      const Points far = {{0, 0, 0}, {scale, scale * tiny, 0}}, near = {{0, 0, 9}, {scale, 0, 9}};
-      for(const bool is_first : {false, true}) {
-        Points scene_points = is_first ? concatenated(near, far) : concatenated(far, near);
-        for(Coordinates& c : scene_points)
-          c[2] *= 1e3 * scale;
-        const auto points = make_points<Epick_points<3>>(scene_points);
-        const Pair closest = is_first || scale * tiny == 0 ? Pair(0, 1) : Pair(2, 3);
-        BOOST_CHECK(CGAL::closest_pair(points) == closest);
-      }
-    }
-}
-
-// Squares whose order is another one as they are rounded. Two points have almost the same distance
-// from the origin, because they have almost the same coordinates, in another order.
-BOOST_AUTO_TEST_CASE(the_closest_of_rounded_squares)
-{
-  Random random(5);
-  const auto square = [](const Coordinates& c) { return c[0] * c[0] + c[1] * c[1] + c[2] * c[2]; };
-  int count = 0;
-  for(int i = 0; i < 1000; ++i) {
-    const Coordinates v = {random.uniform(), random.uniform(), random.uniform()};
-    const Coordinates w = {v[2], v[0], std::nextafter(v[1], 0.)};
-    count += square(v) < square(w);
-    const auto points = make_points<Epick_points<3>>({{0, 0, 0}, v, {-w[0], -w[1], -w[2]}});
-    BOOST_CHECK(CGAL::closest_pair(points) == Pair(0, 2));
-  }
-  BOOST_CHECK_GT(count, 10);
-
-  // Squares that underflow: of .4 and .6 of the smallest number, and .8 is more than .6.
-  const double x = 0x1p-537 * std::sqrt(.4), y = 0x1p-537 * std::sqrt(.6);
-  const auto points = make_points<Epick_points<3>>({{0, 0, 0}, {x, x, 0}, {0, 0, 1}, {y, 0, 1}});
-  BOOST_CHECK(CGAL::closest_pair(points) == Pair(2, 3));
-}
-
 BOOST_AUTO_TEST_CASE(a_callback_stops_the_search_of_few_points)
 {
   for(const std::size_t size : {3, 8, 9, 100}) {
@@ -287,18 +124,6 @@ BOOST_AUTO_TEST_CASE(a_callback_stops_the_search_of_few_points)
     BOOST_CHECK_THROW(CGAL::fixed_radius_near_neighbors(points, CGAL::within_distance(0), fail),
                       std::out_of_range);
 
-    double last = 0;
-    const auto watch = [&](double progress) {
-      last = progress;
-      return true;
-    };
-    const auto cancel = [](double) { return false; };
-    const auto ignore = [](std::size_t, std::size_t) {};
-    BOOST_CHECK(CGAL::fixed_radius_near_neighbors(points, CGAL::within_distance(0), ignore,
-                                                  CGAL::parameters::callback(watch)));
-    BOOST_CHECK_EQUAL(last, 1);
-    BOOST_CHECK(!CGAL::fixed_radius_near_neighbors(points, CGAL::within_distance(0), ignore,
-                                                   CGAL::parameters::callback(cancel)));
   }
 }
 
@@ -321,10 +146,13 @@ BOOST_AUTO_TEST_CASE(the_order_of_few_pairs_depends_on_the_input_alone)
 
 BOOST_AUTO_TEST_CASE(few_points_need_no_memory)
 {
-  for(const Point_scene& s : scenes_of_few_points<3>()) {
-    const auto all = make_points<Epick_points<3>>(s.points);
-    const auto bound = CGAL::within_distance(*s.radius.length());
-    for(std::size_t size = 0; size <= (std::min)(all.size(), std::size_t(256)); ++size) {
+  const Points scenes[] = {uniform_points(3, 256, 0, 1, 5), lattice_points(3, 6, 0.1),
+                           identical_points(3, 256, 0.3),
+                           uniform_points(3, 256, -8e307, 1.6e308, 10)};
+  for(const Points& scene : scenes) {
+    const auto all = make_points<Epick_points<3>>(scene);
+    const auto bound = CGAL::within_distance(0.1);
+    for(std::size_t size = 0; size <= all.size(); ++size) {
       const auto end = all.begin() + static_cast<std::ptrdiff_t>(size);
       const std::vector<CGAL::Epick::Point_3> points(all.begin(), end);
       std::size_t count = 0;

@@ -38,7 +38,8 @@ void fuzz_balls(std::uint64_t count)
 }
 
 template <int Dimension>
-using Static_points = Fuzz_points_d<CGAL::Epick_d<CGAL::Dimension_tag<Dimension>>, Dimension, false>;
+using Static_points
+  = Fuzz_points_d<CGAL::Epick_d<CGAL::Dimension_tag<Dimension>>, Dimension, false>;
 template <int Dimension>
 using Dynamic_points
   = Fuzz_points_d<CGAL::Epick_d<CGAL::Dynamic_dimension_tag>, Dimension, false>;

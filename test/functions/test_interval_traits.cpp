@@ -46,7 +46,7 @@ template <int... Dimensions>
 void check_fixed_dimensions(std::size_t size)
 {
   Call_count calls = 0;
-  (check_colored<CGAL::Sequential_tag>(some_boxes(Dimensions, size), Fixed_interval_traits<Dimensions>(calls)), ...);
+  (check_colored(some_boxes(Dimensions, size), Fixed_interval_traits<Dimensions>(calls)), ...);
 }
 
 } // namespace
@@ -56,7 +56,7 @@ BOOST_AUTO_TEST_CASE(archetype_traits_are_enough_in_any_dimension)
   for(const int dimension : {1, 2, 3, 4, 5, 8})
     for(const std::size_t size : {0, 1, 2, 50, 400, 3000}) {
       Call_count calls = 0;
-      check_colored<CGAL::Sequential_tag>(some_boxes(dimension, size), Interval_traits(dimension, calls));
+      check_colored(some_boxes(dimension, size), Interval_traits(dimension, calls));
     }
 }
 
@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(boxes_may_have_any_sizes)
 {
   for(int dimension = 1; dimension <= 6; ++dimension) {
     Call_count calls = 0;
-    check_colored<CGAL::Sequential_tag>(boxes_of_all_sizes(dimension, 2000), Interval_traits(dimension, calls));
+    check_colored(boxes_of_all_sizes(dimension, 2000), Interval_traits(dimension, calls));
   }
 }
 
@@ -79,7 +79,7 @@ BOOST_AUTO_TEST_CASE(predicate_is_asked_once_about_boxes_that_meet_and_about_no_
   for(const int dimension : {1, 2, 3, 4}) {
     const Number_boxes boxes = some_boxes(dimension, 3000);
     Call_count calls = 0;
-    pairs_by_traits<CGAL::Sequential_tag>(boxes, Interval_traits(dimension, calls));
+    pairs_by_traits(boxes, Interval_traits(dimension, calls));
     BOOST_CHECK_EQUAL(calls, all_meeting_pairs(boxes, dimension).size());
   }
 }
@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(intervals_may_be_infinite)
     boxes[6][0] = {-infinity, -infinity};
     boxes[7].fill({-infinity, infinity});
     Call_count calls = 0;
-    check_colored<CGAL::Sequential_tag>(boxes, Fixed_interval_traits<3>(calls));
+    check_colored(boxes, Fixed_interval_traits<3>(calls));
   }
 }
 

@@ -1,12 +1,15 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// In parallel: the same pairs, a stop that is obeyed, exceptions that come out, progress in order.
+// In parallel: the same pairs, the same lists and the same counts. How searches stop is in
+// test_faults.
 
 #include "support/check_pairs.h"
-#include "support/check_threads.h"
+#include "support/parallel_pairs.h"
 #include "support/kernels.h"
 #include "support/usual_kernels.h"
+
+#include <tbb/global_control.h>
 
 using namespace test_support;
 
@@ -63,15 +66,6 @@ void check_same_pairs(int dimension)
 BOOST_AUTO_TEST_CASE(same_pairs_epick_2) { check_same_pairs<Cartesian_points<Epick, 2>>(2); }
 BOOST_AUTO_TEST_CASE(same_pairs_epick_3) { check_same_pairs<Cartesian_points<Epick, 3>>(3); }
 BOOST_AUTO_TEST_CASE(same_pairs_epeck_2) { check_same_pairs<Cartesian_points<Epeck, 2>>(2); }
-
-BOOST_AUTO_TEST_CASE(search_of_points_stops_throws_and_is_cancelled)
-{
-  const auto points = make_points<Cartesian_points<Epick, 2>>(large_scene(2));
-  check_stop_throw_and_cancel([&](const auto& callback, const auto& watch) {
-    return CGAL::fixed_radius_near_neighbors<CGAL::Parallel_tag>(
-      points, CGAL::within_distance(1. / 64), callback, CGAL::parameters::callback(watch));
-  });
-}
 
 // Points at one place are in one slab, which is swept in shares, and watched.
 BOOST_AUTO_TEST_CASE(crowds_are_shared_out)

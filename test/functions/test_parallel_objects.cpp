@@ -4,11 +4,13 @@
 // Objects with boxes in parallel: the same pairs, a stop that is obeyed, exceptions that come out.
 // ThreadSanitizer watches these tests too.
 
-#include "support/check_threads.h"
 #include "support/interval_traits.h"
+#include "support/parallel_pairs.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
+
+#include <tbb/global_control.h>
 
 using namespace test_support;
 
@@ -81,11 +83,27 @@ BOOST_AUTO_TEST_CASE(near_objects_of_two_types)
 
 BOOST_AUTO_TEST_CASE(search_of_rectangles_stops_throws_and_is_cancelled)
 {
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, thread_count);
   const auto objects = rectangles();
-  check_stop_throw_and_cancel([&](const auto& callback, const auto& watch) {
-    return CGAL::thick_self_intersection_d<CGAL::Parallel_tag>(objects, callback,
-                                                               CGAL::parameters::callback(watch));
-  });
+  std::atomic<std::size_t> calls = 0;
+  const auto search = [&](std::size_t stop_at, std::size_t throw_at, double limit) {
+    calls = 0;
+    const auto callback = [&](std::size_t, std::size_t) {
+      const std::size_t call = ++calls;
+      return call == throw_at ? throw std::runtime_error("enough") : call < stop_at;
+    };
+    const auto watch = CGAL::parameters::callback([&](double done) { return done < limit; });
+    return CGAL::thick_self_intersection_d<CGAL::Parallel_tag>(objects, callback, watch);
+  };
+  constexpr std::size_t never = static_cast<std::size_t>(-1);
+  BOOST_CHECK(search(never, never, 2));
+  const std::size_t all = calls;
+  BOOST_CHECK(!search(100, never, 2));
+  BOOST_CHECK_GE(calls, 100u);
+  BOOST_CHECK_LE(calls, 100u + thread_count - 1); // each thread is told at its next pair
+  BOOST_CHECK_THROW(search(never, 1000, 2), std::runtime_error);
+  BOOST_CHECK(!search(never, never, .3));
+  BOOST_CHECK_LT(calls, all);
 }
 
 BOOST_AUTO_TEST_CASE(same_pairs_of_traits_with_intervals)

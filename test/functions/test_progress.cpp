@@ -101,7 +101,8 @@ struct Failure
 {};
 
 // Another run by threads may tell less.
-void check(const std::vector<Search>& searches, std::size_t least_tells = 1, bool is_parallel = false)
+void check(const std::vector<Search>& searches, std::size_t least_tells = 1,
+           bool is_parallel = false)
 {
   const On_pair go_on = [](std::size_t, std::size_t) { return true; };
   for(const Search& search : searches)
@@ -171,6 +172,10 @@ void check_closest(const std::string& name, const Points& scene, std::size_t lea
 
 BOOST_AUTO_TEST_CASE(progress_of_few_ends_at_1) { check(searches_of(20)); }
 BOOST_AUTO_TEST_CASE(progress_of_many_ends_at_1) { check(searches_of(3000)); }
+BOOST_AUTO_TEST_CASE(progress_of_many_by_threads_ends_at_1)
+{
+  check(pair_searches<CGAL::Parallel_if_available_tag>(3000), 1, true);
+}
 
 BOOST_AUTO_TEST_CASE(progress_of_images_ends_at_1)
 {

@@ -21,17 +21,7 @@
 using namespace test_support;
 using CGAL::Arithmetic_tier;
 using CGAL::Scene_profile;
-using CGAL::Thick_intersection_d::internal::Interval;
-using CGAL::Thick_intersection_d::internal::Place;
-using CGAL::Thick_intersection_d::internal::Stretch;
-using CGAL::Thick_intersection_d::internal::Threads;
-using CGAL::Thick_intersection_d::internal::Traits_boxes;
-using CGAL::Thick_intersection_d::internal::Two_sets;
-using CGAL::Thick_intersection_d::internal::count_stretches;
-using CGAL::Thick_intersection_d::internal::interval_of_stretch;
-using CGAL::Thick_intersection_d::internal::make_progress;
-using CGAL::Thick_intersection_d::internal::report_meeting_boxes;
-using CGAL::Thick_intersection_d::internal::report_segment_pairs;
+using namespace CGAL::Thick_intersection_d::internal;
 
 namespace {
 

@@ -189,7 +189,7 @@ private:
     if constexpr(dimension == 2 || (parts & ROUTES) != 0)
       if(draw_.is_chance(2))
         return check_hulls<typename Types::Segment, 2>("segments",
-                                                       dimension == 2 ? scene_.size() : 12);
+                                                       dimension == 2 ? 160 : 12);
     if constexpr(std::is_same_v<typename Maker::FT, double>)
       if(draw_.is_chance(2))
         return check_boxes();
@@ -305,17 +305,17 @@ private:
   template <class Object>
   Pairs kernel_object_pairs(const std::vector<Object>& objects)
   {
-    if constexpr((parts & ROUTES) != 0) {
-      const CGAL::Thick_object_traits_d<Object> traits(objects);
-      const std::int64_t route = draw_.below(4);
-      if(route < 2)
+    if constexpr((parts & ROUTES) != 0)
+      if(const std::int64_t route = draw_.below(4); route < 2) {
+        const Rounding_mode rounding(FE_TONEAREST); // the recursive route has no other
+        const CGAL::Thick_object_traits_d<Object> traits(objects);
         return reported([&](auto collect) {
           if(route == 0)
             report_by_recursion(objects, first_set_size_, traits, collect);
           else
             report_by_cuts(objects, first_set_size_, traits, collect, seed_);
         });
-    }
+      }
     return object_pairs(objects, CGAL::parameters::default_values());
   }
 

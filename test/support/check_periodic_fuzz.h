@@ -80,30 +80,20 @@ private:
     const std::size_t search = draw_.random().below(6);
     const int mode = are_doubles && draw_.is_chance(4)
                        ? rounding_modes[draw_.random().below(4)] : FE_TONEAREST;
+    Pairs found;
     with_domain([&](const auto& domain) {
-      switch(search) {
-      case 0:
-        return compare("closest pair", closest_pairs(), [&] {
-          const Rounding_mode rounding(mode);
-          return found_closest_pairs(domain);
-        });
-      case 1:
-        return compare("lists", all_in_lists(), [&] {
-          const Rounding_mode rounding(mode);
-          return pairs_in_lists(domain);
-        });
-      case 2:
-        return compare("two sets", pairs_between(), [&] {
-          const Rounding_mode rounding(mode);
-          return found_between(domain);
-        });
-      default:
-        return compare("pairs", expected_, [&] {
-          const Rounding_mode rounding(mode);
-          return found_pairs(domain);
-        });
-      }
+      const Rounding_mode rounding(mode);
+      found = search == 0   ? found_closest_pairs(domain)
+              : search == 1 ? pairs_in_lists(domain)
+              : search == 2 ? found_between(domain)
+                            : found_pairs(domain);
     });
+    const Pairs expected = search == 0   ? closest_pairs()
+                           : search == 1 ? all_in_lists()
+                           : search == 2 ? pairs_between()
+                                         : expected_;
+    const char* const names[] = {"closest pair", "lists", "two sets", "pairs"};
+    compare(names[(std::min)(search, std::size_t(3))], expected, found);
   }
 
   template <class Domain>
@@ -123,9 +113,8 @@ private:
   Pairs found_between(const Domain& domain) const
   {
     Pairs found;
-    const auto middle = points_.begin() + static_cast<std::ptrdiff_t>(first_size_);
-    const std::vector<Point> first(points_.begin(), middle), second(middle, points_.end());
-    with_bound([&](const auto& bound) {
+    const auto [first, second] = split(points_, first_size_);
+    with_bound([&, &first = first, &second = second](const auto& bound) {
       CGAL::periodic_fixed_radius_near_neighbors<ConcurrencyTag>(first, second, domain, bound,
                                                                  collector(found));
     });
@@ -259,10 +248,8 @@ private:
     f(CGAL::Distance_bound<CGAL::Exact_rational>(square * unit * unit, true, bound.is_open));
   }
 
-  template <class Search>
-  void compare(const char* name, Pairs expected, const Search& search) const
+  void compare(const char* name, Pairs expected, Pairs found) const
   {
-    Pairs found = search();
     std::sort(expected.begin(), expected.end());
     std::sort(found.begin(), found.end());
     BOOST_REQUIRE_MESSAGE(found == expected, name << ", seed " << seed_ << ": "

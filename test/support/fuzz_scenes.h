@@ -74,7 +74,7 @@ public:
   }
 
   // Points on a coarse lattice, of which some are moved by a unit: ties, and what is next to them.
-  // Few of them, or so many that there are several slabs.
+  // Few of them, or so many that there are several slabs, or more than are searched each with each.
   Fuzz_scene scene(int dimension)
   {
     Fuzz_scene scene = {dimension, exponent(), {}};
@@ -86,7 +86,7 @@ public:
       offset[axis] = this->offset();
     const bool has_outliers = is_chance(8);
     const std::size_t move_one_in = is_chance(2) ? 5 : 1000;
-    const std::size_t size = random_.below(is_chance(64) ? 160 : 20);
+    const std::size_t size = random_.below(is_chance(64) ? 300 : 20);
     for(std::size_t i = 0; i < size; ++i) {
       if(i > 0 && is_chance(10)) {
         scene.places.push_back(scene.places[random_.below(i)]);

@@ -113,7 +113,7 @@ inline Pairs pairs_of_colored(const Number_boxes& boxes, int dimension,
   return pairs;
 }
 
-template <class ConcurrencyTag, class Traits>
+template <class ConcurrencyTag = CGAL::Sequential_tag, class Traits>
 Pairs pairs_by_traits(const Number_boxes& boxes, const Traits& traits)
 {
   Pairs pairs;
@@ -124,7 +124,7 @@ Pairs pairs_by_traits(const Number_boxes& boxes, const Traits& traits)
 }
 
 // Searches one set and two.
-template <class ConcurrencyTag, class Traits>
+template <class ConcurrencyTag = CGAL::Sequential_tag, class Traits>
 void check_colored(const Number_boxes& boxes, const Traits& traits)
 {
   const int dimension = traits.dimension();
