@@ -69,28 +69,18 @@ BOOST_AUTO_TEST_CASE(archetype_traits_are_enough)
       sites.emplace_back(std::vector<long>{i, j, (i * j) % 5});
   Calls calls;
   const Lattice_traits traits(3, 2, 2, calls);
-  check_pairs("sites", pairs_of_sites(sites, 2), reported([&](auto collect) {
-    BOOST_CHECK(CGAL::thick_self_intersection_d(sites, collect,
-                                                CGAL::parameters::geom_traits(traits)));
-  }));
-  BOOST_CHECK_GT(calls.do_intersect, 0u); // its own state was used
-}
-
-BOOST_AUTO_TEST_CASE(archetype_traits_are_enough_for_two_sets)
-{
-  std::vector<Site> a, b;
-  for(long i = 0; i < 30; ++i) {
-    a.emplace_back(std::vector<long>{i, 0});
-    b.emplace_back(std::vector<long>{29 - i, 1});
-  }
-  Calls calls;
-  const Lattice_traits traits(2, 1, 1, calls);
-  const Pairs found = reported([&](auto collect) {
-    CGAL::thick_intersection_d(a, b, collect, CGAL::parameters::geom_traits(traits));
+  const auto np = CGAL::parameters::geom_traits(traits);
+  const auto middle = sites.begin() + 50;
+  const auto a = boost::make_iterator_range(sites.begin(), middle);
+  const auto b = boost::make_iterator_range(middle, sites.end());
+  const Pairs one_set = reported([&](auto collect) {
+    BOOST_CHECK(CGAL::thick_self_intersection_d(sites, collect, np));
   });
-  BOOST_REQUIRE_EQUAL(found.size(), 30u);
-  for(const Pair& p : found)
-    BOOST_CHECK_EQUAL(p.first + p.second, 29u);
+  const Pairs two_sets = reported([&](auto collect) {
+    BOOST_CHECK(CGAL::thick_intersection_d(a, b, collect, np));
+  });
+  check_pairs("sites", pairs_of_sites(sites, 2), one_set, two_sets, 50);
+  BOOST_CHECK_GT(calls.do_intersect, 0u); // its own state was used
 }
 
 BOOST_AUTO_TEST_CASE(any_range_of_points_will_do)

@@ -109,7 +109,7 @@ template <class ConcurrencyTag>
 std::vector<Search> searches_with_throwing_predicates()
 {
   return {
-    search_by_traits<ConcurrencyTag>("intervals", searched_boxes(4000), Interval_traits()),
+    search_by_traits<ConcurrencyTag>("intervals", searched_boxes(2000), Interval_traits()),
     search_by_traits<ConcurrencyTag>("three predicates", searched_points<2>(400),
                                      Predicate_traits())};
 }

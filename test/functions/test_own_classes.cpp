@@ -1,11 +1,10 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// What users derive: objects with an id, which are what their base is, and traits with another
-// functor, which are asked.
+// What users write: objects with an id, which are what their base is, objects of no kernel, and
+// traits with another functor, which are asked.
 
-#include "support/pairs.h"
-#include "support/unit_test.h"
+#include "support/found_pairs.h"
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Cartesian.h>
@@ -21,10 +20,8 @@
 #include <CGAL/Thick_ball_traits_d.h>
 #include <CGAL/Thick_object_traits_d.h>
 #include <CGAL/Thick_point_traits_d.h>
-#include <CGAL/fixed_radius_near_neighbors.h>
 #include <CGAL/intersections.h>
 #include <CGAL/thick_feature_intersection_d.h>
-#include <CGAL/thick_intersection_d.h>
 
 using namespace test_support;
 using CGAL::within_distance;
@@ -108,6 +105,23 @@ struct Misleading : Point
   int dimension() const { return 3; }
 };
 
+// Numbers are small integers, so the test is exact.
+struct Disk
+{
+  double x, y, radius;
+
+  CGAL::Bbox_2 bbox() const { return {x - radius, y - radius, x + radius, y + radius}; }
+};
+
+bool do_intersect(const Disk& a, const Disk& b)
+{
+  const double radii = a.radius + b.radius;
+  return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y) <= radii * radii;
+}
+
+// The package has a function of this name for its own use, and is not to find this one.
+void bounding_box(const Disk&);
+
 } // namespace plans
 
 namespace {
@@ -127,34 +141,10 @@ std::vector<With_id<Base>> with_ids(const std::vector<Base>& objects)
   return result;
 }
 
-template <class... Arguments>
-Pairs pairs_of(const Arguments&... arguments)
-{
-  return sorted(reported([&](auto collect) {
-    CGAL::thick_self_intersection_d(arguments..., collect);
-  }));
-}
-
-template <class Objects>
-Pairs near_pairs_of(const Objects& objects, double bound)
-{
-  return sorted(reported([&](auto collect) {
-    CGAL::fixed_radius_near_neighbors(objects, within_distance(bound), collect);
-  }));
-}
-
 template <class Object, class Traits>
 Pairs pairs_by_traits(const std::vector<Object>& objects, const Traits& traits)
 {
-  return sorted(reported([&](auto collect) {
-    CGAL::thick_self_intersection_d(objects, collect, CGAL::parameters::geom_traits(traits));
-  }));
-}
-
-template <class A, class B>
-Pairs pairs_between(const A& a, const B& b)
-{
-  return sorted(reported([&](auto collect) { CGAL::thick_intersection_d(a, b, collect); }));
+  return pairs_of(objects, CGAL::parameters::geom_traits(traits));
 }
 
 // Long segments whose ends are off by a few units in the last place, and short ones that they touch
@@ -203,7 +193,7 @@ BOOST_AUTO_TEST_CASE(segment_with_an_id_is_decided_exactly)
   const Pairs expected = exact_pairs(segments);
   BOOST_REQUIRE(expected.size() > 100);
   BOOST_CHECK(pairs_of(objects) == expected);
-  BOOST_CHECK(near_pairs_of(objects, 0) == expected);
+  BOOST_CHECK(near_pairs_of(objects, within_distance(0)) == expected);
 
   // Its traits may be named, and derived from another type than the elements have.
   using Object = With_id<Segment>;
@@ -230,7 +220,8 @@ BOOST_AUTO_TEST_CASE(derived_objects_may_be_degenerate)
   const Pairs expected = {{0, 1}, {0, 2}, {0, 3}, {1, 3}, {2, 3}};
   BOOST_CHECK(pairs_of(triangles) == expected);
   BOOST_CHECK(pairs_of(with_ids(triangles)) == expected);
-  BOOST_CHECK(near_pairs_of(with_ids(triangles), .5) == near_pairs_of(triangles, .5));
+  BOOST_CHECK(near_pairs_of(with_ids(triangles), within_distance(.5))
+              == near_pairs_of(triangles, within_distance(.5)));
   auto objects = with_ids(triangles);
   objects.emplace_back(
     Triangle({0, 0, 0}, {1, 0, 0}, {NAN, 0, 0}), 5);
@@ -241,13 +232,13 @@ BOOST_AUTO_TEST_CASE(box_and_point_with_an_id_are_known)
 {
   const auto boxes = with_ids<CGAL::Bbox_2>({{0, 0, 1, 1}, {1, 1, 2, 2}, {5, 5, 6, 6}});
   BOOST_CHECK(pairs_of(boxes) == (Pairs{{0, 1}}));
-  BOOST_CHECK(near_pairs_of(boxes, 5) == (Pairs{{0, 1}, {1, 2}}));
+  BOOST_CHECK(near_pairs_of(boxes, within_distance(5)) == (Pairs{{0, 1}, {1, 2}}));
   const auto points = with_ids<Point>({{0, 0}, {0, 0}, {3, 4}});
   BOOST_CHECK(pairs_of(points) == (Pairs{{0, 1}}));
-  BOOST_CHECK(near_pairs_of(points, 5) == (Pairs{{0, 1}, {0, 2}, {1, 2}}));
+  BOOST_CHECK(near_pairs_of(points, within_distance(5)) == (Pairs{{0, 1}, {0, 2}, {1, 2}}));
   const std::vector<std::pair<With_id<Point>, double>> balls = {{points[0], 2}, {points[2], 3}};
   BOOST_CHECK(pairs_of(balls) == (Pairs{{0, 1}}));
-  BOOST_CHECK(near_pairs_of(balls, 0) == (Pairs{{0, 1}}));
+  BOOST_CHECK(near_pairs_of(balls, within_distance(0)) == (Pairs{{0, 1}}));
 }
 
 // Points of a kernel that counts references have their coordinates elsewhere, and not in the array.
@@ -256,7 +247,7 @@ BOOST_AUTO_TEST_CASE(points_may_have_their_coordinates_elsewhere)
   std::vector<CGAL::Cartesian<double>::Point_2> points;
   for(int i = 0; i < 400; ++i)
     points.emplace_back(i % 20, i / 20);
-  BOOST_CHECK_EQUAL(near_pairs_of(points, 1).size(), 2 * 19 * 20);
+  BOOST_CHECK_EQUAL(near_pairs_of(points, within_distance(1)).size(), 2 * 19 * 20);
 }
 
 BOOST_AUTO_TEST_CASE(derived_object_with_a_test_of_its_own_is_asked)
@@ -299,9 +290,9 @@ BOOST_AUTO_TEST_CASE(members_that_hide_those_of_a_point_are_not_asked)
   std::vector<plans::Misleading> points;
   for(int i = 0; i < 400; ++i)
     points.emplace_back(i % 20, i / 20);
-  BOOST_CHECK_EQUAL(near_pairs_of(points, 1).size(), 2 * 19 * 20);
+  BOOST_CHECK_EQUAL(near_pairs_of(points, within_distance(1)).size(), 2 * 19 * 20);
   points.resize(16, {0, 0});
-  BOOST_CHECK_EQUAL(near_pairs_of(points, 1).size(), 15);
+  BOOST_CHECK_EQUAL(near_pairs_of(points, within_distance(1)).size(), 15);
 }
 
 BOOST_AUTO_TEST_CASE(derived_features_are_what_their_base_is)
@@ -332,6 +323,57 @@ BOOST_AUTO_TEST_CASE(derived_features_are_what_their_base_is)
   BOOST_CHECK(pairs_of_features(with_ids<Point>({{5, 5}, {5, 5}})) == (Pairs{{0, 1}}));
 }
 
+// ---- objects of no kernel -----------------------------------------------------------------------
+
+namespace {
+
+using plans::Disk;
+
+std::vector<Disk> random_disks(std::size_t n)
+{
+  Random random(1);
+  const auto number = [&](std::uint64_t end) { return static_cast<double>(random.below(end)); };
+  std::vector<Disk> disks;
+  for(std::size_t i = 0; i < n; ++i) {
+    const double x = number(200), y = number(200);
+    disks.push_back({x, y, number(6)});
+  }
+  disks.front().radius = 80; // one giant
+  return disks;
+}
+
+Pairs meeting_disks(const std::vector<Disk>& disks)
+{
+  return pairs_where(disks.size(), [&](std::size_t i, std::size_t j) {
+    return do_intersect(disks[i], disks[j]);
+  });
+}
+
+// Traits like those of the package, without intervals: three predicates are left.
+struct Traits_without_intervals : CGAL::Thick_object_traits_d<Disk>
+{
+  using CGAL::Thick_object_traits_d<Disk>::Thick_object_traits_d;
+  Interval_d interval_d_object() const = delete;
+};
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_class_with_a_box_and_a_test_is_searched_without_traits)
+{
+  const std::vector<Disk> disks = random_disks(3000);
+  const Pairs expected = meeting_disks(disks);
+  BOOST_REQUIRE_GT(expected.size(), disks.size() / 2);
+  check_pairs("in sequence", expected, pairs_of(disks));
+  check_pairs("in parallel", expected, pairs_of<CGAL::Parallel_if_available_tag>(disks));
+}
+
+BOOST_AUTO_TEST_CASE(derived_traits_without_intervals_take_the_recursive_route)
+{
+  const std::vector<Disk> disks = random_disks(300);
+  check_pairs("disks", meeting_disks(disks),
+              pairs_by_traits(disks, Traits_without_intervals(disks)));
+}
+
 // ---- radii --------------------------------------------------------------------------------------
 
 BOOST_AUTO_TEST_CASE(radii_may_be_numbers_of_another_type)
@@ -342,8 +384,8 @@ BOOST_AUTO_TEST_CASE(radii_may_be_numbers_of_another_type)
   const std::vector<std::pair<Point, Rational>> balls
     = {{origin, fraction}, {other, 2 * fraction}, {third, fraction - Rational(1) / 1000000000}};
   BOOST_CHECK(pairs_of(balls) == (Pairs{{0, 1}}));
-  BOOST_CHECK(near_pairs_of(balls, 0) == (Pairs{{0, 1}}));
-  BOOST_CHECK(near_pairs_of(balls, 1e-9) == (Pairs{{0, 1}, {1, 2}}));
+  BOOST_CHECK(near_pairs_of(balls, within_distance(0)) == (Pairs{{0, 1}}));
+  BOOST_CHECK(near_pairs_of(balls, within_distance(1e-9)) == (Pairs{{0, 1}, {1, 2}}));
 
   // Of 62 bits, so that the rest is a number of this type as well, where it is wider than a double.
   const long double part = std::ldexp(std::floor(std::ldexp(1.L / 3, 62)), -62);

@@ -3,7 +3,7 @@
 
 // Objects of two types, near objects of one's own, and what the profile says of distances.
 
-#include "support/check_pairs.h"
+#include "support/found_pairs.h"
 
 #include <CGAL/Arithmetic_tier.h>
 #include <CGAL/Bbox_2.h>
@@ -11,8 +11,6 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Scene_profile.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/fixed_radius_near_neighbors.h>
-#include <CGAL/thick_intersection_d.h>
 
 #include <forward_list>
 
@@ -162,20 +160,6 @@ bool do_intersect(const Segment& segment, const Buoy& buoy)
   return segment.has_on(Point(buoy.place, 0));
 }
 
-template <class... Arguments>
-Pairs found_pairs(const Arguments&... arguments)
-{
-  return sorted(reported([&](auto collect) {
-    CGAL::fixed_radius_near_neighbors(arguments..., collect);
-  }));
-}
-
-template <class A, class B, class... Parameters>
-Pairs pairs_between(const A& a, const B& b, const Parameters&... np)
-{
-  return sorted(reported([&](auto collect) { CGAL::thick_intersection_d(a, b, collect, np...); }));
-}
-
 void ignore(std::size_t, std::size_t) {}
 void fail(std::size_t, std::size_t) { BOOST_ERROR("a pair before the checks"); }
 
@@ -249,17 +233,17 @@ BOOST_AUTO_TEST_CASE(near_objects_in_lists)
 {
   const std::list<Segment> segments(30, Segment(Point(0, 0), Point(1, 0)));
   const std::forward_list<Ball> balls(20, Ball(Point(0, 3), 1));
-  BOOST_CHECK_EQUAL(found_pairs(segments, balls, CGAL::within_distance(2.)).size(), 600u);
-  BOOST_CHECK(found_pairs(segments, balls, CGAL::within_distance(2.).open()).empty());
+  BOOST_CHECK_EQUAL(near_pairs_of(segments, balls, CGAL::within_distance(2.)).size(), 600u);
+  BOOST_CHECK(near_pairs_of(segments, balls, CGAL::within_distance(2.).open()).empty());
 }
 
 BOOST_AUTO_TEST_CASE(no_objects_are_closer_than_zero)
 {
   const std::vector<Segment> segments = {{Point(0, 0), Point(1, 1)}, {Point(0, 1), Point(1, 0)}};
-  BOOST_CHECK((found_pairs(segments, CGAL::within_distance(0)) == Pairs{{0, 1}}));
-  BOOST_CHECK(found_pairs(segments, CGAL::within_distance(0).open()).empty());
-  BOOST_CHECK(found_pairs(segments, CGAL::within_squared_distance(0).open()).empty());
-  BOOST_CHECK((found_pairs(segments, CGAL::within_distance(1e-300).open()) == Pairs{{0, 1}}));
+  BOOST_CHECK((near_pairs_of(segments, CGAL::within_distance(0)) == Pairs{{0, 1}}));
+  BOOST_CHECK(near_pairs_of(segments, CGAL::within_distance(0).open()).empty());
+  BOOST_CHECK(near_pairs_of(segments, CGAL::within_squared_distance(0).open()).empty());
+  BOOST_CHECK((near_pairs_of(segments, CGAL::within_distance(1e-300).open()) == Pairs{{0, 1}}));
 }
 
 BOOST_AUTO_TEST_CASE(lists_and_elements_of_two_types)

@@ -5,8 +5,9 @@
 // images they make. That they find the right pairs, test_fuzz_periodic.cpp tests on random scenes;
 // here are larger ones.
 
+#include "support/check_pairs.h"
+#include "support/kernels.h"
 #include "support/periodic_oracle.h"
-#include "support/unit_test.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
@@ -34,9 +35,7 @@ auto counter(std::size_t& count)
 void check_cube(const Points& coordinates, double side, double radius)
 {
   Lattice_scene<3> scene;
-  std::vector<Plain::Point_3> points;
-  for(const Coordinates& c : coordinates)
-    points.emplace_back(c[0], c[1], c[2]);
+  const auto points = make_points<Cartesian_points<Plain, 3>>(coordinates);
   scene.points = coordinates;
   for(std::size_t k = 0; k < 3; ++k) {
     scene.vectors[k][k] = Rational(side);
@@ -76,15 +75,11 @@ BOOST_AUTO_TEST_CASE(hundreds_of_points_have_the_pairs_of_all_offsets)
 template <class Domain>
 std::string message_of(const std::vector<Plain::Point_2>& points, const Domain& domain, double r)
 {
-  try {
-    CGAL::periodic_fixed_radius_near_neighbors(
-      points, domain, CGAL::within_distance(r),
-      [](std::size_t, std::size_t, const Offset_of<2>&) {});
-  }
-  catch(const std::exception& error) {
-    return error.what();
-  }
-  return "";
+  std::size_t count = 0;
+  return refusal<std::exception>([&] {
+    CGAL::periodic_fixed_radius_near_neighbors(points, domain, CGAL::within_distance(r),
+                                               counter(count));
+  });
 }
 
 BOOST_AUTO_TEST_CASE(what_is_refused)
@@ -139,9 +134,7 @@ BOOST_AUTO_TEST_CASE(the_profile_does_not_change_if_a_callback_throws)
 BOOST_AUTO_TEST_CASE(several_threads_find_the_same)
 {
   using Tag = CGAL::Parallel_if_available_tag;
-  std::vector<Plain::Point_2> points;
-  for(const Coordinates& c : uniform_points(2, 5000, 0, 1, 1))
-    points.emplace_back(c[0], c[1]);
+  const auto points = make_points<Cartesian_points<Plain, 2>>(uniform_points(2, 5000, 0, 1, 1));
   const auto bound = CGAL::within_distance(0.02);
   std::vector<Image_pair<2>> in_sequence, in_parallel;
   CGAL::periodic_fixed_radius_near_neighbors(points, unit_square, bound,

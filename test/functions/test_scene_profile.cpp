@@ -2,19 +2,18 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 // No more than a scene needs, and the same pairs: every tier that is exact for a scene, up to its
-// limit and in every rounding mode; the counts of decisions; axes and radii that are not stored.
+// limit and in every rounding mode; the counts of decisions. That axes and radii are not stored is
+// in test_work.
 //
 // Compiled twice: the second time with fused multiplication wherever the compiler finds a use.
 
 #include "support/brute_force.h"
 #include "support/check_pairs.h"
-#include "support/counting_allocator.h"
 #include "support/kernels.h"
 #include "support/unit_test.h"
 
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/Thick_ball_traits_d.h>
 
 using namespace test_support;
 using CGAL::Arithmetic_tier;
@@ -233,79 +232,6 @@ BOOST_AUTO_TEST_CASE(coordinates_that_all_points_share_need_no_grid)
   for(Coordinates& c : points)
     c.insert(c.begin() + 1, 0.1);
   check_tiers<Space>(points, 5, Arithmetic_tier::DOUBLE);
-}
-
-namespace {
-
-// The most bytes that a search takes, besides those of the points.
-template <class Point>
-std::size_t bytes_of_search(const std::vector<Point>& points, double r, std::size_t& pairs)
-{
-  pairs = 0;
-  return bytes_taken_by([&] {
-    CGAL::fixed_radius_near_neighbors(points, CGAL::within_distance(r),
-                                      [&](std::size_t, std::size_t) { ++pairs; });
-  });
-}
-
-// Points in a plane of space take the bytes of points in the plane, whichever plane it is. Only the
-// points of the slabs in work are whole.
-template <class Some_kernel>
-void check_bytes_of_flat_scenes(std::size_t n)
-{
-  constexpr std::size_t bytes_of_work = 1 << 17;
-  const Points points = uniform_points(2, n, 0, 1, 5);
-  std::size_t pairs_in_plane = 0, pairs = 0;
-  const std::size_t bytes = bytes_of_search(
-    make_points<Cartesian_points<Some_kernel, 2>>(points), 0.01, pairs_in_plane);
-  for(int axis = 0; axis < 3; ++axis) {
-    Points lifted = points;
-    for(Coordinates& c : lifted)
-      c.insert(c.begin() + axis, 0.3);
-    const auto in_space = make_points<Cartesian_points<Some_kernel, 3>>(lifted);
-    BOOST_CHECK_LE(bytes_of_search(in_space, 0.01, pairs), bytes + bytes_of_work);
-    BOOST_CHECK_EQUAL(pairs, pairs_in_plane);
-    lifted.front()[axis] = 0.5;
-    BOOST_CHECK_GT(bytes_of_search(make_points<Cartesian_points<Some_kernel, 3>>(lifted), 0.01,
-                                   pairs),
-                   bytes + bytes_of_work + 2 * n);
-  }
-}
-
-} // namespace
-
-BOOST_AUTO_TEST_CASE(axes_without_extent_are_not_stored)
-{
-  check_bytes_of_flat_scenes<Kernel>(100000);
-  check_bytes_of_flat_scenes<CGAL::Simple_cartesian<CGAL::Exact_rational>>(20000);
-}
-
-// Balls of one size take the bytes of their centres. Those of other sizes take boxes, of 40 bytes
-// in the plane: one each, one in a piece with some copies, and the columns of a piece.
-BOOST_AUTO_TEST_CASE(radii_of_balls_of_one_size_are_not_stored)
-{
-  const std::size_t n = 20000;
-  const auto centers = make_points<Plane>(uniform_points(2, n, 0, 1, 6));
-  std::size_t pairs_of_centers = 0;
-  const std::size_t bytes = bytes_of_search(centers, 0.01, pairs_of_centers);
-
-  std::vector<std::pair<Kernel::Point_2, double>> balls;
-  for(const Kernel::Point_2& center : centers)
-    balls.emplace_back(center, 0.005);
-  std::size_t pairs = 0;
-  const auto bytes_of_balls = [&] {
-    const CGAL::Thick_ball_traits_d<Kernel::Point_2> traits(balls);
-    pairs = 0;
-    return bytes_taken_by([&] {
-      CGAL::thick_self_intersection_d(balls, [&](std::size_t, std::size_t) { ++pairs; },
-                                      CGAL::parameters::geom_traits(traits));
-    });
-  };
-  BOOST_CHECK_EQUAL(bytes_of_balls(), bytes);
-  BOOST_CHECK_EQUAL(pairs, pairs_of_centers);
-  balls.front().second = 0.004;
-  const std::size_t box = 4 * sizeof(double) + 8;
-  BOOST_CHECK_LE(bytes_of_balls(), 3 * box * n);
 }
 
 BOOST_AUTO_TEST_CASE(flat_scenes_have_the_pairs_of_brute_force)

@@ -4,13 +4,12 @@
 // Objects of integers and of numbers beyond the doubles, where predicates of kernels gave wrong
 // pairs. Objects that touch or are degenerate, at all scales, are in test_kinds.
 
-#include "support/check_pairs.h"
+#include "support/found_pairs.h"
 #include "support/hull_oracle.h"
 #include "support/usual_kernels.h"
 
 #include <CGAL/Homogeneous.h>
 #include <CGAL/Simple_homogeneous.h>
-#include <CGAL/thick_intersection_d.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
 
@@ -19,14 +18,6 @@ using namespace test_support;
 namespace {
 
 using Integer = boost::multiprecision::int512_t;
-
-template <class Object>
-Pairs pairs_of(const std::vector<Object>& objects)
-{
-  return sorted(reported([&](auto collect) {
-    CGAL::thick_self_intersection_d(objects, collect);
-  }));
-}
 
 // The pairs of the hulls of some vertices each.
 Pairs pairs_of_hulls(const std::vector<Hull_vectors<Integer>>& hulls)

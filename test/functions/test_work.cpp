@@ -5,12 +5,13 @@
 // counted against O(C(n + k)) and O(n log n) [V03, Theorem 1], bytes against O(n).
 
 #include "support/counting_allocator.h"
+#include "support/kernels.h"
 #include "support/lattice_traits.h"
 #include "support/recursion_variants.h"
 #include "support/unit_test.h"
 
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/fixed_radius_near_neighbors.h>
+#include <CGAL/Thick_ball_traits_d.h>
 
 using namespace test_support;
 
@@ -148,8 +149,12 @@ BOOST_AUTO_TEST_CASE(pairs_within_a_set_are_not_tested)
 
 namespace {
 
-using Point = CGAL::Simple_cartesian<double>::Point_2;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_2;
+using Plane = Cartesian_points<Kernel, 2>;
 
+// The most bytes that a search takes, besides those of the points.
+template <class Point>
 std::size_t bytes_of_search(const std::vector<Point>& points, double r, std::size_t& pairs)
 {
   pairs = 0;
@@ -159,7 +164,65 @@ std::size_t bytes_of_search(const std::vector<Point>& points, double r, std::siz
   });
 }
 
+// Points in a plane of space take the bytes of points in the plane, whichever plane it is. Only the
+// points of the slabs in work are whole.
+template <class Some_kernel>
+void check_bytes_of_flat_scenes(std::size_t n)
+{
+  constexpr std::size_t bytes_of_work = 1 << 17;
+  const Points points = uniform_points(2, n, 0, 1, 5);
+  std::size_t pairs_in_plane = 0, pairs = 0;
+  const std::size_t bytes = bytes_of_search(
+    make_points<Cartesian_points<Some_kernel, 2>>(points), 0.01, pairs_in_plane);
+  for(int axis = 0; axis < 3; ++axis) {
+    Points lifted = points;
+    for(Coordinates& c : lifted)
+      c.insert(c.begin() + axis, 0.3);
+    const auto in_space = make_points<Cartesian_points<Some_kernel, 3>>(lifted);
+    BOOST_CHECK_LE(bytes_of_search(in_space, 0.01, pairs), bytes + bytes_of_work);
+    BOOST_CHECK_EQUAL(pairs, pairs_in_plane);
+    lifted.front()[axis] = 0.5;
+    BOOST_CHECK_GT(bytes_of_search(make_points<Cartesian_points<Some_kernel, 3>>(lifted), 0.01,
+                                   pairs),
+                   bytes + bytes_of_work + 2 * n);
+  }
+}
+
 } // namespace
+
+BOOST_AUTO_TEST_CASE(axes_without_extent_are_not_stored)
+{
+  check_bytes_of_flat_scenes<Kernel>(100000);
+  check_bytes_of_flat_scenes<CGAL::Simple_cartesian<CGAL::Exact_rational>>(20000);
+}
+
+// Balls of one size take the bytes of their centres. Those of other sizes take boxes, of 40 bytes
+// in the plane: one each, one in a piece with some copies, and the columns of a piece.
+BOOST_AUTO_TEST_CASE(radii_of_balls_of_one_size_are_not_stored)
+{
+  const std::size_t n = 20000;
+  const auto centers = make_points<Plane>(uniform_points(2, n, 0, 1, 6));
+  std::size_t pairs_of_centers = 0;
+  const std::size_t bytes = bytes_of_search(centers, 0.01, pairs_of_centers);
+
+  std::vector<std::pair<Kernel::Point_2, double>> balls;
+  for(const Kernel::Point_2& center : centers)
+    balls.emplace_back(center, 0.005);
+  std::size_t pairs = 0;
+  const auto bytes_of_balls = [&] {
+    const CGAL::Thick_ball_traits_d<Kernel::Point_2> traits(balls);
+    pairs = 0;
+    return bytes_taken_by([&] {
+      CGAL::thick_self_intersection_d(balls, [&](std::size_t, std::size_t) { ++pairs; },
+                                      CGAL::parameters::geom_traits(traits));
+    });
+  };
+  BOOST_CHECK_EQUAL(bytes_of_balls(), bytes);
+  BOOST_CHECK_EQUAL(pairs, pairs_of_centers);
+  balls.front().second = 0.004;
+  const std::size_t box = 4 * sizeof(double) + 8;
+  BOOST_CHECK_LE(bytes_of_balls(), 3 * box * n);
+}
 
 BOOST_AUTO_TEST_CASE(memory_does_not_depend_on_the_number_of_pairs)
 {
@@ -170,11 +233,7 @@ BOOST_AUTO_TEST_CASE(memory_does_not_depend_on_the_number_of_pairs)
   BOOST_CHECK_LE(bytes_of_search(identical, 0, pairs), limit);
   BOOST_CHECK_EQUAL(pairs, n * (n - 1) / 2);
 
-  std::mt19937_64 random(9);
-  const auto uniform = [&] { return std::ldexp(static_cast<double>(random() >> 11), -53); };
-  std::vector<Point> points;
-  for(std::size_t i = 0; i < n; ++i)
-    points.emplace_back(uniform(), uniform());
+  const auto points = make_points<Plane>(uniform_points(2, n, 0, 1, 9));
   for(const double r : {0., 0.001, 0.01, 0.1, 0.4, 2.})
     BOOST_CHECK_LE(bytes_of_search(points, r, pairs), limit);
 }
