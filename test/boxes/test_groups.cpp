@@ -273,6 +273,16 @@ BOOST_AUTO_TEST_CASE(each_wanted_pair_is_tested_at_most_three_times)
   BOOST_CHECK_LE(objects.tests, 3 * wanted);
 }
 
+// Who tests all candidates because they are wanted has no reason to begin again with a tree.
+BOOST_AUTO_TEST_CASE(a_sweep_of_wanted_pairs_is_not_given_up)
+{
+  const std::size_t n = 2000;
+  const Number_boxes boxes = boxes_of_kind(1, n);
+  const Grouped_objects objects(boxes, 2, groups_in_turn(n, n), 0);
+  BOOST_CHECK(pairs_of_groups<2>(objects).empty());
+  BOOST_CHECK_EQUAL(objects.tests, n * (n - 1) / 2);
+}
+
 // A sweep begins, all groups become known, and the tree takes over: progress ends at one, and goes
 // on until then.
 BOOST_AUTO_TEST_CASE(progress_counts_boxes_once_when_a_sweep_is_given_up)
