@@ -104,8 +104,8 @@ void check_hulls(std::int64_t limit)
     Lattice lattice = {Dimension, 2 + random.below(8)};
     if(random.below(2) == 0) // its places are far apart
       lattice.step = (limit - 1) / static_cast<int>(lattice.side);
-    const Integers a = lattice_hull(random, lattice, 1 + random.below(3));
-    const Integers b = lattice_hull(random, lattice, 1 + random.below(3));
+    const Integers a = lattice_hull(random, lattice, 1 + random.below(4));
+    const Integers b = lattice_hull(random, lattice, 1 + random.below(4));
     const Rational square = squared_distance_of_long_hulls(a, b);
     if(square == 0)
       continue;
