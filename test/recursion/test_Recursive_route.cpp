@@ -13,8 +13,6 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Thick_point_traits_d.h>
 
-#include <pthread.h>
-
 using namespace test_support;
 
 namespace {
@@ -212,35 +210,4 @@ BOOST_AUTO_TEST_CASE(order_of_reports_is_a_function_of_the_input)
     BOOST_CHECK_MESSAGE(pairs_by_variant(sites, traits, variant) ==
                             pairs_by_variant(sites, traits, variant),
                         name(variant));
-}
-
-namespace {
-
-extern "C" void* walk_over_equal_sites(void* pairs)
-{
-  std::vector<Site> sites;
-  for(int i = 0; i < 3000; ++i)
-    sites.emplace_back(std::vector<long>{7, 7});
-  Calls calls;
-  const Lattice_traits traits(2, 0, 0, calls);
-  *static_cast<std::size_t*>(pairs)
-    = pairs_by_variant(sites, traits, {Pivot::MEDIAN, Base_case::WALK, 0}).size();
-  return nullptr;
-}
-
-} // namespace
-
-// The walk makes as many rounds as there are equal points: if it recursed, each would take at least
-// a return address and four registers, and the stack of this thread has 32 bytes for each.
-BOOST_AUTO_TEST_CASE(walk_over_many_equal_points_on_a_small_stack)
-{
-  pthread_attr_t attributes;
-  BOOST_REQUIRE_EQUAL(pthread_attr_init(&attributes), 0);
-  BOOST_REQUIRE_EQUAL(pthread_attr_setstacksize(&attributes, 3000 * 32), 0);
-  pthread_t thread;
-  std::size_t pairs = 0;
-  BOOST_REQUIRE_EQUAL(pthread_create(&thread, &attributes, walk_over_equal_sites, &pairs), 0);
-  BOOST_REQUIRE_EQUAL(pthread_join(thread, nullptr), 0);
-  pthread_attr_destroy(&attributes);
-  BOOST_CHECK_EQUAL(pairs, 3000u * 2999 / 2);
 }
