@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Slabs of points follow each other, and blocks of slabs share the points out.
+// Slabs of points in a plane and of outliers, and blocks of slabs, which share the points out. That
+// all other scenes have each point in one slab is left to test_Slab_route.cpp.
 
 #include "support/point_source.h"
 #include "support/unit_test.h"
@@ -71,21 +72,6 @@ void check_slabs(const Slabs_of<Dimension>& slabs, const Points& points)
   for(std::size_t i = 0; i < points.size(); ++i)
     BOOST_CHECK_EQUAL(times[i], 1);
 }
-
-template <int Dimension>
-void check_scenes()
-{
-  for(const auto& [name, points] : scenes_to_cut(Dimension, 2500)) // enough for a sample
-    for(const double reach : {1e-300, 1e-4, 0.1, 10.}) {
-      BOOST_TEST_CONTEXT(name << ", reach " << reach)
-      {
-        check_slabs<Dimension>(slabs_of<Dimension>(points, reach), points);
-      }
-    }
-}
-
-BOOST_AUTO_TEST_CASE(each_point_is_in_one_slab_2) { check_scenes<2>(); }
-BOOST_AUTO_TEST_CASE(each_point_is_in_one_slab_3) { check_scenes<3>(); }
 
 // Points in a plane have its axis in the middle, where strips are cut.
 BOOST_AUTO_TEST_CASE(points_in_a_plane_keep_their_coordinates)
