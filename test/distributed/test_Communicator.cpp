@@ -7,15 +7,9 @@
 
 #include <CGAL/Thick_intersection_d/internal/distributed/Communicator.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <mpi.h>
-
-#include <stdexcept>
-
 BOOST_AUTO_TEST_SUITE(Communicator)
 
-namespace internal = CGAL::Thick_intersection_d::internal;
+using namespace test_support;
 
 BOOST_AUTO_TEST_CASE(communicators_between_two_groups_are_refused)
 {

@@ -8,13 +8,9 @@
 #include <CGAL/Thick_intersection_d/internal/distributed/Communicator.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/Stop_signal.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <mpi.h>
-
 BOOST_AUTO_TEST_SUITE(Stop_signal)
 
-namespace internal = CGAL::Thick_intersection_d::internal;
+using namespace test_support;
 
 BOOST_AUTO_TEST_CASE(a_signal_reaches_all_other_processes)
 {

@@ -9,7 +9,6 @@
 #include "support/brute_force.h"
 #include "support/mpi_fixture.h"
 #include "support/pairs.h"
-#include "support/point_generators.h"
 #include "support/scenes.h"
 
 #include <CGAL/Distributed_profile.h>
@@ -21,23 +20,11 @@
 #include <CGAL/distributed_fixed_radius_near_neighbors.h>
 #include <CGAL/tags.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <mpi.h>
-
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <csignal>
-#include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <iostream>
-#include <limits>
 #include <new>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 using namespace test_support;
 

@@ -9,15 +9,9 @@
 #include <CGAL/Thick_intersection_d/internal/distributed/Communicator.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/run_together.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <cstddef>
-#include <stdexcept>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(exchange_bytes)
 
-namespace internal = CGAL::Thick_intersection_d::internal;
+using namespace test_support;
 
 // What a process sends to another one. Some send nothing.
 std::vector<char> message(int from, int to)

@@ -9,16 +9,9 @@
 #include <CGAL/Thick_intersection_d/internal/distributed/Communicator.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/run_together.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <mpi.h>
-
-#include <stdexcept>
-#include <string>
-
 BOOST_AUTO_TEST_SUITE(run_together)
 
-namespace internal = CGAL::Thick_intersection_d::internal;
+using namespace test_support;
 
 // Checks that the processes for which throws(rank) is true throw their own exception, and that all
 // others throw that of the first one.

@@ -4,16 +4,11 @@
 // Short vectors of lattices: a search needs few images only if no vector is much longer than the
 // distance of its layer from the next one.
 
-#include "support/point_generators.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Periodic_lattice_d.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Lattice_basis.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <stdexcept>
 
 BOOST_AUTO_TEST_SUITE(Lattice_basis)
 

@@ -4,25 +4,17 @@
 // The doubles around moved coordinates, against rational numbers.
 
 #include "support/exact_points.h"
-#include "support/point_generators.h"
 #include "support/rounding_mode.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Periodic_lattice_d.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Periods.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <cstddef>
-#include <optional>
-#include <utility>
-
 BOOST_AUTO_TEST_SUITE(Periods)
 
 using namespace test_support;
-namespace internal = CGAL::Thick_intersection_d::internal;
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Moves = internal::Periods<2, internal::Exact_number_t<double>>;

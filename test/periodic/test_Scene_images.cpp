@@ -4,7 +4,7 @@
 // The images of points, without a search: how many there are, wherever the scene lies, and whether
 // those that are counted are those that are made.
 
-#include "support/point_generators.h"
+#include "support/unit_test.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Named_function_parameters.h>
@@ -18,18 +18,12 @@
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 #include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cstddef>
 #include <ostream>
 #include <tuple>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Scene_images)
 
 using namespace test_support;
-namespace internal = CGAL::Thick_intersection_d::internal;
 
 using Plain = CGAL::Simple_cartesian<double>;
 using Lazy = CGAL::Exact_predicates_exact_constructions_kernel;
