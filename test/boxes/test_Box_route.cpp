@@ -4,6 +4,7 @@
 // The box route against all pairs, on many small structured scenes that are cut again and again,
 // and on large ones; what it asks the objects, and how it stops.
 
+#include "support/instruction_sets.h"
 #include "support/number_boxes.h"
 #include "support/seeds.h"
 #include "support/unit_test.h"
@@ -43,10 +44,13 @@ void check_structured_scene(int dimension, std::uint64_t seed)
 
 BOOST_AUTO_TEST_CASE(first_structured_scenes) // enough for most errors
 {
-  for(std::uint64_t seed = 0; seed < 1000; ++seed) {
-    check_structured_scene<2>(2, seed);
-    check_structured_scene<3>(3, seed);
-    check_structured_scene<4>(5, seed);
+  for(const internal::Instruction_set set : instruction_sets()) {
+    const Forced_instruction_set forced(set);
+    for(std::uint64_t seed = 0; seed < 1000; ++seed) {
+      check_structured_scene<2>(2, seed);
+      check_structured_scene<3>(3, seed);
+      check_structured_scene<4>(5, seed);
+    }
   }
 }
 
@@ -146,7 +150,11 @@ BOOST_AUTO_TEST_CASE(order_of_reports_is_a_function_of_the_input)
   Generator random(4);
   const Number_boxes boxes = power_law(random, 3, 3000);
   const Number_objects objects(boxes, 3);
-  BOOST_CHECK(pairs_by_boxes<3>(objects) == pairs_by_boxes<3>(objects));
+  const Pairs pairs = pairs_by_boxes<3>(objects);
+  for(const internal::Instruction_set set : instruction_sets()) {
+    const Forced_instruction_set forced(set);
+    BOOST_CHECK(pairs_by_boxes<3>(objects) == pairs);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(callback_stops_each_part_of_the_search)
