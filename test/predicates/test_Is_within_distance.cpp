@@ -1,11 +1,10 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The distance predicate, pair by pair, where floating point fails: exact ties, neighbors of ties,
-// overflow, underflow; and certified doubles up to their limit.
+// The distance predicate, pair by pair: near ties that are on no grid, certified doubles up to their
+// limit, and what is counted. Ties on grids of every size are in functions/test_fuzz.cpp.
 
 #include "support/exact_points.h"
-#include "support/large_ties.h"
 #include "support/plain_points.h"
 #include "support/rounding_mode.h"
 #include "support/unit_test.h"
@@ -30,83 +29,6 @@ template <class Point, class NT>
 bool is_within(const CGAL::Distance_bound<NT>& bound, const Point& p, const Point& q)
 {
   return CGAL::Thick_point_traits_d<Point>(bound).do_intersect_d_object()(p, q);
-}
-
-// Asks in a rounding mode with r as a closed bound and as an open one. The sign is that of the
-// distance minus r.
-template <class Point>
-void check_distance(double r, const Point& p, const Point& q, int sign, int mode = FE_TONEAREST)
-{
-  std::optional<Rounding_mode> in_mode(mode);
-  const bool closed = is_within(CGAL::within_distance(r), p, q);
-  const bool open = is_within(CGAL::within_distance(r).open(), p, q);
-  in_mode.reset();
-  BOOST_REQUIRE_EQUAL(closed, sign <= 0);
-  BOOST_REQUIRE_EQUAL(open, sign < 0);
-}
-
-// That of the point and the origin minus r.
-int exact_sign(const Point_2& p, double r)
-{
-  return Exact_points({{0, 0}, {p.x(), p.y()}}, Radius::of_length(r))
-    .compare_distance_with_radius(0, 1);
-}
-
-BOOST_AUTO_TEST_CASE(exact_ties_are_decided_right)
-{
-  std::size_t rounded_apart = 0; // so the test tests something
-  for(const Tie& tie : large_ties()) {
-    const Point_2 p(0, 0), q(tie.a, tie.b);
-    check_distance(tie.c, p, q, 0);
-    check_distance(std::nextafter(tie.c, 0.), p, q, 1);
-    check_distance(std::nextafter(tie.c, infinity), p, q, -1);
-    check_distance(tie.c, Point_3(0, 0, 0), Point_3(0, tie.a, tie.b), 0);
-    rounded_apart += tie.a * tie.a + tie.b * tie.b != tie.c * tie.c;
-  }
-  BOOST_CHECK_GT(rounded_apart, 100u);
-}
-
-// d^2 = r^2 + 1 and d^2 = r^2 - 1, with r^2 of 100 bits.
-BOOST_AUTO_TEST_CASE(near_misses_are_decided_right)
-{
-  for(double n = 1e6; n < 1.5e7; n += 12347) {
-    const double r = 2 * n * n; // x^2 + y^2 = (2n^2 - 1)^2 + (2n)^2 = r^2 + 1
-    const Point_2 p(0, 0), q(r - 1, 2 * n);
-    BOOST_REQUIRE(!is_within(CGAL::within_distance(r), p, q));
-    const CGAL::Exact_rational r2 = CGAL::Exact_rational(r) * r;
-    BOOST_REQUIRE(is_within(CGAL::within_squared_distance(CGAL::Exact_rational(r2 + 1)), p, q));
-    BOOST_REQUIRE(
-      !is_within(CGAL::within_squared_distance(CGAL::Exact_rational(r2 + 1)).open(), p, q));
-  }
-}
-
-BOOST_AUTO_TEST_CASE(squares_that_overflow_or_vanish)
-{
-  for(const double scale : {1e308 / 8, 1e200, 1e155, 1e-160, 1e-200, 5e-324 * 4}) {
-    const Point_2 p(0, 0), q(3 * scale, 4 * scale);
-    const double r = 5 * scale;
-    const bool is_tie = r == scale * 5 && q.x() / 3 == scale && q.y() / 4 == scale;
-    const int sign = exact_sign(q, r);
-    check_distance(r, p, q, sign);
-    BOOST_CHECK_MESSAGE(is_tie || sign != 0, scale);
-    BOOST_CHECK(is_within(CGAL::within_distance(1.01 * r), p, q));
-    BOOST_CHECK(!is_within(CGAL::within_distance(0.75 * r), p, q));
-    BOOST_CHECK(is_within(CGAL::within_distance(r), p, p));
-  }
-}
-
-// Random points around a circle, in each rounding mode, with coordinates of every magnitude.
-BOOST_AUTO_TEST_CASE(near_the_circle_in_every_rounding_mode)
-{
-  std::mt19937_64 random(11);
-  const auto uniform = [&] { return std::ldexp(static_cast<double>(random() >> 11), -53) - 0.5; };
-  for(const int mode : rounding_modes)
-    for(int i = 0; i < 5000; ++i) {
-      const int exponent = static_cast<int>(random() % 2000) - 1040;
-      const Point_2 q(std::ldexp(uniform(), exponent), std::ldexp(uniform(), exponent));
-      const double r = std::hypot(q.x(), q.y());
-      check_distance(r, Point_2(0, 0), q, exact_sign(q, r), mode);
-    }
 }
 
 // Points whose differences are no doubles, at a distance that is the rounded one, or the exact one

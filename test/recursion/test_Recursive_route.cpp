@@ -1,17 +1,13 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The recursive route in all its variants against brute force, on integer sites and on points whose
-// coordinates and reach round.
+// The recursive route in all its variants against brute force, on integer sites. Points whose
+// coordinates and reach round are in slabs/test_Slab_route.cpp.
 
 #define BOOST_TEST_MODULE recursive_route
-#include "support/brute_force.h"
 #include "support/lattice_traits.h"
 #include "support/recursion_variants.h"
 #include "support/unit_test.h"
-
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Thick_point_traits_d.h>
 
 using namespace test_support;
 
@@ -81,31 +77,6 @@ BOOST_AUTO_TEST_CASE(two_sets_of_sites_at_random)
     const Lattice_traits traits(dimension, distance, distance, calls);
     check_variants(of_two_sets(pairs_of_sites(sites, distance), first), sites, traits, seed,
                    first);
-  }
-}
-
-// Units that are no binary fractions, and offsets of either sign: what finds strips whose limits
-// are rounded twice. [design note, "Floating point"]
-BOOST_AUTO_TEST_CASE(coordinates_and_reaches_that_round)
-{
-  using Point = CGAL::Simple_cartesian<double>::Point_2;
-  const double units[] = {1, 0.1, 1 / 3., 0.7};
-  for(unsigned int seed = 0; seed < 2000; ++seed) {
-    Generator random(seed);
-    const double unit = units[seed % 4];
-    const double offset = static_cast<double>(below(random, 3) - 1) * 0.368;
-    const long side = 2 + below(random, 30);
-    Points coordinates;
-    std::vector<Point> points;
-    for(long i = below(random, 40); i > 0; --i) {
-      coordinates.push_back({offset + unit * static_cast<double>(below(random, side)),
-                             -offset + unit * static_cast<double>(below(random, side))});
-      points.emplace_back(coordinates.back()[0], coordinates.back()[1]);
-    }
-    const double r = unit * static_cast<double>(below(random, 12));
-    const Truth truth = brute_force(coordinates, Radius::of_length(r));
-    const CGAL::Thick_point_traits_d<Point> traits(CGAL::within_distance(r));
-    check_variants(truth.pairs, points, traits, seed);
   }
 }
 
