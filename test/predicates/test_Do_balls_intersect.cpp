@@ -1,12 +1,11 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Balls that touch, exactly and nearly, and balls inside others: by the predicate, by the filter of
-// their boxes, and in integers. Near ties at all scales, in every rounding mode, are compared with
-// integers of any length.
+// Balls that touch, exactly and nearly: by the predicate, by the filter of their boxes, and in integers.
+// Near ties at all scales, in every rounding mode, are compared with integers of any length. All
+// scenes of balls are in functions/test_thick_balls.cpp.
 
 #include "support/exact_points.h"
-#include "support/large_ties.h"
 #include "support/rounding_mode.h"
 #include "support/squared_distance.h"
 #include "support/unit_test.h"
@@ -24,7 +23,6 @@ using namespace test_support;
 
 using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point_2 = Epick::Point_2;
-using Point_3 = Epick::Point_3;
 using Ball_2 = std::pair<Point_2, double>;
 
 // ---- the predicate ------------------------------------------------------------------------------
@@ -36,33 +34,14 @@ bool do_intersect(const std::pair<Point, Number>& a, const std::pair<Point, Numb
   return CGAL::Thick_ball_traits_d<Point>(balls).do_intersect_d_object()(a, b);
 }
 
-BOOST_AUTO_TEST_CASE(balls_that_touch)
+// That is no double, or one that overflows.
+BOOST_AUTO_TEST_CASE(sum_of_radii_is_exact)
 {
-  for(const Tie& tie : large_ties()) {
-    const double r = std::floor(tie.c / 3), s = tie.c - r;
-    const Ball_2 a(Point_2(0, 0), r);
-    const Point_2 center(tie.a, tie.b);
-    BOOST_REQUIRE(do_intersect(a, Ball_2(center, s)));
-    BOOST_REQUIRE(!do_intersect(a, Ball_2(center, std::nextafter(s, 0.))));
-  }
-  // A sum of radii that is no double, and one that overflows.
   const Ball_2 unit(Point_2(0, 0), 1), huge(Point_2(0, 0), 1e308);
   const double tiny = std::ldexp(1., -60);
   BOOST_CHECK(do_intersect(huge, Ball_2(Point_2(1.7e308, 0), 1e308)));
   BOOST_CHECK(do_intersect(unit, Ball_2(Point_2(1, 0), tiny)));
   BOOST_CHECK(!do_intersect(unit, Ball_2(Point_2(std::nextafter(1, 2.), 0), tiny)));
-}
-
-// Too long for integers, so that exact numbers decide; squares overflow, vanish, or do neither.
-BOOST_AUTO_TEST_CASE(squares_of_balls_that_overflow_or_vanish)
-{
-  for(const double scale : {0x1p1020, 0x1p530, 1., 0x1p-530, 0x1p-565, 0x1p-900})
-    for(const double rest : {0., scale * 0x1p-100}) {
-      const double r = 2 * scale, s = 3 * scale;
-      const Ball_2 a(Point_2(rest, 0), r);
-      BOOST_CHECK(do_intersect(a, Ball_2(Point_2(r + s, 0), s)));
-      BOOST_CHECK(!do_intersect(a, Ball_2(Point_2(1.001 * (r + s), 0), s)));
-    }
 }
 
 BOOST_AUTO_TEST_CASE(balls_of_thirds_touch)
@@ -75,14 +54,6 @@ BOOST_AUTO_TEST_CASE(balls_of_thirds_touch)
   const Ball a(Point(0, 0), r), b(Point(x, y), y);
   BOOST_CHECK(do_intersect(a, b));
   BOOST_CHECK(!do_intersect(a, Ball(b.first, Number(y - tiny))));
-}
-
-BOOST_AUTO_TEST_CASE(inner_balls_intersect_outer_ones)
-{
-  using Ball = std::pair<Point_3, double>;
-  const Ball outer(Point_3(0, 0, 0), 10), inner(Point_3(1, 0, 0), 1);
-  BOOST_CHECK(do_intersect(outer, inner));
-  BOOST_CHECK(do_intersect(outer, outer));
 }
 
 // ---- near ties ----------------------------------------------------------------------------------
