@@ -6,6 +6,7 @@
 // scenes of balls are in functions/test_thick_balls.cpp.
 
 #include "support/exact_points.h"
+#include "support/plain_points.h"
 #include "support/rounding_mode.h"
 #include "support/squared_distance.h"
 #include "support/unit_test.h"
@@ -211,6 +212,17 @@ std::optional<bool> decide(const Two_balls<8>& balls, int dimension, int exponen
     [&](int i) { return scaled(b.center[i]); }, scaled(b.radius), dimension);
 }
 
+bool do_intersect(const Two_balls<8>& balls, std::size_t dimension, int exponent)
+{
+  const auto scaled = [&](const Ball<8>& ball) {
+    std::pair<Plain_point<double>, double> result = {{}, std::ldexp(ball.radius, exponent)};
+    for(std::size_t i = 0; i < dimension; ++i)
+      result.first.coordinates.push_back(std::ldexp(ball.center[i], exponent));
+    return result;
+  };
+  return do_intersect(scaled(balls.first), scaled(balls.second));
+}
+
 BOOST_AUTO_TEST_CASE(near_ties_are_decided_in_integers_on_every_grid)
 {
   Random random(17);
@@ -227,6 +239,8 @@ BOOST_AUTO_TEST_CASE(near_ties_are_decided_in_integers_on_every_grid)
       const std::optional<bool> is = decide(balls, dimension, exponent);
       BOOST_REQUIRE(is.has_value());
       BOOST_REQUIRE_EQUAL(*is, expected);
+      BOOST_REQUIRE_EQUAL(do_intersect(balls, static_cast<std::size_t>(dimension), exponent),
+                          expected);
       touching += expected;
     }
   BOOST_TEST(touching > 10000);
