@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Lanes that look for boxes that meet stop when they are told, and blocks divide a run of boxes. That
-// the lanes of each instruction set find the right pairs is left to test_Box_route.cpp.
+// Lanes that look for boxes that meet stop when they are told, and blocks divide a run of boxes.
+// The lanes of each instruction set find the right pairs in test_Box_route.cpp.
 
 #include "support/instruction_sets.h"
 #include "support/number_boxes.h"

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Balls that touch, exactly and nearly: by the predicate, by the filter of their boxes, in integers.
-// Near ties at all scales, in every rounding mode, are compared with integers of any length. All
-// scenes of balls are in functions/test_thick_balls.cpp.
+// Balls that touch, exactly and nearly, by the predicate, by the filter of their boxes, and in
+// integers. Near ties at all scales, in every rounding mode, are compared with integers of any
+// length. Scenes of balls are in functions/test_thick_balls.cpp.
 
 #include "support/exact_points.h"
 #include "support/plain_points.h"

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The distance predicate, pair by pair: near ties that are on no grid, certified doubles up to their
-// limit, and what is counted. Ties on grids of every size are in functions/test_fuzz.cpp.
+// The distance predicate, pair by pair: near ties that are on no grid, certified doubles up to
+// their limit, and what is counted. Ties on grids of every size are in functions/test_fuzz.cpp.
 
 #include "support/exact_points.h"
 #include "support/plain_points.h"

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The lanes of each instruction set copy the points of a strip in an interval, in order. That strips
-// and their borders hold the points that they should is left to test_Slab_route.cpp.
+// The lanes of each instruction set copy the points of a strip in an interval, in order. That
+// strips and their borders hold the points that they should is left to test_Slab_route.cpp.
 
 #include "support/instruction_sets.h"
 #include "support/point_source.h"

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Strips follow each other along axis 1, however crowded a slab is. That they have all points, sorted
-// along axis 0, is left to test_Slab_route.cpp.
+// Strips follow each other along axis 1, however crowded a slab is. That they have all points,
+// sorted along axis 0, is left to test_Slab_route.cpp.
 
 #include "support/point_source.h"
 #include "support/unit_test.h"
