@@ -1,10 +1,11 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The buckets of [L]: no pair is lost where a cell ends, and a heavy cell ends the search.
+// The buckets of [L]: no pair is lost, even where a cell ends, and a heavy cell ends the search.
 
 #include "support/check_closest_pair.h"
 #include "support/counted_points.h"
+#include "support/plain_points.h"
 #include "support/unit_test.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -17,6 +18,24 @@ using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 template <int Dimension>
 using Maker = Cartesian_points<Epick, Dimension>;
 using Point = Epick::Point_2;
+
+// The division has the same cells, and its orders of points.
+BOOST_AUTO_TEST_CASE(buckets_and_the_division_find_the_pairs_of_scenes)
+{
+  for(const int dimension : {1, 2, 3, 4})
+    for(const Point_scene& scene : small_scenes(dimension))
+      BOOST_TEST_CONTEXT(scene)
+      {
+        const auto points = plain_points(scene.points);
+        const Truth& truth = truth_of(scene);
+        with_bound(scene.radius, [&](const auto& bound) {
+          check_close_pair("closed", truth.pairs, close_by_buckets(points, bound));
+          check_close_pair("open", truth.open_pairs, close_by_buckets(points, bound.open()));
+        });
+        if(points.size() >= 2)
+          check_pair("division", known_closest(scene.points).pair, closest_by_division(points));
+      }
+}
 
 // Cells of side r: rounded numbers of cells near the end of a cell.
 BOOST_AUTO_TEST_CASE(cells_lose_no_pair_at_the_bound)

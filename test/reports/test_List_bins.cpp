@@ -1,6 +1,9 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
+// Short lists, and the memory of bins. That bins have the lists of their points is left to
+// test_Neighbor_collector.cpp.
+
 #include "support/counting_allocator.h"
 #include "support/unit_test.h"
 
@@ -11,43 +14,6 @@ BOOST_AUTO_TEST_SUITE(List_bins)
 
 using namespace test_support;
 using Bins = internal::List_bins;
-using Neighbor = std::pair<std::size_t, Bins::Position>;
-
-// Lists of 32 neighbors or fewer, and lists that fill several chunks.
-std::size_t random_size(Random& random)
-{
-  return random.below(20) == 0 ? random.below(5000) : random.below(Bins::max_short_size + 1);
-}
-
-BOOST_AUTO_TEST_CASE(each_bin_has_the_lists_of_its_points)
-{
-  const std::size_t size = 3 * Bins::bin_size + 1; // the last bin has a single point
-  Bins bins(size);
-  std::vector<std::vector<Neighbor>> expected(4);
-  Random random(1);
-  for(int i = 0; i < 3000; ++i) {
-    const auto of = static_cast<Bins::Position>(i % 10 == 0 ? size - 1 : random.below(size));
-    std::vector<Bins::Position> list(random_size(random));
-    for(Bins::Position& neighbor : list) {
-      neighbor = static_cast<Bins::Position>(random.below(0xffffffff)); // all 32 bits
-      expected[of / Bins::bin_size].emplace_back(of % Bins::bin_size, neighbor);
-    }
-    if(list.size() > Bins::max_short_size || i % 2 == 0)
-      bins.append(of, list.data(), list.data() + list.size());
-    else
-      std::copy(list.begin(), list.end(), bins.append_short(of, list.size()));
-  }
-  for(std::size_t bin = 0; bin < 4; ++bin) {
-    std::vector<Neighbor> found;
-    bins.for_each(bin, [&](std::size_t of, const Bins::Position* first,
-                           const Bins::Position* last) {
-      for(; first != last; ++first)
-        found.emplace_back(of, *first);
-    });
-    BOOST_CHECK(found == expected[bin]);
-    BOOST_CHECK_EQUAL(bins.size(bin), expected[bin].size());
-  }
-}
 
 BOOST_AUTO_TEST_CASE(short_lists_have_room_for_more)
 {
