@@ -43,15 +43,6 @@ BOOST_AUTO_TEST_CASE(each_list_keeps_its_items_in_order)
     BOOST_CHECK_EQUAL(lists.size(list), expected[list].size());
 }
 
-BOOST_AUTO_TEST_CASE(sizes_are_right_at_the_ends_of_chunks)
-{
-  Lists lists(1);
-  for(std::size_t size = 0; size < 20; ++size) {
-    BOOST_CHECK_EQUAL(lists.size(0), size);
-    lists.append(0, 7);
-  }
-}
-
 BOOST_AUTO_TEST_CASE(a_task_stops_the_loop_by_returning_false)
 {
   Lists lists(1);

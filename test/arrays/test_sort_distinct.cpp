@@ -24,21 +24,6 @@ private:
   internal::Buffer<std::uint32_t> memory_;
 };
 
-BOOST_AUTO_TEST_CASE(distinct_numbers_are_sorted)
-{
-  Random random(5);
-  Sorter sort;
-  for(std::size_t size = 0; size < 600; ++size) {
-    std::vector<std::uint32_t> numbers;
-    for(std::size_t i = 0; i < size; ++i) // distinct, half of them with the highest bit
-      numbers.push_back(static_cast<std::uint32_t>(i << 22 | random.below(1 << 22)) ^ 0xffffffffu);
-    std::vector<std::uint32_t> expected = numbers;
-    std::sort(expected.begin(), expected.end());
-    sort(numbers);
-    BOOST_CHECK(numbers == expected);
-  }
-}
-
 // The same numbers come in any order, with the least and the largest one.
 BOOST_AUTO_TEST_CASE(any_order_is_sorted)
 {

@@ -45,21 +45,6 @@ BOOST_AUTO_TEST_CASE(callback_of_positions_is_called_itself)
   BOOST_CHECK(&output == &callback);
 }
 
-BOOST_AUTO_TEST_CASE(callback_of_elements_gets_those_of_its_ranges)
-{
-  std::vector<std::pair<const std::string*, std::size_t>> calls;
-  auto callback = CGAL::with_elements([&](const std::string& name, std::size_t square) {
-    calls.emplace_back(&name, square);
-    return square < 9;
-  });
-  auto&& output = output_to(callback);
-  BOOST_CHECK(output(0, 2));
-  BOOST_CHECK(!output(2, 3));
-  BOOST_REQUIRE_EQUAL(calls.size(), 2u);
-  BOOST_CHECK(calls[0] == std::make_pair(&names.names[0], std::size_t(4)));
-  BOOST_CHECK(calls[1] == std::make_pair(&names.names[2], std::size_t(9)));
-}
-
 BOOST_AUTO_TEST_CASE(callback_that_is_an_lvalue_is_not_copied)
 {
   struct Counter

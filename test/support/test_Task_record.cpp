@@ -11,12 +11,12 @@
 
 BOOST_AUTO_TEST_SUITE(Task_record)
 
-namespace ti = CGAL::Thick_intersection_d::internal;
+using namespace test_support;
 using CGAL::Parallel_tag;
 using thick_benchmark::Cost;
 using thick_benchmark::Reading;
 
-const ti::Threads threads{Parallel_tag()};
+const internal::Threads threads{Parallel_tag()};
 Reading now;
 
 void take_time(std::int64_t time) { now.nanoseconds += time; }
@@ -114,7 +114,7 @@ BOOST_AUTO_TEST_CASE(each_processor_has_its_value)
   std::set<const int*> values;
   std::size_t count = 0;
   record_of(5, [&] {
-    ti::Per_thread<int> per_thread(0, threads);
+    internal::Per_thread<int> per_thread(0, threads);
     BOOST_CHECK_EQUAL(threads.block_count(), 20);
     threads.run_blocks(100, [&](std::size_t, std::size_t) {
       values.insert(&per_thread.local());
