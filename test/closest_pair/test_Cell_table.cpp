@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Offsets to adjacent cells, and strips. That buckets have the right members is left to
+// Buckets of cells, offsets to adjacent cells, and strips. That adjacent cells are found is left to
 // test_Close_pair_buckets.cpp.
 
 #include "support/unit_test.h"
@@ -11,6 +11,26 @@
 BOOST_AUTO_TEST_SUITE(Cell_table)
 
 using namespace test_support;
+
+BOOST_AUTO_TEST_CASE(each_cell_has_a_bucket)
+{
+  Random random(1);
+  for(const std::size_t side : {1, 3, 10, 1000}) {
+    std::vector<std::array<internal::Cell_number, 3>> cells(700);
+    for(auto& cell : cells)
+      for(internal::Cell_number& number : cell)
+        number = 0xfffffffe - static_cast<internal::Cell_number>(random.below(side));
+    const internal::Cell_table table(cells.size(), 3, [&](std::size_t member, int axis) {
+      return cells[member][static_cast<std::size_t>(axis)];
+    });
+    BOOST_CHECK_EQUAL(table.bucket_count(), std::set(cells.begin(), cells.end()).size());
+    for(std::size_t bucket = 0; bucket < table.bucket_count(); ++bucket)
+      for(std::size_t place = table.begin(bucket); place < table.end(bucket); ++place)
+        for(std::size_t axis = 0; axis < 3; ++axis)
+          BOOST_CHECK_EQUAL(cells[table.member(place)][axis],
+                            table.number(bucket, static_cast<int>(axis)));
+  }
+}
 
 // Of each offset and the opposite one, one is forward.
 BOOST_AUTO_TEST_CASE(half_of_the_offsets_are_forward)
