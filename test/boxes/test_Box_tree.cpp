@@ -110,19 +110,6 @@ void check_tree(const Number_boxes& boxes, std::size_t size_of_first, const std:
   }
 }
 
-BOOST_AUTO_TEST_CASE(tree_finds_the_pairs_of_structured_boxes)
-{
-  for_each_dimension([](auto dimension) {
-    for(unsigned int seed = 0; seed < 2000; ++seed) {
-      Generator random(seed);
-      const std::size_t size = random() % 60;
-      const Number_boxes boxes = structured_boxes(random, dimension, size);
-      check_tree<dimension>(boxes, random() % (size + 1),
-                            std::to_string(dimension) + "D, seed " + std::to_string(seed));
-    }
-  });
-}
-
 BOOST_AUTO_TEST_CASE(tree_finds_the_pairs_of_long_boxes)
 {
   for_each_dimension([](auto dimension) {

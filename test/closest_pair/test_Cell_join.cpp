@@ -11,7 +11,6 @@
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Cell_join.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
 
 #include <mutex>
 
@@ -134,23 +133,6 @@ BOOST_AUTO_TEST_CASE(joins_visit_pairs_at_the_distance_across_borders_of_cells)
   join_all<2>(plain_points(points), 2, 16, taker);
   for(std::size_t i = 0; i < points.size(); i += 2)
     BOOST_CHECK_EQUAL(taker.pairs.count({i, i + 1}), 1u);
-}
-
-// The lower bounds of thirds are below them.
-BOOST_AUTO_TEST_CASE(joins_visit_close_pairs_of_coordinates_that_are_no_doubles)
-{
-  using Number = CGAL::Exact_rational;
-  Plain_points<Number> points;
-  for(int i = 0; i < 300; ++i)
-    points.push_back({{Number(i) / 3, Number(i % 7) / 3}});
-  for(const double side : {2., 5.}) {
-    Set_taker taker;
-    BOOST_CHECK(join_all<2>(points, 1, side, taker) == internal::Joined::ALL);
-    for(std::size_t i = 0; i + 3 < points.size(); ++i)
-      for(std::size_t j = i + 1; j <= i + 3; ++j)
-        if(squared_distance<Number>(points[i].coordinates, points[j].coordinates) <= 1)
-          BOOST_CHECK_EQUAL(taker.pairs.count({i, j}), 1u);
-  }
 }
 
 // Each list has pairs of twins.

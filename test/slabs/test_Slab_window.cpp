@@ -114,22 +114,4 @@ void check_scenes()
 BOOST_AUTO_TEST_CASE(slabs_within_reach_are_those_of_the_list_2) { check_scenes<2>(); }
 BOOST_AUTO_TEST_CASE(slabs_within_reach_are_those_of_the_list_3) { check_scenes<3>(); }
 
-BOOST_AUTO_TEST_CASE(a_window_may_start_at_any_slab)
-{
-  const auto slabs = slabs_of<2>(uniform_points(2, 1500, 0, 1, 1), 1e-3);
-  const internal::Slab_column<Point<2>> column(slabs, 0, 1e-3, false);
-  BOOST_REQUIRE_GT(slabs.count(), 50u);
-  for(internal::Place first = 0; first <= slabs.count(); first += 7) {
-    internal::Slab_window<Point<2>> window(column, 1e-3, first, tuning_for_few_points());
-    BOOST_CHECK_GE(window.slab(), first);
-    std::size_t size = 0;
-    for(; window.front() != nullptr; window.pop())
-      size += window.front()->size();
-    std::size_t expected = 0;
-    for(internal::Place s = first; s < slabs.count(); ++s)
-      expected += slabs.size(s);
-    BOOST_CHECK_EQUAL(size, expected);
-  }
-}
-
 BOOST_AUTO_TEST_SUITE_END()
