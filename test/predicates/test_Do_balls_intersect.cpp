@@ -88,28 +88,28 @@ bool do_intersect_exactly(const Two_balls<Dimension>& balls)
   return squared_distance<Integer>(balls.first.center, balls.second.center) <= radii * radii;
 }
 
+// Centers with coordinates of up to `bits` bits, `offset` from the origin, along the first axes,
+// and equal ones along half of these. The sum of the radii is the distance times 1 + 2^-closeness,
+// up to one step, or that times 1 - 2^-closeness.
 template <std::size_t Dimension>
-void divide_among_radii(double sum, Two_balls<Dimension>& balls)
-{
-  balls.first.radius = std::floor((std::max)(sum, 0.) * 0.375);
-  balls.second.radius = (std::max)(sum, 0.) - balls.first.radius;
-}
-
-// Centers with coordinates of up to `bits` bits, and `offset` from the origin. The sum of the radii
-// is the distance times 1 + 2^-closeness, up to one step, or that times 1 - 2^-closeness.
-template <std::size_t Dimension>
-Two_balls<Dimension> near_tie(int bits, double offset, int closeness, Random& random)
+Two_balls<Dimension> near_tie(int bits, double offset, int closeness, Random& random,
+                              std::size_t dimension = Dimension)
 {
   Two_balls<Dimension> balls;
   auto& [a, b] = balls;
-  for(std::size_t i = 0; i < Dimension; ++i)
-    for(Ball<Dimension>* ball : {&a, &b})
-      ball->center[i] = offset + static_cast<double>(random.below(std::uint64_t(1) << bits));
+  const auto coordinate
+    = [&] { return offset + static_cast<double>(random.below(std::uint64_t(1) << bits)); };
+  for(std::size_t i = 0; i < dimension; ++i) {
+    a.center[i] = coordinate();
+    b.center[i] = i > 0 && random.below(2) == 0 ? a.center[i] : coordinate();
+  }
   const Integer square = squared_distance<Integer>(a.center, b.center);
-  const double distance = std::sqrt(static_cast<double>(square));
   const double sign = random.below(2) == 0 ? 1 : -1;
-  divide_among_radii(std::floor(distance * (1 + sign * std::ldexp(1., -closeness)))
-                       + static_cast<double>(random.below(2)), balls);
+  const double sum = std::floor(std::sqrt(static_cast<double>(square))
+                                * (1 + sign * std::ldexp(1., -closeness)))
+                     + static_cast<double>(random.below(2));
+  a.radius = std::floor((std::max)(sum, 0.) * 0.375);
+  b.radius = (std::max)(sum, 0.) - a.radius;
   return balls;
 }
 
@@ -183,26 +183,6 @@ BOOST_AUTO_TEST_CASE(ends_of_boxes_are_off_by_at_most_two_steps)
 
 // ---- integers -----------------------------------------------------------------------------------
 
-// Centers with coordinates of up to `bits` bits, and radii whose sum is the distance, up to one
-// step.
-Two_balls<8> nearly_touching_balls(std::size_t dimension, int bits, Random& random)
-{
-  Two_balls<8> balls;
-  std::array<double, 8>& p = balls.first.center;
-  std::array<double, 8>& q = balls.second.center;
-  const auto coordinate = [&] {
-    return static_cast<double>(random.below(std::uint64_t(1) << bits))
-           - std::ldexp(1., bits - 1);
-  };
-  for(std::size_t i = 0; i < dimension; ++i) {
-    p[i] = coordinate();
-    q[i] = i > 0 && random.below(2) == 0 ? p[i] : coordinate();
-  }
-  const Integer root = sqrt(squared_distance<Integer>(p, q));
-  divide_among_radii(static_cast<double>(root) + static_cast<double>(random.below(3)) - 1, balls);
-  return balls;
-}
-
 std::optional<bool> decide(const Two_balls<8>& balls, int dimension, int exponent)
 {
   const auto& [a, b] = balls;
@@ -232,8 +212,8 @@ BOOST_AUTO_TEST_CASE(near_ties_are_decided_in_integers_on_every_grid)
       const int dimension = 1 + static_cast<int>(random.below(8));
       const int bits = 2 + static_cast<int>(random.below(49));
       const int exponent = static_cast<int>(random.below(1900)) - 1070;
-      const Two_balls<8> balls
-        = nearly_touching_balls(static_cast<std::size_t>(dimension), bits, random);
+      const Two_balls<8> balls = near_tie<8>(bits, -std::ldexp(1., bits - 1), 60, random,
+                                             static_cast<std::size_t>(dimension));
       const bool expected = do_intersect_exactly(balls);
       const Rounding_mode guard(mode);
       const std::optional<bool> is = decide(balls, dimension, exponent);
