@@ -6,7 +6,6 @@
 
 #include "support/unit_test.h"
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Periodic_lattice_d.h>
 #include <CGAL/Simple_cartesian.h>
@@ -26,7 +25,6 @@ BOOST_AUTO_TEST_SUITE(Scene_images)
 using namespace test_support;
 
 using Plain = CGAL::Simple_cartesian<double>;
-using Lazy = CGAL::Exact_predicates_exact_constructions_kernel;
 
 // The number of homes near images, and of images, as they are counted and as they are made.
 struct Counts
@@ -113,22 +111,6 @@ BOOST_AUTO_TEST_CASE(there_are_as_many_images_anywhere)
         BOOST_CHECK_EQUAL(counts_of(far, lattice, reach, sets),
                           counts_of(points, lattice, reach, sets));
       }
-}
-
-// The doubles around the coordinates do not tell the points apart.
-BOOST_AUTO_TEST_CASE(there_are_as_many_images_of_exact_points_anywhere)
-{
-  const CGAL::Periodic_lattice_d<Lazy::Vector_3> lattice(
-    Lazy::Vector_3(1, 0, 0), Lazy::Vector_3(Lazy::FT(1) / 3, 1, 0), Lazy::Vector_3(0, 0, 1));
-  for(const double place : {0x1p40, 0x1p55, -0x1p100}) {
-    std::vector<Lazy::Point_3> points, far;
-    const Lazy::FT third = Lazy::FT(place) / 3;
-    for(const Coordinates& c : cell_points()) {
-      points.emplace_back(c[0], c[1], c[2]);
-      far.emplace_back(c[0] + third, c[1] - third, c[2] + third);
-    }
-    BOOST_CHECK_EQUAL(counts_of(far, lattice, .1), counts_of(points, lattice, .1));
-  }
 }
 
 // In a cell, or across the boundary of one.
