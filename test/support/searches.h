@@ -11,9 +11,11 @@
 #include "point_generators.h"
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/Polygon_2.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Thick_ball_traits_d.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
+#include <CGAL/interiors.h>
 #include <CGAL/thick_feature_intersection_d.h>
 #include <CGAL/thick_intersection_d.h>
 
@@ -109,6 +111,21 @@ Search search_of_features(std::size_t n)
   }};
 }
 
+template <class ConcurrencyTag>
+Search search_of_interiors(std::size_t n)
+{
+  std::vector<CGAL::Polygon_2<Searched_kernel>> triangles;
+  for(const Searched_segment& s : searched_segments(n, .05)) {
+    const Searched_kernel::Point_2 corners[]
+      = {s.source(), s.target(), {s.source().x(), s.target().y()}};
+    triangles.emplace_back(corners, corners + 3);
+  }
+  return {"interiors", [=](const On_pair& on_pair, const On_progress& on_progress) {
+    return CGAL::thick_feature_self_intersection_d<ConcurrencyTag>(
+      CGAL::interiors(triangles), on_pair, CGAL::parameters::callback(on_progress));
+  }};
+}
+
 // Of so many points or objects.
 template <class ConcurrencyTag>
 std::vector<Search> pair_searches(std::size_t n)
@@ -128,7 +145,8 @@ std::vector<Search> pair_searches(std::size_t n)
           search_by_traits<Tag>("balls", disks, of_disks),
           search_of_two<Tag>("objects of two types", segments, disks),
           search_of_two<Tag>("long objects", searched_segments(n / 30 + 1, .9), segments),
-          search_of_features<Tag>(n)};
+          search_of_features<Tag>(n),
+          search_of_interiors<Tag>(n)};
 }
 
 } // namespace test_support
