@@ -114,7 +114,8 @@ bool is_arm_before(const Arm<Segment>& a, const Arm<Segment>& b, const Object& p
 // A part of a feature at a point, by one of its pieces. If the point is on the boundaries of two
 // parts, and a vertex of one of them, each two of their segments ask about it, and one of these
 // times is enough. The segment that asks must come before others that begin there, or, if it only
-// goes through the point, before all others.
+// goes through the point, before all others. Those that begin there come first, because two that go
+// through the point on one line do not ask about it.
 struct Part_at_point
 {
   Place part;
