@@ -139,7 +139,7 @@ public:
       is_inside_ = pieces.is_inside_beside(
         point, place.part, [this](Place segment) { return does_cross(segment); },
         [this] { return is_asked_by_other_; });
-    else if(!is_vertex_at(pieces[place.segment], 1, point))
+    else
       for(int side = 0; side < 2; ++side) // a polyline goes on, and both sides are outside of it
         add_arm(pieces[place.segment], 1);
   }
