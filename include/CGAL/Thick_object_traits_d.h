@@ -21,7 +21,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -122,7 +121,8 @@ public:
     /// reach are rounded in the same way.
     bool operator()(const Object& a, const Object& b, int i) const
     {
-      return std::fabs((box(a).min)(i) - (box(b).min)(i)) <= reaches_[i];
+      const auto [low, high] = std::minmax({(box(a).min)(i), (box(b).min)(i)});
+      return high - low <= reaches_[i];
     }
 
   private:

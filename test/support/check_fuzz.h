@@ -307,7 +307,6 @@ private:
   {
     if constexpr((parts & ROUTES) != 0)
       if(const std::int64_t route = draw_.below(4); route < 2) {
-        const Rounding_mode rounding(FE_TONEAREST); // the recursive route has no other
         const CGAL::Thick_object_traits_d<Object> traits(objects);
         return reported([&](auto collect) {
           if(route == 0)
