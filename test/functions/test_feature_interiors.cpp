@@ -4,8 +4,10 @@
 // Which interiors of polygons overlap, and which closed features are inside of polygons.
 
 #include "support/check_interiors.h"
+#include "support/seeds.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <list>
 #include <utility>
 #include <vector>
@@ -64,6 +66,18 @@ BOOST_AUTO_TEST_CASE(interiors_on_small_lattices)
 {
   check_interior_scenes<Epick>(100, 150, 8, {Scale::ONE});
   check_interior_scenes<Epick>(900, 6, 60, {Scale::ONE});
+}
+
+BOOST_AUTO_TEST_CASE(random_interiors)
+{
+  check_seeds(60, [](std::uint64_t seed) {
+    const Interior_scene scene = interior_scene(seed, 20, 2 + static_cast<std::int64_t>(seed % 9));
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      check_interiors<CGAL::Sequential_tag, Epick>(scene, Scale::ONE);
+      check_interiors<CGAL::Parallel_tag, Epick>(scene, Scale::HUGE_POWER);
+    }
+  });
 }
 
 BOOST_AUTO_TEST_CASE(polygons_that_share_borders_do_not_overlap)

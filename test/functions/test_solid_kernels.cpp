@@ -5,6 +5,7 @@
 // vertices: which ones intersect, and which ones are within a distance.
 
 #include "support/check_solids.h"
+#include "support/seeds.h"
 
 using namespace test_support;
 
@@ -18,6 +19,18 @@ BOOST_AUTO_TEST_CASE(solids_of_doubles)
     scenes, {{}, {Scale::ONE, 1, 0x1p-52}, {Scale::ONE, 0x1p+52, 1}, {Scale::HUGE_POWER},
              {Scale::DENORMAL}});
   check_solids<Solids_and_polylines, Double_kernel, Float_kernel>(solid_scenes(10), {{}});
+}
+
+BOOST_AUTO_TEST_CASE(random_solids)
+{
+  check_seeds(20, [](std::uint64_t seed) {
+    const Solid_scene scene = seed % 2 == 0 ? random_solid_scene(seed, 12, 4, 4)
+                                            : random_solid_scene(seed, 20, 12, 8);
+    const Pairs expected = pairs_of_solids(scene.solids);
+    for(const Placement& placement : {Placement{Scale::ONE, 1, 0x1p-52}, {Scale::ONE, 0x1p+52, 1}})
+      BOOST_TEST_CONTEXT("seed " << seed)
+        check_solids_on_kernel<Solids_and_polylines<Epick>, Epick>(scene, expected, placement);
+  });
 }
 
 BOOST_AUTO_TEST_CASE(solids_of_exact_numbers)
