@@ -35,12 +35,14 @@ public:
   /// returns the end of the range.
   auto end() const { return std::end(held_.range); }
 
+#ifndef DOXYGEN_RUNNING
 private:
   struct Held
   {
     Range range; // may be a reference, which cannot be mutable itself
   };
   mutable Held held_; // some views of C++20 can only be read if they are not const
+#endif
 };
 
 /*!
