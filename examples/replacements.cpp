@@ -7,10 +7,14 @@
 // The headers of CGAL that are replaced are under the GPL.
 
 #include <CGAL/AABB_tree.h>
+#include <CGAL/Boolean_set_operations_2.h>
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Fuzzy_sphere.h>
 #include <CGAL/Kd_tree.h>
+#include <CGAL/Polygon_2.h>
+#include <CGAL/Polygon_mesh_processing/intersection.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Random.h>
 #include <CGAL/Search_traits_3.h>
@@ -18,7 +22,9 @@
 #include <CGAL/boost/graph/generators.h>
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
+#include <CGAL/interiors.h>
 #include <CGAL/thick_box_intersection_d.h>
+#include <CGAL/thick_feature_intersection_d.h>
 #include <CGAL/thick_intersection_d.h>
 #include <CGAL/thick_mesh_self_intersections.h>
 
@@ -227,6 +233,85 @@ void compare_mesh(const Mesh& mesh)
   std::cout << "mesh: " << theirs.size() << ' ' << ours.size() << '\n';
 }
 
+void compare_solids(const std::vector<Mesh>& meshes)
+{
+  using Position_pairs = std::vector<std::pair<std::size_t, std::size_t>>;
+  Position_pairs theirs, ours;
+  {
+    Position_pairs& pairs = theirs;
+    //! [solids before]
+    CGAL::Polygon_mesh_processing::intersecting_meshes(
+      meshes, std::back_inserter(pairs),
+      CGAL::parameters::do_overlap_test_of_bounded_sides(true));
+    //! [solids before]
+  }
+  {
+    Position_pairs& pairs = ours;
+    //! [solids after]
+    CGAL::thick_feature_self_intersection_d(meshes, std::back_inserter(pairs));
+    //! [solids after]
+  }
+  std::cout << "solids: " << theirs.size() << ' ' << ours.size() << '\n';
+}
+
+using Polygon = CGAL::Polygon_2<CGAL::Exact_predicates_exact_constructions_kernel>;
+
+void compare_polygons(const std::vector<Polygon>& polygons)
+{
+  std::size_t theirs = 0, ours = 0;
+  {
+    std::size_t& count = theirs;
+    //! [polygons before]
+    using Polygon_box = CGAL::Box_intersection_d::Box_with_info_d<double, 2, const Polygon*>;
+    std::vector<Polygon_box> boxes;
+    for(const Polygon& polygon : polygons)
+      boxes.emplace_back(polygon.bbox(), &polygon);
+    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(),
+                                  [&](const Polygon_box& a, const Polygon_box& b) {
+                                    if(CGAL::do_intersect(*a.info(), *b.info()))
+                                      ++count;
+                                  });
+    //! [polygons before]
+  }
+  {
+    std::size_t& count = ours;
+    //! [polygons after]
+    CGAL::thick_feature_self_intersection_d(CGAL::interiors(polygons),
+                                            [&](std::size_t, std::size_t) { ++count; });
+    //! [polygons after]
+  }
+  std::cout << "polygons: " << theirs << ' ' << ours << '\n';
+}
+
+// Tetrahedra of different sizes, of which some are inside others.
+std::vector<Mesh> make_solids(const std::vector<Point>& points)
+{
+  std::vector<Mesh> meshes(points.size() / 4);
+  for(std::size_t i = 0; i < meshes.size(); ++i) {
+    const double size = i % 5 == 0 ? 0.8 : 0.1;
+    const Point* const p = &points[4 * i];
+    const auto corner = [&](int k) { return p[0] + size * (p[k] - p[0]); };
+    CGAL::make_tetrahedron(p[0], corner(1), corner(2), corner(3), meshes[i]);
+  }
+  return meshes;
+}
+
+// Parcels of a street that share their borders, and a road that overlaps them all.
+std::vector<Polygon> make_polygons()
+{
+  const auto rectangle = [](int x0, int y0, int x1, int y1) {
+    Polygon polygon;
+    for(const auto& [x, y] : {std::pair(x0, y0), {x1, y0}, {x1, y1}, {x0, y1}})
+      polygon.push_back(Polygon::Point_2(x, y));
+    return polygon;
+  };
+  std::vector<Polygon> polygons = {rectangle(0, 8, 200, 12)};
+  for(int i = 0; i < 20; ++i)
+    for(int y : {0, 10})
+      polygons.push_back(rectangle(10 * i, y, 10 * (i + 1), y + 10));
+  return polygons;
+}
+
 int main()
 {
   const std::vector<Point> points = make_points();
@@ -245,4 +330,6 @@ int main()
   for(const Mesh::Vertex_index v : mesh.vertices())
     mesh.point(v) = points[v];
   compare_mesh(mesh);
+  compare_solids(make_solids(points));
+  compare_polygons(make_polygons());
 }
