@@ -42,7 +42,8 @@ bool has_features(const std::string& file, const Read_options& options)
 {
   const std::initializer_list<const char*> formats
     = {"wkt", "geojson", "json", "geojsonl", "geojsons", "ndjson"};
-  return std::find(formats.begin(), formats.end(), format_of(file, options)) != formats.end();
+  return options.solids
+         || std::find(formats.begin(), formats.end(), format_of(file, options)) != formats.end();
 }
 
 std::vector<Feature> read_features(const Input& input, const Read_options& options)
@@ -54,6 +55,8 @@ std::vector<Feature> read_features(const Input& input, const Read_options& optio
   refuse_options_for_tables(input, for_tables);
   if(options.skip_missing)
     throw Error(input.name(), "--skip-missing is for points: features may be empty");
+  if(options.solids)
+    return read_solids(input, options);
   return format_of(input.name(), options) == "wkt" ? read_wkt(input)
                                                    : read_geojson(input, options);
 }

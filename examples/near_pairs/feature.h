@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Features of geographic files, checked: points, lines and polygons in the plane, with what the
-// file tells of them.
+// Features of files, checked, with what the file tells of them: points, lines and polygons in the
+// plane, or solids in space.
 
 #ifndef NEAR_PAIRS_FEATURE_H
 #define NEAR_PAIRS_FEATURE_H
@@ -20,16 +20,27 @@ namespace near_pairs {
 using Vertex = std::array<double, 2>;
 using Vertices = std::vector<Vertex>;
 
-// All parts together are one feature, which may have none.
+// Triangles in space, by the positions of their corners.
+struct Mesh
+{
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<std::size_t, 3>> triangles;
+  bool is_closed = false;     // each edge is one of an even number of triangles
+  std::size_t bent_faces = 0; // of the file, whose corners are in no plane
+};
+
+// All parts together are one feature, which may have none. Solids have a mesh, and features in the
+// plane have none.
 struct Feature
 {
   std::vector<Vertices> lines;                 // a point is a line of one vertex
   std::vector<std::vector<Vertices>> polygons; // rings, the outer one first; none is closed
+  Mesh mesh;
   std::string id;
   std::string properties; // as an object of JSON, or empty
 };
 
-// Whether the file has features: WKT or GeoJSON.
+// Whether the file has features: WKT, GeoJSON, or solids.
 bool has_features(const std::string& file, const Read_options& options);
 
 // Reads the features of such a file, or the points of any other one. Throws Error, with the line or
@@ -37,9 +48,10 @@ bool has_features(const std::string& file, const Read_options& options);
 std::vector<Feature> read_features(const Input& input, const Read_options& options);
 
 // Readers of one format. A geometry of WKT is a feature, and begins on a line of its own; a line
-// that begins with # is a comment.
+// that begins with # is a comment. Solids are those that a mesh names, or one without an id.
 std::vector<Feature> read_wkt(const Input& input);
 std::vector<Feature> read_geojson(const Input& input, const Read_options& options);
+std::vector<Feature> read_solids(const Input& input, const Read_options& options);
 
 // Add a part to a feature, which has no such part if there are no vertices. They return what is
 // wrong with the part, or an empty text. The rings of a file end where they begin.

@@ -10,6 +10,7 @@
 #include "feature_picture.h"
 #include "outputs.h"
 #include "row_reader.h"
+#include "solid_picture.h"
 #include "standard_streams.h"
 #include "summary.h"
 #include "text.h"
@@ -26,7 +27,7 @@ namespace {
 
 using Files = std::vector<std::vector<Feature>>;
 
-// Features are in the plane, and have doubles as coordinates.
+// Features have doubles as coordinates.
 void refuse_options_for_points(const Options& options)
 {
   const std::pair<const char*, bool> for_points[]
@@ -35,11 +36,13 @@ void refuse_options_for_points(const Options& options)
        {"memory", options.memory != 0}, {"points", !options.points.empty()},
        {"coordinates", options.coordinates}, {"components", options.components},
        {"explain", options.explain}, {"dimension 3", options.dimension == 3},
+       {"dimension 2", options.dimension == 2 && options.solids},
        {"periodic", options.is_periodic}};
   for(const auto& [name, is_given] : for_points)
     if(is_given)
-      throw Error(std::string("--") + name + " is for points, and a file of WKT or GeoJSON has "
-                  "features");
+      throw Error(std::string("--") + name + " is for points, and "
+                  + (options.solids ? "--solids has none"
+                                    : "a file of WKT or GeoJSON has features"));
   if(extension(options.pairs) == ".geojson")
     throw Error("--pairs: pairs of features are a table, so name it .csv");
 }
@@ -116,20 +119,82 @@ void print_summary(std::ostream& out, const Files& files,
                    const std::vector<std::string>& guessed, const Options& options,
                    const In_pairs& in_pairs, std::size_t pairs, double seconds)
 {
-  print_name(out, "features")
+  const char* const name = options.solids ? "solids" : "features";
+  print_name(out, name)
     << of_each_file(files, [&](std::size_t file) { return files[file].size(); }) << '\n';
+  const auto count_closed = [&](std::size_t file) {
+    return std::count_if(files[file].begin(), files[file].end(),
+                         [](const Feature& solid) { return solid.mesh.is_closed; });
+  };
+  if(options.solids)
+    print_name(out, "closed") << of_each_file(files, count_closed)
+                              << " of the solids, which are filled\n";
   print_guessed(out, guessed);
   print_name(out, "pairs") << pairs << '\n';
   const auto count_in_pairs = [&](std::size_t file) {
     return std::count(in_pairs()[file].begin(), in_pairs()[file].end(), true);
   };
-  print_name(out, "in pairs") << of_each_file(files, count_in_pairs) << " of the features\n";
+  print_name(out, "in pairs") << of_each_file(files, count_in_pairs) << " of the " << name << '\n';
   if(options.overlap)
     print_name(out, "relation") << "overlap\n";
   else
     print_name(out, "distance") << distance_in_words(options, "") << '\n';
   print_kernel(out, options);
   print_costs(out, seconds, ", with its outputs");
+}
+
+// Solids of one file or of many are one set, and those of two files are two. What a solid is called
+// by depends on how many there are.
+void add_solids(Files& sets, std::vector<Feature> solids, const std::string& file,
+                std::size_t files)
+{
+  if(sets.empty() || files == 2)
+    sets.emplace_back();
+  for(Feature& solid : solids) {
+    if(solids.size() == 1)
+      solid.id = file;
+    else if(files > 1)
+      solid.id = file + ':' + solid.id;
+    sets.back().push_back(std::move(solid));
+  }
+}
+
+// The columns of tables that were guessed are told by `guessed`.
+Files read_files(const Options& options, std::vector<std::string>& guessed)
+{
+  Files files;
+  for(std::size_t file = 0; file < options.files.size(); ++file) {
+    const Input input(options.files[file], options.progress);
+    const Read_options& reading = options.readings[file];
+    std::vector<Feature> features = read_features(input, reading);
+    if(options.solids)
+      add_solids(files, std::move(features), input.name(), options.files.size());
+    else
+      files.push_back(std::move(features));
+    if(!has_features(input.name(), reading))
+      guessed.push_back(guessed_columns(*open_rows(input, reading)));
+  }
+  return files;
+}
+
+// Tells of solids that may be other ones than the user believes.
+void print_hints(const Files& files)
+{
+  const auto print = [&](auto is_meant, const std::string& what) {
+    std::size_t count = 0;
+    const Feature* first = nullptr;
+    for(const std::vector<Feature>& solids : files)
+      for(const Feature& solid : solids)
+        if(is_meant(solid.mesh) && ++count == 1)
+          first = &solid;
+    if(count != 0)
+      std::cerr << "near_pairs: hint: " << plural(count, "solid") << what << "; the first is "
+                << one_line(first->id) << '\n';
+  };
+  print([](const Mesh& mesh) { return !mesh.is_closed; },
+        " with open edges: faces alone, and nothing inside");
+  print([](const Mesh& mesh) { return mesh.bent_faces != 0; },
+        " with faces whose corners are in no plane, which were cut into triangles");
 }
 
 } // namespace
@@ -145,15 +210,8 @@ bool have_features(const Options& options)
 void run_features(const Options& options)
 {
   refuse_options_for_points(options);
-  Files files;
   std::vector<std::string> guessed;
-  for(std::size_t file = 0; file < options.files.size(); ++file) {
-    const Input input(options.files[file], options.progress);
-    const Read_options& reading = options.readings[file];
-    files.push_back(read_features(input, reading));
-    if(!has_features(input.name(), reading))
-      guessed.push_back(guessed_columns(*open_rows(input, reading)));
-  }
+  const Files files = read_files(options, guessed);
   catch_signals();
   const std::unique_ptr<Output_file> table_file = open_output(options.pairs, options.files);
   const std::unique_ptr<Output_file> picture_file = open_output(options.picture, options.files);
@@ -173,13 +231,16 @@ void run_features(const Options& options)
   });
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   if(picture_file)
-    draw_features(picture_file->stream(), files, in_pairs(), options, pairs);
+    (options.solids ? draw_solids : draw_features)(picture_file->stream(), files, in_pairs(),
+                                                   options, pairs);
   for(Output_file* file : {picture_file.get(), table_file.get()})
     if(file)
       file->commit();
   std::ostream& out = options.pairs == "-" || options.picture == "-" ? std::cerr : std::cout;
   print_summary(out, files, guessed, options, in_pairs, pairs, seconds.count());
   finish(out, "the summary");
+  if(options.solids)
+    print_hints(files);
   if(has_lost_ties(files, options, pairs))
     std::cerr << "near_pairs: hint: pairs beyond the distance may be at it but for rounding of "
                  "decimals to doubles; a distance that is a little longer finds them\n";

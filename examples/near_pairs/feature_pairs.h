@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 // The search for pairs of features that are within a distance of each other, or that intersect, or
-// for pairs of polygons that overlap.
+// for pairs of polygons that overlap. Solids are features in space.
 
 #ifndef NEAR_PAIRS_FEATURE_PAIRS_H
 #define NEAR_PAIRS_FEATURE_PAIRS_H
@@ -29,7 +29,7 @@ void search_features(const std::vector<std::vector<Feature>>& files, const Optio
 bool has_lost_ties(const std::vector<std::vector<Feature>>& files, const Options& options,
                    std::size_t pairs);
 
-// Whether one of the files has features.
+// Whether one of the files has features, or solids.
 bool have_features(const Options& options);
 
 // Reads, searches, writes the pairs and the picture if they are wanted, and prints the summary.

@@ -114,10 +114,16 @@ void Off_reader::read_faces()
   const std::size_t faces = std::exchange(faces_, 0);
   for(std::size_t face = 0; face < faces; ++face) {
     numbers_.begin("face", face, faces);
-    for(std::size_t corner = take_count(); corner > 0; --corner)
-      if(take_count() >= vertices_)
+    Face in_hand;
+    for(std::size_t corner = take_count(); corner > 0; --corner) {
+      in_hand.corners.push_back(take_count());
+      if(in_hand.corners.back() >= vertices_)
         throw numbers_.wrong("a face has a corner that is no vertex (they count from 0)");
+    }
+    in_hand.line = numbers_.are_binary() ? 0 : numbers_.line();
     read_color();
+    if(take_face)
+      take_face(in_hand);
   }
   numbers_.expect_end();
 }

@@ -1,20 +1,20 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The vertices of a mesh in the format OFF of Geomview, as text or in binary.
+// Meshes in the format OFF of Geomview, as text or in binary: vertices and faces.
 
 #ifndef NEAR_PAIRS_OFF_READER_H
 #define NEAR_PAIRS_OFF_READER_H
 
+#include "mesh_reader.h"
 #include "numbers.h"
-#include "row_reader.h"
 
 namespace near_pairs {
 
 // Numbers may stand on any lines, apart from two places where the format looks at line ends: behind
 // the counts, and at the colors of faces. Faces are read so that nothing is left over: a file with
 // more numbers than its head promises has vertices in other places.
-class Off_reader : public Row_reader
+class Off_reader : public Mesh_reader
 {
 public:
   Off_reader(const Input& input, const Read_options& options);

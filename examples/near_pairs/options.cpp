@@ -54,6 +54,8 @@ void add_scene_options(po::options_description& all, Options& options)
      "the closest pair and its exact squared distance")
     ("overlap", po::bool_switch(&options.overlap),
      "polygons with a common point inside, not on borders")
+    ("solids", po::bool_switch(&options.solids),
+     "solids in any number of .obj, .off, .ply, .stl files")
     ("periodic", po::value<std::string>()->value_name("A,B[,C]"),
      "in a box of these sides, which repeats (3)");
   all.add(scene);
@@ -64,7 +66,7 @@ void add_reading_options(po::options_description& all, Options& options)
   po::options_description points = group("How a file is read");
   points.add_options()
     ("format", po::value<std::string>(&options.format)->value_name("NAME"),
-     "csv xyz off ply obj pdb cif tsp bin wkt geojson")
+     "csv xyz off ply obj pdb cif tsp bin wkt geojson stl")
     ("separator", po::value<std::string>()->value_name("CHAR"),
      "of a table; also tab, blanks (default: found)")
     ("no-header", po::bool_switch(&options.no_header), "the first row of a table is a point")
@@ -135,9 +137,9 @@ void read_files(const po::variables_map& map, Options& options)
 {
   if(map.count("file"))
     options.files = map["file"].as<std::vector<std::string>>();
-  if(options.files.empty() || options.files.size() > 2)
+  if(options.files.empty() || (options.files.size() > 2 && !options.solids))
     throw Error("give one or two input files (--help lists the options)");
-  if(options.files == std::vector<std::string>{"-", "-"})
+  if(std::count(options.files.begin(), options.files.end(), "-") > 1)
     throw Error("the standard input can be read only once");
 }
 
@@ -238,6 +240,14 @@ std::size_t frame_for_file(const po::variables_map& map, const Options& options,
   return *number;
 }
 
+// Meshes are no tables, and have one frame.
+void check_solids(const po::variables_map& map, const Options& options)
+{
+  for(const char* option : {"columns", "id", "frame"})
+    if(map.count(option) && options.solids)
+      throw Error(std::string("--") + option + " is for points, and --solids has none");
+}
+
 // The options of tables are for the tables among the files. If there is none, the readers refuse
 // them.
 void read_readings(const po::variables_map& map, Options& options)
@@ -268,7 +278,7 @@ void read_readings(const po::variables_map& map, Options& options)
 void check_overlap(const Options& options)
 {
   for(const std::string& file : options.files)
-    if(options.overlap && !has_features(file, options))
+    if(options.overlap && (options.solids || !has_features(file, options)))
       throw Error("--overlap is for the polygons of WKT and GeoJSON, and not for " + file);
 }
 
@@ -426,6 +436,7 @@ Options parse_and_check(int argc, const char* const* argv)
   read_outputs(map, options);
   read_periodic(map, options);
   read_memory(map, options);
+  check_solids(map, options);
   read_readings(map, options);
   check_overlap(options);
   return options;
@@ -446,8 +457,7 @@ Options parse_options(int argc, const char* const* argv)
 std::string help_text()
 {
   const char* const notes
-    = "\n(1) Given twice, it is for the first file and for the second one.\n"
-      "(2) 0.1 is a tenth, not the double beside it: no tie is lost, and often faster.\n"
+    = "\n(1) Once, or once for each file. (2) 0.1 is a tenth, not the double beside it.\n"
       "(3) Or vectors of four or nine numbers; or file: the cell of .xyz, .pdb or .cif\n";
   Options ignored;
   po::options_description visible(columns, columns_of_descriptions);
@@ -460,7 +470,7 @@ std::string help_text()
           "FILE is a table (.csv), .xyz, .off, .ply, .obj, .pdb, .cif, .tsp, also .gz or -,\n"
           "or three doubles per point, least byte first (.bin). Points, lines and polygons\n"
           "of .wkt and .geojson are near if some of their points are: --distance 0 to meet.\n"
-       << visible << notes << "\nExit status: 0, or 2 with one line on the standard error.\n";
+       << visible << notes << "Exit status: 0, or 2 with one line on the standard error.\n";
   return text.str();
 }
 

@@ -43,13 +43,15 @@ Ply_reader::Ply_reader(const Input& input, const Read_options& options)
   if(std::count_if(elements_.begin(), elements_.end(), has_vertices) > 1)
     throw Error(file_, "the header has several elements of vertices");
   choose_coordinates(options.dimension);
-  for(std::size_t element = 0; element < vertices_; ++element)
-    skip_items(elements_[element]);
+  if(options.solids)
+    choose_corners();
 }
 
 bool Ply_reader::next(Row& row)
 {
   const Ply_element& vertices = elements_[vertices_];
+  for(; before_ < vertices_; ++before_)
+    skip_items(elements_[before_]);
   if(count_ == vertices.count) {
     for(std::size_t element = vertices_ + 1; element < elements_.size(); ++element)
       skip_items(elements_[element]);
@@ -143,6 +145,19 @@ void Ply_reader::choose_coordinates(int wanted)
   }
 }
 
+void Ply_reader::choose_corners()
+{
+  for(Ply_element& element : elements_) {
+    if(element.name == "tristrips" && element.count != 0)
+      throw Error(file_, "strips of triangles are not read; save single faces");
+    for(Ply_property& property : element.properties)
+      property.has_corners
+        = element.name == "face" && property.count_type
+          && property.type.kind != Number_type::FLOATING
+          && (property.name == "vertex_indices" || property.name == "vertex_index");
+  }
+}
+
 // Every item has a number, so that the time depends on the size of the file.
 void Ply_reader::skip_items(const Ply_element& element)
 {
@@ -157,11 +172,24 @@ void Ply_reader::read_item(const Ply_element& element, Row* row)
 {
   for(const Ply_property& property : element.properties) {
     numbers_.take(property.count_type.value_or(property.type));
-    if(property.count_type)
+    if(property.has_corners)
+      read_face(property);
+    else if(property.count_type)
       numbers_.skip(numbers_.count(), property.type);
     else if(row != nullptr && property.axis >= 0)
       row->coordinates[property.axis] = numbers_.coordinate();
   }
+}
+
+void Ply_reader::read_face(const Ply_property& property)
+{
+  Face face;
+  for(std::size_t corner = numbers_.count(); corner > 0; --corner) {
+    numbers_.take(property.type);
+    face.corners.push_back(numbers_.count());
+  }
+  face.line = numbers_.are_binary() ? 0 : numbers_.line();
+  take_face(face);
 }
 
 } // namespace near_pairs

@@ -15,6 +15,7 @@ namespace near_pairs {
 struct Read_options
 {
   int dimension = 0; // 0: what the file has
+  bool solids = false; // meshes, whose faces are wanted
   bool geographic = false;
   std::string format;             // the extension it goes by; empty: that of the file
   char separator = 0;             // of a table; 0: to be found, ' ': any number of blanks and tabs

@@ -9,10 +9,8 @@
 #include "csv_reader.h"
 #include "decimal.h"
 #include "error.h"
-#include "obj_reader.h"
-#include "off_reader.h"
+#include "mesh_reader.h"
 #include "pdb_reader.h"
-#include "ply_reader.h"
 #include "present_rows.h"
 #include "text.h"
 #include "tsp_reader.h"
@@ -57,7 +55,8 @@ std::string option_for_tables(const Read_options& options)
          : options.separator != 0 ? "--separator" : "";
 }
 
-// Returns nothing if the format is unknown.
+// Returns nothing if the format is unknown. The vertices of .stl files are no list of points, since
+// each triangle repeats its own.
 std::unique_ptr<Row_reader> reader_of(const std::string& format, const Input& input,
                                       const Read_options& options)
 {
@@ -65,17 +64,13 @@ std::unique_ptr<Row_reader> reader_of(const std::string& format, const Input& in
     return std::make_unique<Xyz_reader>(input, options);
   if(format == "tsp")
     return std::make_unique<Tsp_reader>(input, options);
-  if(format == "off")
-    return std::make_unique<Off_reader>(input, options);
-  if(format == "ply")
-    return std::make_unique<Ply_reader>(input, options);
-  if(format == "obj")
-    return std::make_unique<Obj_reader>(input, options);
   if(format == "pdb" || format == "ent")
     return std::make_unique<Pdb_reader>(input, options);
   if(is_cif(format))
     return std::make_unique<Cif_reader>(input, options);
-  return nullptr;
+  if(format != "stl")
+    return make_mesh_reader(format, input, options);
+  throw Error(input.name(), "has triangles alone, which --solids reads");
 }
 
 // What to do with files that other programs read: Debian 12 has no library for LAS and LAZ.

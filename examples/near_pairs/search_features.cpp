@@ -8,6 +8,8 @@
 #include "bound.h"
 #include "decimal.h"
 #include "error.h"
+#include "locked_functor.h"
+#include "search_solids.h"
 #include "stop.h"
 #include "text.h"
 
@@ -21,8 +23,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
-#include <mutex>
 #include <string>
 #include <utility>
 #include <variant>
@@ -92,26 +92,6 @@ std::vector<std::vector<Polygon>> polygons_of(const std::vector<Feature>& featur
   return all;
 }
 
-// Receives each pair, and returns whether the search is to go on.
-using Pair_functor = std::function<bool(std::size_t, std::size_t)>;
-
-// Calls a functor, which several threads may do at once.
-class Locked_functor
-{
-public:
-  explicit Locked_functor(const Pair_functor& functor) : functor_(functor) {}
-
-  bool operator()(std::size_t i, std::size_t j)
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return functor_(i, j);
-  }
-
-private:
-  const Pair_functor& functor_;
-  std::mutex mutex_;
-};
-
 template <class ConcurrencyTag>
 bool report_pairs_by(const std::vector<std::vector<Feature>>& files, const Exact_bound& bound,
                      const Pair_functor& functor)
@@ -152,6 +132,8 @@ bool report_overlaps(const std::vector<std::vector<Feature>>& files, const Optio
 bool report_pairs(const std::vector<std::vector<Feature>>& files, const Exact_bound& bound,
                   const Options& options, const Pair_functor& functor)
 {
+  if(options.solids)
+    return report_solid_pairs(files, bound, options.parallel, functor);
 #ifdef CGAL_LINKED_WITH_TBB
   if(options.parallel)
     return report_pairs_by<CGAL::Parallel_tag>(files, bound, functor);
@@ -164,8 +146,8 @@ double rounding_in(const std::vector<std::vector<Feature>>& files)
 {
   double largest = 0;
   bool has_rounded = false;
-  const auto look_at = [&](const Vertices& vertices) {
-    for(const Vertex& vertex : vertices)
+  const auto look_at = [&](const auto& vertices) {
+    for(const auto& vertex : vertices)
       for(double coordinate : vertex) {
         largest = std::max(largest, std::abs(coordinate));
         has_rounded = has_rounded || is_rounded(*parse_decimal(shortest_text(coordinate)));
@@ -176,6 +158,7 @@ double rounding_in(const std::vector<std::vector<Feature>>& files)
       std::for_each(feature.lines.begin(), feature.lines.end(), look_at);
       for(const std::vector<Vertices>& rings : feature.polygons)
         std::for_each(rings.begin(), rings.end(), look_at);
+      look_at(feature.mesh.points);
     }
   return has_rounded ? rounding_of(largest) : 0;
 }

@@ -16,6 +16,7 @@
 #include <fstream>
 #include <random>
 #include <string>
+#include <vector>
 
 extern const char* const fuzz_format; // the extension of the file, in fuzz_format.cpp
 
@@ -61,12 +62,24 @@ void check(const near_pairs::Scene& scene, std::size_t most_points)
                       [](double coordinate) { return std::isfinite(coordinate); }));
 }
 
+void check(const std::vector<near_pairs::Feature>& features)
+{
+  for(const near_pairs::Feature& feature : features) {
+    for(const auto& triangle : feature.mesh.triangles)
+      for(std::size_t corner : triangle)
+        require(corner < feature.mesh.points.size());
+    for(const auto& point : feature.mesh.points)
+      for(double coordinate : point)
+        require(std::isfinite(coordinate));
+  }
+}
+
 void read(near_pairs::Options options, std::size_t most_points)
 {
   options.readings.assign(1, options);
   try {
     if(near_pairs::has_features(options.files.front(), options))
-      near_pairs::read_features(near_pairs::Input(options.files.front()), options);
+      check(near_pairs::read_features(near_pairs::Input(options.files.front()), options));
     else
       check(near_pairs::read_scene(options), most_points);
   }
@@ -86,6 +99,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   options.files = {file.path()};
   options.closest = true; // so that ids are kept
   read(options, most_points);
+  options.solids = true;
+  read(options, most_points);
+  options.solids = false;
   options.is_periodic = true; // with the cell that the file tells
   read(options, most_points);
   options.is_periodic = false;
