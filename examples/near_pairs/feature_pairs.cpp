@@ -177,6 +177,25 @@ Files read_files(const Options& options, std::vector<std::string>& guessed)
   return files;
 }
 
+// Searches, and writes the pairs into the table if there is one. Returns how many there are.
+std::size_t write_pairs(const Files& files, const Options& options, Output_file* table_file,
+                        In_pairs& in_pairs)
+{
+  std::optional<Feature_pair_table> table;
+  if(table_file)
+    table.emplace(table_file->stream(), files);
+  std::size_t pairs = 0;
+  search_features(files, options, [&](std::size_t i, std::size_t j) {
+    ++pairs;
+    in_pairs.add(i, j);
+    if(table) {
+      table->add(i, j);
+      table_file->check(); // a full disk ends the search
+    }
+  });
+  return pairs;
+}
+
 // Tells of solids that may be other ones than the user believes.
 void print_hints(const Files& files)
 {
@@ -215,20 +234,9 @@ void run_features(const Options& options)
   catch_signals();
   const std::unique_ptr<Output_file> table_file = open_output(options.pairs, options.files);
   const std::unique_ptr<Output_file> picture_file = open_output(options.picture, options.files);
-  std::optional<Feature_pair_table> table;
-  if(table_file)
-    table.emplace(table_file->stream(), files);
   In_pairs in_pairs(files);
-  std::size_t pairs = 0;
   const auto start = std::chrono::steady_clock::now();
-  search_features(files, options, [&](std::size_t i, std::size_t j) {
-    ++pairs;
-    in_pairs.add(i, j);
-    if(table) {
-      table->add(i, j);
-      table_file->check(); // a full disk ends the search
-    }
-  });
+  const std::size_t pairs = write_pairs(files, options, table_file.get(), in_pairs);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   if(picture_file)
     (options.solids ? draw_solids : draw_features)(picture_file->stream(), files, in_pairs(),
