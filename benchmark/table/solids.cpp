@@ -52,10 +52,11 @@ void print_times(const Solid_scene& scene, int rounds)
 void print_table(const Settings& settings)
 {
   const bool is_quick = settings.is_quick;
+  const int rounds = is_quick ? 1 : 3;
   print_head({"scene", "method", ">meshes", ">faces", ">pairs", ">ms", ">time / ours", ">target",
               ">verdict"});
-  print_times(machine_parts(is_quick ? 300 : 10000), is_quick ? 1 : 3);
-  print_times(building(is_quick ? 300 : 20000), is_quick ? 1 : 3);
+  print_times(machine_parts(is_quick ? 300 : 10000), rounds);
+  print_times(building(is_quick ? 300 : 20000), rounds);
 }
 
 } // namespace thick_benchmark

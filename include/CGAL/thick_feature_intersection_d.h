@@ -5,8 +5,8 @@
 #ifndef CGAL_THICK_FEATURE_INTERSECTION_D_H
 #define CGAL_THICK_FEATURE_INTERSECTION_D_H
 
-// All pairs of polylines and polygons that intersect, or are within a distance, in one range or
-// between two ranges.
+// All pairs of polylines, polygons and triangle meshes that intersect, or are within a distance, in
+// one range or between two ranges.
 
 #include <CGAL/Distance_bound.h>
 #include <CGAL/Element_callback.h>
@@ -14,8 +14,8 @@
 #include <CGAL/interiors.h>
 #include <CGAL/tags.h>
 
-#include <CGAL/Thick_intersection_d/internal/features/Feature_boundaries.h>
 #include <CGAL/Thick_intersection_d/internal/features/feature_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/features/piece_tests.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 
 namespace CGAL {
@@ -24,7 +24,7 @@ namespace CGAL {
 \ingroup PkgThickIntersectionDRef
 
 reports all pairs of features of a range that intersect, each exactly once, however many of their
-segments meet.
+segments or faces meet.
 
 A feature is one of these, with points of one type, `Point_2` or `Point_3` of any kernel:
 
@@ -36,6 +36,17 @@ A feature is one of these, with points of one type, `Point_2` or `Point_3` of an
   segment.
 - A *polygon with holes*, `Polygon_with_holes_2`. Holes are open: their edges belong to the polygon.
   Holes lie in the outer boundary, and not in other holes. They may touch these.
+- A *triangle mesh* in space: a model of `FaceListGraph` with points, such as `Surface_mesh` or
+  `Polyhedron_3`, or a class that derives from one of these. It has the points of its faces. If it
+  is closed, it is a *solid*, and has besides all points from which a ray crosses its faces an odd
+  number of times. So the orientation of faces does not matter, shells in shells are hollows, and a
+  mesh that intersects itself is as well defined as others. A mesh is closed if each edge, as the
+  pair of the points at its ends, belongs to an even number of its faces, so it need not be a
+  manifold, and faces that are not stitched together are connected by equal points. Faces may be
+  degenerate: an edge of length zero does not count.
+- A *triangle soup*: a `std::pair` of a range of `Point_3` and of a range of triples of indices of
+  these points, such as `std::vector<std::array<std::size_t, 3>>`. It is taken as a mesh, and may
+  repeat points.
 - A *thickened* feature: a `std::pair` of a feature and a radius. It is all points within the radius
   of the feature, as roads and cables are. Radii are numbers of one type, not negative, and of an
   integer type only if the coordinates are, because an integer may be an index.
@@ -44,9 +55,9 @@ A feature is one of these, with points of one type, `Point_2` or `Point_3` of an
   files are.
 
 A feature without points is in no pair. Two features intersect iff they have a point in common:
-their segments meet, or one lies inside a filled polygon of the other. A feature is never paired
-with itself. The search gives the result of real arithmetic on the coordinates that the points hold,
-as `thick_self_intersection_d()` does, for every kernel.
+their segments or faces meet, or one lies inside a polygon or solid of the other. A feature is never
+paired with itself. The search gives the result of real arithmetic on the coordinates that the
+points hold, as `thick_self_intersection_d()` does, for every kernel.
 
 In a range `interiors(features)`, all features are polygons or unions of them, and have their
 interiors alone. The interior of a polygon has the points off its edges that a ray leaves through an
@@ -62,16 +73,23 @@ polygon if its first vertex is, which is asked if this vertex is in the box of t
 of one feature are not compared, whatever its shape: a track that stays at a place and nested rings
 of a multipolygon take no more time than others.
 
+Faces of meshes are searched as segments are, if they are where the box of their feature meets that
+of another one. One vertex of each connected component of the faces is asked whether it is inside a
+solid. A solid of which this is asked gets a tree of its faces, and the ray upwards from the vertex
+is followed.
+
 Let there be \f$ n \f$ segments and \f$ k \f$ reported pairs. Let \f$ K \f$ be the number of pairs
 of segments of different features whose boxes meet, before the features are known to be a pair. Let
 \f$ K_f \f$ be the number of pairs of a segment and a feature that form a reported pair of features,
 if the box of the segment meets one of the feature: at most \f$ n \f$ for two features, and at most
 the number of boxes that meet. Let \f$ K_v \f$ be the number of first vertices in the boxes of
-polygons that their features do not meet. Then the search takes
-\f$ O((n + K_f) \log n + K) \f$ time in the plane and \f$ O((n + K_f) \log^2 n + K) \f$ in space,
-and for each of the \f$ K_v \f$ vertices \f$ O(\log n) \f$ time for most shapes. It is
-\f$ O(c \log n) \f$ at most, where \f$ c \f$ is the number of edges at the height of the vertex: a
-spiral takes that much. The search takes \f$ O(n + k) \f$ space.
+polygons that their features do not meet. Then the search takes \f$ O((n + K_f) \log n + K) \f$ time
+in the plane and \f$ O((n + K_f) \log^2 n + K) \f$ in space, and for each of the \f$ K_v \f$
+vertices \f$ O(\log n) \f$ time for most shapes. It is \f$ O(c \log n) \f$ at most, where \f$ c \f$
+is the number of edges at the height of the vertex: a spiral takes that much. In space, \f$ n \f$
+counts the faces too, parts of meshes are their connected components, and a question takes \f$
+O(\sqrt{n} + c) \f$ time for most shapes, where \f$ c \f$ is the number of boxes of faces that are
+above the vertex. The search takes \f$ O(n + k) \f$ space.
 
 Interiors are asked about where boundaries meet, as long as features are not known to be a pair.
 Let \f$ K_c \f$ be the number of pairs of edges that meet where one of them begins, and none ends.
@@ -114,11 +132,12 @@ below
 
 \return `false` iff the callback or the progress functor stopped the search.
 
-\throws std::invalid_argument if a coordinate is NaN or infinite, or if a polygon with holes has no
-outer boundary, before anything is reported. The message gives the position of the feature.
-Exceptions of the callback pass through.
-\throws std::length_error if there are 2<sup>31</sup> - 1 features or segments, or parts of features
-and polygons together, or more, before anything is reported.
+\throws std::invalid_argument if a coordinate is NaN or infinite, if a polygon with holes has no
+outer boundary, if a face is no triangle, or if an index is beyond the points, before anything is
+reported. The message gives the position of the feature, and of the face in it. Exceptions of the
+callback pass through.
+\throws std::length_error if there are 2<sup>31</sup> - 1 features, or segments and faces, or parts
+of features, polygons and closed meshes together, or vertices of the faces of a mesh, or more.
 \throws std::runtime_error if the processor is set to flush denormal numbers to zero.
 
 \sa `thick_feature_intersection_d()`
@@ -179,8 +198,8 @@ bool thick_feature_intersection_d(FeatureRangeA&& features_a, FeatureRangeB&& fe
 reports all pairs of features of a range whose distance is within a bound, each exactly once.
 
 Features are as for `thick_feature_self_intersection_d()`. Their distance is that of their closest
-points, and zero if they intersect, as a polygon and a feature inside it do. Interiors are not
-needed: they are within a distance iff the features are closer, which `bound.open()` says. The
+points, and zero if they intersect, as a polygon or solid and a feature inside it do. Interiors are
+not needed: they are within a distance iff the features are closer, which `bound.open()` says. The
 search gives the result of real arithmetic on the given coordinates and the given bound, for pairs
 exactly at the bound too, as `fixed_radius_near_neighbors()` of segments does.
 

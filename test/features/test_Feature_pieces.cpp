@@ -98,8 +98,8 @@ BOOST_AUTO_TEST_CASE(holes_are_rings_of_the_same_part)
   for(std::size_t k = 0; k < 8; ++k) {
     Pieces points;
     points.add_features(std::vector<Feature>{frame(0, 80), Point(at[k], at[k]), square(200, 9)});
-    BOOST_CHECK_EQUAL(points.is_inside(1, 0), is_in_frame[k]);
-    BOOST_CHECK(!points.is_inside(1, 1));
+    BOOST_CHECK_EQUAL(points.is_inside(points.first_piece(1), 0), is_in_frame[k]);
+    BOOST_CHECK(!points.is_inside(points.first_piece(1), 1));
   }
 }
 
@@ -115,8 +115,8 @@ BOOST_AUTO_TEST_CASE(many_holes)
   for(int x = 0; x < 100; ++x) {
     Pieces points;
     points.add_features(std::vector<Feature>{sieve, Point(x + .5, x + .25), Point(-1, x + .25)});
-    BOOST_CHECK_EQUAL(points.is_inside(1, 0), x % 2 == 0);
-    BOOST_CHECK(!points.is_inside(2, 0));
+    BOOST_CHECK_EQUAL(points.is_inside(points.first_piece(1), 0), x % 2 == 0);
+    BOOST_CHECK(!points.is_inside(points.first_piece(2), 0));
   }
 }
 

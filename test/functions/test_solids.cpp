@@ -157,6 +157,9 @@ BOOST_AUTO_TEST_CASE(errors_name_the_feature_and_the_face)
   BOOST_CHECK_EQUAL(message({{0, 1, 2}, {0, 1, 2}, {0, 4, 1}}),
                     "Face 2 of feature 1 has an index beyond the points.");
   BOOST_CHECK_EQUAL(message({{0, 1, -1}}), "Face 0 of feature 1 has an index beyond the points.");
+  const std::vector<Any_soup> alone = {{points, {{0, 1, 2}, {2, 1, 3}}}};
+  BOOST_CHECK_EQUAL(refusal([&] { pairs_of(alone); }),
+                    "Coordinate 1 of vertex of face 1 of feature 0 is NaN or infinite.");
 
   std::vector<Surface> meshes = three_cubes<Surface>();
   CGAL::Euler::join_face(*std::next(halfedges(meshes[1]).begin()), meshes[1]);

@@ -8,44 +8,18 @@
 // The pieces of the boundaries of features, as the box route reads them: two of them are a pair if
 // they tell that their features are one, and no others have told it before.
 
-#include <CGAL/Arithmetic_tier.h>
-
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
 #include <CGAL/Thick_intersection_d/internal/features/Known_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
 #include <CGAL/Thick_intersection_d/internal/machine/hints.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
 
 #include <cstddef>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
-
-// Pairs of features that intersect. Their pieces may meet where their boxes do.
-struct Pieces_intersect
-{
-  template <class Pieces>
-  static bool do_meet(const Pieces& pieces, std::size_t i, std::size_t j)
-  {
-    Arithmetic_tier tier = Arithmetic_tier::INT64;
-    return do_objects_intersect(pieces.thick(i), pieces.thick(j), tier);
-  }
-
-  // Whether the first vertex of a part is inside what is filled, where boundaries do not meet.
-  template <class Pieces>
-  static bool is_inside(const Pieces& pieces, std::size_t part, std::size_t filled)
-  {
-    return pieces.is_inside(part, filled);
-  }
-
-  static Interval grown(const Interval& interval) { return interval; }
-
-  // Whether features are a pair if one is inside the other.
-  static constexpr bool takes_insides() { return true; }
-};
 
 // `Test` is like Pieces_intersect.
 template <class Pieces, class Test>

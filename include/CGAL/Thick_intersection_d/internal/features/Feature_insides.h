@@ -46,17 +46,18 @@ struct Part_range
   std::size_t last;
 };
 
-// `Test` is like Pieces_intersect.
-template <class Pieces, class Test>
+// `Filled` has those that are filled: `Pieces`, or Asked_features. `Test` is like Pieces_intersect.
+template <class Pieces, class Filled, class Test>
 class Feature_insides : public Objects_in_boxes
 {
 public:
   static constexpr int static_dimension = Pieces::dimension;
 
   // The vertices of some parts, and some that are filled.
-  Feature_insides(const Pieces& pieces, const Test& test, const Part_range& parts,
-                  const Part_range& filled, Known_pairs& known)
-    : pieces_(pieces), test_(test), parts_(parts), filled_(filled), known_(known)
+  Feature_insides(const Pieces& pieces, const Part_range& parts, const Filled& all_filled,
+                  const Part_range& filled, const Test& test, Known_pairs& known)
+    : pieces_(pieces), parts_(parts), all_filled_(all_filled), filled_(filled), test_(test),
+      known_(known)
   {}
 
   std::size_t point_count() const { return parts_.last - parts_.first; }
@@ -65,15 +66,15 @@ public:
 
   Place feature_of(std::size_t position) const
   {
-    const std::size_t part = position < point_count()
-                               ? part_of(position) : pieces_.filled(filled_of(position)).part;
-    return pieces_.part(part).feature;
+    return position < point_count() ? pieces_.part(part_of(position)).feature
+                                    : all_filled_.filled(filled_of(position)).feature;
   }
 
   auto intervals(std::size_t position) const
   {
     return [box = position < point_count() ? pieces_.box_of_part(part_of(position))
-                                           : pieces_.box_of_filled(filled_of(position))](int axis) {
+                                           : all_filled_.box_of_filled(filled_of(position))](
+             int axis) {
       return Interval{(box.min)(axis), (box.max)(axis)};
     };
   }
@@ -91,7 +92,7 @@ public:
   bool do_intersect(std::size_t i, std::size_t j) const
   {
     const std::size_t point = (std::min)(i, j), filled = (std::max)(i, j);
-    return test_.is_inside(pieces_, part_of(point), filled_of(filled))
+    return test_.is_inside(pieces_, part_of(point), all_filled_, filled_of(filled))
            && known_.add(feature_of(point), feature_of(filled));
   }
 
@@ -103,9 +104,10 @@ private:
   }
 
   const Pieces& pieces_;
-  const Test& test_;
   const Part_range parts_;
+  const Filled& all_filled_;
   const Part_range filled_;
+  const Test& test_;
   Known_pairs& known_;
 };
 

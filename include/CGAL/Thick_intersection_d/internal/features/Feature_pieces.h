@@ -14,9 +14,11 @@
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
+#include <CGAL/Thick_intersection_d/internal/features/Everywhere.h>
 #include <CGAL/Thick_intersection_d/internal/features/Feature_reader.h>
 #include <CGAL/Thick_intersection_d/internal/features/Ring_trees.h>
 #include <CGAL/Thick_intersection_d/internal/features/Solid_trees.h>
+#include <CGAL/Thick_intersection_d/internal/features/check_features.h>
 #include <CGAL/Thick_intersection_d/internal/features/feature_kinds.h>
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/kinds.h>
@@ -70,6 +72,7 @@ public:
   // A polygon, or the faces of a closed mesh.
   struct Filled
   {
+    Place feature;
     Place part; // the first one
     Place first_piece, last_piece; // the one behind the last
     Place root; // of its tree
@@ -86,18 +89,18 @@ public:
   template <class Elements>
   void add_features(const Elements& features)
   {
-    add_features(features, [](std::size_t) { return true; });
+    add_features(features, Everywhere());
   }
 
-  // Takes the others as features without pieces.
-  template <class Elements, class Is_wanted>
-  void add_features(const Elements& features, const Is_wanted& is_wanted)
+  // Takes pieces where features may meet others. `Where` is like Everywhere.
+  template <class Elements, class Where>
+  void add_features(const Elements& features, const Where& where)
   {
     for(std::size_t position = 0; position < features.size(); ++position) {
       check_count("features", feature_count_ + 1);
       first_parts_.push_back(static_cast<Place>(parts_.size()));
-      Feature_reader<Feature_pieces> reader(*this);
-      if(is_wanted(feature_count_))
+      Feature_reader<Feature_pieces, Where> reader(*this, where);
+      if(where.takes(feature_count_))
         add_parts(features[position], reader);
       ++feature_count_;
     }
@@ -141,13 +144,15 @@ public:
     return trees_.box(filled_[position].root);
   }
 
-  // Returns whether the first vertex of a part is inside a filled feature, or part of one. Their
-  // boundaries do not meet.
-  bool is_inside(std::size_t part, std::size_t position) const
+  // The piece that begins at the first vertex of a part.
+  const Object& first_piece(std::size_t part) const { return pieces_[parts_[part].piece]; }
+
+  // Returns whether the first vertex of a piece is inside a filled feature, or part of one. It is
+  // not on its boundary.
+  bool is_inside(const Object& piece, std::size_t position) const
   {
     const Filled& filled = filled_[position];
-    return trees_.is_inside(pieces_[parts_[part].piece], filled.root, filled.first_piece,
-                            filled.last_piece);
+    return trees_.is_inside(piece, filled.root, filled.first_piece, filled.last_piece);
   }
 
   // ---- polygons ---------------------------------------------------------------------------------
@@ -198,7 +203,7 @@ public:
   void check_count(const char* what, std::size_t count) const
   {
     if(count >= limit_)
-      throw_too_many(what);
+      throw_too_many_features(what, limit_);
   }
 
   void begin_ring() { trees_.begin_ring(piece_count()); }
@@ -215,7 +220,8 @@ public:
     for(std::size_t part = first_part; part != parts_.size(); ++part)
       parts_[part].filled = static_cast<Place>(filled_.size());
     const Place last = piece_count();
-    filled_.push_back({static_cast<Place>(first_part), first, last, trees_.add_tree(first, last)});
+    filled_.push_back({static_cast<Place>(feature_count_), static_cast<Place>(first_part), first,
+                       last, trees_.add_tree(first, last)});
     check_count(parts_and_filled, parts_.size() + filled_.size());
   }
 
@@ -241,13 +247,6 @@ private:
   static constexpr Place none = max_place;
   static constexpr const char* parts_and_filled
     = "parts of features, polygons and closed meshes";
-
-  [[noreturn]] void throw_too_many(const char* what) const
-  {
-    std::string message("There are too many ");
-    message.append(what).append(": ").append(std::to_string(limit_)).append(" or more.");
-    throw std::length_error(message);
-  }
 
   const std::size_t limit_;
   std::vector<Object> pieces_;

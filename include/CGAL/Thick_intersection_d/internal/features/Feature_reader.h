@@ -12,10 +12,10 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/features/Mesh_shape.h>
+#include <CGAL/Thick_intersection_d/internal/features/check_features.h>
 #include <CGAL/Thick_intersection_d/internal/features/feature_kinds.h>
 #include <CGAL/Thick_intersection_d/internal/features/mesh_faces.h>
 #include <CGAL/Thick_intersection_d/internal/input/Ball_centers.h>
-#include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 
 #include <cstddef>
 #include <stdexcept>
@@ -25,9 +25,10 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// `Pieces` are Feature_pieces. Throws if a coordinate is NaN or infinite, if a polygon has no outer
-// boundary, if a face is no triangle, or if there are too many pieces.
-template <class Pieces>
+// `Pieces` are Feature_pieces, and `Where` is like Everywhere. Throws if a coordinate is NaN or
+// infinite, if a polygon has no outer boundary, if a face is no triangle, or if there are too many
+// pieces.
+template <class Pieces, class Where>
 class Feature_reader
 {
   using Point = Piece_point<typename Pieces::value_type>;
@@ -35,7 +36,7 @@ class Feature_reader
 
 public:
   // Reads the next feature.
-  explicit Feature_reader(Pieces& pieces) : pieces_(pieces) {}
+  Feature_reader(Pieces& pieces, const Where& where) : pieces_(pieces), where_(where) {}
 
   template <class Iterator, class Sentinel>
   void add_polyline(Iterator first, Sentinel last)
@@ -72,29 +73,26 @@ public:
     pieces_.end_filled(pieces_.part_count() - 1, first);
   }
 
+  // A component of the faces has a part unless it goes on where it is not inside another feature.
+  // If all faces are taken, closed ones are filled.
   template <class Mesh>
   void add_mesh(const Mesh& mesh)
   {
+    const std::size_t feature = pieces_.feature_count();
     const Place first = pieces_.piece_count();
-    const auto add_face = [&](const Point& p, const Point& q, const Point& r) {
-      const auto name = [&] {
-        return "vertex of face " + std::to_string(pieces_.piece_count() - first) + " of feature";
-      };
-      for(const Point* vertex : {&p, &q, &r})
-        check(*vertex, name);
-      pieces_.add_piece(typename Kernel_traits<Point>::Kernel::Triangle_3(p, q, r));
-    };
-    for_each_face(mesh, pieces_.feature_count(), add_face);
+    add_faces(mesh, feature);
     const std::size_t count = pieces_.size() - first;
+    if(count == 0)
+      return;
     pieces_.check_count("vertices of the faces of a mesh", 3 * count);
+    const auto face_at
+      = [&](std::size_t i) -> const auto& { return as_face(pieces_[first + i]); };
     const std::size_t first_part = pieces_.part_count();
-    const Mesh_shape shape(count, [&](std::size_t i) -> const auto& {
-      return as_face(pieces_[first + i]);
-    });
-    shape.for_each_component([&](std::size_t i) {
-      pieces_.begin_part(static_cast<Place>(first + i));
-    });
-    if(count != 0 && shape.is_closed())
+    const Mesh_shape shape(count, face_at);
+    shape.for_each_component(
+      [&](std::size_t i) { return where_.is_beyond(feature, face_at(i)); },
+      [&](std::size_t i) { pieces_.begin_part(static_cast<Place>(first + i)); });
+    if(Where::takes_all && shape.is_closed())
       pieces_.end_filled(first_part, first);
   }
 
@@ -138,22 +136,25 @@ private:
       pieces_.add_piece(Segment(previous, first));
   }
 
-  // Throws if a coordinate is NaN or infinite.
-  template <class Name>
-  void check(const Point& point, const Name& name) const
+  template <class Mesh>
+  void add_faces(const Mesh& mesh, std::size_t feature)
   {
-    for(int i = 0; i < Pieces::dimension; ++i)
-      if(!are_bounds_of_finite(coordinate_bounds(point, i)))
-        throw_not_finite(name().c_str(), pieces_.feature_count(), i);
+    std::size_t face = 0;
+    for_each_face(mesh, feature, [&](const Point& p, const Point& q, const Point& r) {
+      check_face(face++, feature, p, q, r);
+      if(where_.takes_face(feature, p, q, r))
+        pieces_.add_piece(typename Kernel_traits<Point>::Kernel::Triangle_3(p, q, r));
+    });
   }
 
   const Point& checked(const Point& point) const
   {
-    check(point, [] { return std::string("vertex of feature"); });
+    check_vertex(point, pieces_.feature_count());
     return point;
   }
 
   Pieces& pieces_;
+  const Where& where_;
 };
 
 } // namespace internal

@@ -202,7 +202,7 @@ public:
   }
 
   // Whether the first vertex of a part is inside of a polygon and shows that they are a pair.
-  bool is_inside(const Pieces& pieces, std::size_t part, std::size_t filled) const
+  bool is_inside(const Pieces& pieces, std::size_t part, const Pieces&, std::size_t filled) const
   {
     const Place polygon = pieces.filled(filled).part;
     const auto at = [&](std::size_t position) {

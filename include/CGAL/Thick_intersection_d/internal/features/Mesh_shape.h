@@ -104,9 +104,10 @@ public:
     return true;
   }
 
-  // Calls take(i) for one face of each set of faces that are connected by common vertices.
-  template <class Take>
-  void for_each_component(const Take& take) const
+  // Calls take(i) for one face of each set of faces that are connected by common vertices, if
+  // is_unwanted() holds for none of them.
+  template <class Is_unwanted, class Take>
+  void for_each_component(const Is_unwanted& is_unwanted, const Take& take) const
   {
     std::vector<Place> links(vertex_count_); // lead to one vertex of each component
     std::iota(links.begin(), links.end(), Place(0));
@@ -120,6 +121,9 @@ public:
       links[find(q)] = find(r);
     }
     std::vector<bool> is_taken(vertex_count_);
+    for(std::size_t i = 0; i < faces_.size(); ++i)
+      if(is_unwanted(i))
+        is_taken[find(faces_[i][0])] = true;
     for(std::size_t i = 0; i < faces_.size(); ++i)
       if(const Place component = find(faces_[i][0]); !is_taken[component]) {
         is_taken[component] = true;

@@ -9,24 +9,22 @@
 // fixed_radius_near_features(): the pieces of all boundaries take the box route, and then the first
 // vertices of parts and the polygons and solids that these may be inside.
 
-#include <CGAL/Arithmetic_tier.h>
-#include <CGAL/Distance_bound.h>
-
 #include <CGAL/Thick_intersection_d/internal/arithmetic/check_denormals.h>
-#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/box_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/features/Asked_features.h>
+#include <CGAL/Thick_intersection_d/internal/features/Everywhere.h>
 #include <CGAL/Thick_intersection_d/internal/features/Feature_boundaries.h>
+#include <CGAL/Thick_intersection_d/internal/features/Feature_boxes.h>
 #include <CGAL/Thick_intersection_d/internal/features/Feature_insides.h>
 #include <CGAL/Thick_intersection_d/internal/features/Feature_pieces.h>
-#include <CGAL/Thick_intersection_d/internal/features/Interiors_overlap.h>
 #include <CGAL/Thick_intersection_d/internal/features/Known_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/features/Meeting_features.h>
-#include <CGAL/Thick_intersection_d/internal/features/check_features.h>
+#include <CGAL/Thick_intersection_d/internal/features/check_feature_types.h>
 #include <CGAL/Thick_intersection_d/internal/features/feature_kinds.h>
+#include <CGAL/Thick_intersection_d/internal/features/piece_tests.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
-#include <CGAL/Thick_intersection_d/internal/objects/near_objects_search.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 #include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
@@ -39,60 +37,6 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Pairs of features that are within a bound. If one is inside the other, their distance is zero.
-template <class Object>
-class Pieces_near : public Pieces_intersect
-{
-public:
-  template <class NT>
-  explicit Pieces_near(const Distance_bound<NT>& bound)
-    : are_near_(bound, Arithmetic_tier::INT64, nullptr),
-      takes_zero_(!bound.is_open() || bound.value() != NT(0))
-  {}
-
-  template <class Pieces>
-  bool do_meet(const Pieces& pieces, std::size_t i, std::size_t j) const
-  {
-    return are_near_(pieces.thick(i), pieces.thick(j));
-  }
-
-  // Two intervals meet if their distance is at most the reach.
-  Interval grown(const Interval& interval) const { return longer(interval, are_near_.reach()); }
-
-  bool takes_insides() const { return takes_zero_; }
-
-private:
-  const Are_objects_near<Object> are_near_;
-  const bool takes_zero_;
-};
-
-// The test of pieces for features that intersect, or that are within a bound, or whose interiors do
-// in one range or in both.
-template <class Pieces, class Relation, bool is_first_open, bool is_second_open>
-struct Piece_test
-{
-  using type = Interiors_overlap<Pieces, is_first_open, is_second_open>;
-};
-template <class Pieces>
-struct Piece_test<Pieces, Pieces_intersect, false, false>
-{
-  using type = Pieces_intersect;
-};
-template <class Pieces, class NT>
-struct Piece_test<Pieces, Distance_bound<NT>, false, false>
-{
-  using type = Pieces_near<typename Pieces::Thick>;
-};
-
-template <class Test, class Relation>
-Test make_piece_test(const Relation& relation, [[maybe_unused]] const Threads& threads)
-{
-  if constexpr(std::is_constructible_v<Test, const Relation&>)
-    return Test(relation);
-  else
-    return Test(threads);
-}
-
 // Where the second range begins, in the numberings of features, parts, filled ones and pieces. If
 // there is one range, this is at zero.
 struct Feature_ranges
@@ -103,60 +47,65 @@ struct Feature_ranges
   std::size_t pieces = 0;
 };
 
-template <class Sets, class Pieces, class Report, class Progress>
+template <class Sets>
+Sets sets_of(std::size_t first_size)
+{
+  Sets sets = {};
+  if constexpr(Sets::are_two)
+    sets.first_size = first_size;
+  return sets;
+}
+
+template <class Sets, class Pieces, class Report>
 class Feature_search
 {
 public:
   Feature_search(const Pieces& pieces, const Feature_ranges& second, Report& report,
-                 Progress& progress, const Threads& threads)
-    : pieces_(pieces), second_(second), report_(report), progress_(progress), threads_(threads),
-      known_(threads)
+                 const Threads& threads)
+    : pieces_(pieces), second_(second), report_(report), threads_(threads), known_(threads)
   {}
 
-  // Reports the pairs of features whose pieces pass the test, and then those of which one is inside
-  // the other. Returns false iff the search was stopped.
-  template <class Test>
-  bool search(const Test& test)
+  // Reports the pairs of features whose pieces pass the test. Returns false iff the search was
+  // stopped.
+  template <class Test, class Progress>
+  bool search_boundaries(const Test& test, Progress& progress)
   {
     const Feature_boundaries<Pieces, Test> boundaries(pieces_, test, known_);
-    Sets sets = {};
-    if constexpr(Sets::are_two)
-      sets.first_size = second_.pieces;
     const auto take = [&](std::size_t i, std::size_t j) {
       return put(pieces_.feature_of(i), pieces_.feature_of(second_.pieces + j));
     };
-    return report_meeting_boxes(boundaries, sets, take, progress_, threads_)
-           && (pieces_.filled_count() == 0 || !test.takes_insides() || search_insides(test));
+    return report_meeting_boxes(boundaries, sets_of<Sets>(second_.pieces), take, progress,
+                                threads_);
+  }
+
+  // Then reports those of which one is inside the other. The second range of filled ones begins at
+  // `second_filled`.
+  template <class Filled, class Test, class Progress>
+  bool search_insides(const Filled& filled, std::size_t second_filled, const Test& test,
+                      Progress& progress)
+  {
+    const Part_range first_parts = {0, second_.parts};
+    const Part_range first_filled = {0, second_filled};
+    const Part_range last_parts = {second_.parts, pieces_.part_count()};
+    const Part_range last_filled = {second_filled, filled.filled_count()};
+    if constexpr(Sets::are_two)
+      return search_insides(first_parts, filled, last_filled, test, progress)
+             && search_insides(last_parts, filled, first_filled, test, progress);
+    else
+      return search_insides(last_parts, filled, last_filled, test, progress);
   }
 
 private:
-  template <class Test>
-  bool search_insides(const Test& test)
+  template <class Filled, class Test, class Progress>
+  bool search_insides(const Part_range& parts, const Filled& filled, const Part_range& range,
+                      const Test& test, Progress& progress)
   {
-    const Part_range first_parts = {0, second_.parts};
-    const Part_range first_filled = {0, second_.filled};
-    const Part_range last_parts = {second_.parts, pieces_.part_count()};
-    const Part_range last_filled = {second_.filled, pieces_.filled_count()};
-    if constexpr(Sets::are_two)
-      return search_insides(test, first_parts, last_filled)
-             && search_insides(test, last_parts, first_filled);
-    else
-      return search_insides(test, last_parts, last_filled);
-  }
-
-  template <class Test>
-  bool search_insides(const Test& test, const Part_range& parts, const Part_range& filled)
-  {
-    if constexpr(Pieces::may_be_filled) {
-      const Feature_insides<Pieces, Test> insides(pieces_, test, parts, filled, known_);
-      const auto take = [&](std::size_t i, std::size_t j) {
-        return put(insides.feature_of(i), insides.feature_of(insides.point_count() + j));
-      };
-      return report_meeting_boxes(insides, Two_sets{insides.point_count()}, take, progress_,
-                                  threads_);
-    }
-    else
-      return true;
+    const Feature_insides<Pieces, Filled, Test> insides(pieces_, parts, filled, range, test,
+                                                        known_);
+    const auto take = [&](std::size_t i, std::size_t j) {
+      return put(insides.feature_of(i), insides.feature_of(insides.point_count() + j));
+    };
+    return report_meeting_boxes(insides, Two_sets{insides.point_count()}, take, progress, threads_);
   }
 
   // Reports a pair of features. Those of the first range have the smaller numbers.
@@ -168,49 +117,78 @@ private:
   const Pieces& pieces_;
   const Feature_ranges second_;
   Report& report_;
-  Progress& progress_;
   const Threads threads_;
   Known_pairs known_;
 };
 
 // Reads the features of one range, or of two. Returns where the second one begins.
-template <class Sets, class First, class Second, class Pieces, class Is_wanted>
+template <class Sets, class First, class Second, class Pieces, class Where>
 Feature_ranges read_features(const First& first, const Second& second, Pieces& pieces,
-                             const Is_wanted& is_wanted)
+                             const Where& where)
 {
   Feature_ranges ranges;
-  pieces.add_features(first, is_wanted);
+  pieces.add_features(first, where);
   if constexpr(Sets::are_two) {
     ranges = {pieces.feature_count(), pieces.part_count(), pieces.filled_count(), pieces.size()};
-    pieces.add_features(second, is_wanted);
+    pieces.add_features(second, where);
   }
   return ranges;
 }
 
-// The same, where meshes are read only if their boxes meet others.
-template <class Sets, class First, class Second, class Pieces, class Test>
-Feature_ranges read_features(const First& first, const Second& second, Pieces& pieces,
-                             const Test& test, const Threads& threads)
+// Reports the pairs of polylines and polygons. Returns false iff the search was stopped.
+template <class Sets, class Pieces, class First, class Second, class Test, class Report,
+          class NamedParameters>
+bool report_pairs_without_faces(const First& first, const Second& second, const Test& test,
+                                Report& report, const NamedParameters& np, const Threads& threads)
 {
-  if constexpr(!Pieces::have_faces)
-    return read_features<Sets>(first, second, pieces, [](std::size_t) { return true; });
-  else {
-    Feature_boxes boxes;
-    boxes.add_features(first);
-    Sets sets = {};
-    if constexpr(Sets::are_two) {
-      sets.first_size = first.size();
-      boxes.add_features(second);
-    }
-    Meeting_features<Test> features(boxes, test);
-    features.search(sets, threads);
-    return read_features<Sets>(first, second, pieces,
-                               [&](std::size_t position) { return features.has_met(position); });
-  }
+  Pieces pieces;
+  const Feature_ranges ranges = read_features<Sets>(first, second, pieces, Everywhere());
+  const bool has_insides = pieces.filled_count() != 0 && test.takes_insides();
+  auto progress = make_progress(
+    np, pieces.size() + (has_insides ? pieces.part_count() + pieces.filled_count() : 0));
+  Feature_search<Sets, Pieces, Report> search(pieces, ranges, report, threads);
+  if(!search.search_boundaries(test, progress))
+    return false;
+  if constexpr(Pieces::dimension == 2)
+    return !has_insides || search.search_insides(pieces, ranges.filled, test, progress);
+  else
+    return true;
 }
 
-// Reads the features, and reports the pairs. `relation` is a bound, or the test of pieces itself.
-// Returns false iff the search was stopped.
+// The same of meshes and polylines. First come the boxes of features. Faces are read where these
+// meet, and all faces of a mesh if a vertex of another feature may be inside.
+template <class Sets, class Pieces, class First, class Second, class Test, class Report,
+          class NamedParameters>
+bool report_solid_pairs(const First& first, const Second& second, const Test& test, Report& report,
+                        const NamedParameters& np, const Threads& threads)
+{
+  Feature_boxes boxes;
+  boxes.add_features(first);
+  if constexpr(Sets::are_two)
+    boxes.add_features(second);
+  Meeting_features<Test> meeting(boxes, test, threads);
+  meeting.search(sets_of<Sets>(first.size()), threads);
+  Pieces pieces;
+  const Feature_ranges ranges = read_features<Sets>(first, second, pieces, meeting);
+  const bool has_insides = test.takes_insides();
+  auto progress = make_progress(
+    np, pieces.size() + (has_insides ? pieces.part_count() + boxes.size() : 0));
+  Feature_search<Sets, Pieces, Report> search(pieces, ranges, report, threads);
+  if(!search.search_boundaries(test, progress))
+    return false;
+  if(!has_insides)
+    return true;
+  const Asked_features asked(boxes);
+  if(!search.search_insides(asked, ranges.features, test, progress))
+    return false;
+  Pieces solids;
+  const Feature_ranges solid_ranges = read_features<Sets>(first, second, solids, asked);
+  Unwatched_progress unwatched;
+  return search.search_insides(solids, solid_ranges.filled, test, unwatched);
+}
+
+// Reports the pairs. `relation` is a bound, or the test of pieces itself. Returns false iff the
+// search was stopped.
 template <class Sets, class First, class Second, class Relation, class Callback,
           class NamedParameters>
 bool report_feature_pairs(const First& first, const Second& second, const Relation& relation,
@@ -222,16 +200,11 @@ bool report_feature_pairs(const First& first, const Second& second, const Relati
                      Common_radius<Radius_of_features<First>, Radius_of_features<Second>>>;
   using Test = typename Piece_test<Pieces, Relation, First::are_open, Second::are_open>::type;
   const auto test = make_piece_test<Test>(relation, threads);
-  Pieces pieces;
-  const Feature_ranges ranges = read_features<Sets>(first, second, pieces, test, threads);
-  const bool has_insides = pieces.filled_count() != 0 && test.takes_insides();
   auto&& report = pair_output(first, second, callback, threads);
-  auto progress = make_progress(
-    np, pieces.size() + (has_insides ? pieces.part_count() + pieces.filled_count() : 0));
-  using Report = std::remove_reference_t<decltype(report)>;
-  return Feature_search<Sets, Pieces, Report, decltype(progress)>(pieces, ranges, report, progress,
-                                                                  threads)
-    .search(test);
+  if constexpr(Pieces::have_faces)
+    return report_solid_pairs<Sets, Pieces>(first, second, test, report, np, threads);
+  else
+    return report_pairs_without_faces<Sets, Pieces>(first, second, test, report, np, threads);
 }
 
 // Reports the pairs of features of a range.

@@ -10,6 +10,7 @@
 
 #include <CGAL/boost/graph/properties.h>
 
+#include <CGAL/Thick_intersection_d/internal/features/check_features.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -18,21 +19,11 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
-#include <stdexcept>
-#include <string>
 #include <utility>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
-
-// Throws for a face of a mesh: "Face 1 of feature 2 is no triangle."
-[[noreturn]] inline void throw_wrong_face(std::size_t face, std::size_t feature, const char* what)
-{
-  std::string message("Face ");
-  message.append(std::to_string(face)).append(" of feature ").append(std::to_string(feature));
-  throw std::invalid_argument(message.append(what));
-}
 
 // Calls take(p) for each point, even if no face has it.
 template <class Mesh, class Take>
