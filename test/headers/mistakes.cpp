@@ -294,11 +294,11 @@ void make_mistakes()
   CGAL::thick_feature_intersection_d(points, points_in_space, report);
 
   // error: Features in interiors() must be polygons in the plane: points and polylines have no
-  // interior.
+  // interior, and solids are always closed.
   CGAL::thick_feature_self_intersection_d(CGAL::interiors(polylines_and_polygons), report);
 
   // error: Features in interiors() must be polygons in the plane: points and polylines have no
-  // interior.
+  // interior, and solids are always closed.
   CGAL::thick_feature_intersection_d(CGAL::interiors(polygons), CGAL::interiors(points), report);
 
   // error: This function does not take interiors(). Two interiors are within a distance iff the
