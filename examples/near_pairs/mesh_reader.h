@@ -23,6 +23,10 @@ struct Face
   std::size_t solid = 0;            // position in the names of solids
 };
 
+// Faces of more corners are refused: to cut one into triangles takes the square of them. A reader
+// may leave out corners beyond the one that is too many.
+constexpr std::size_t most_corners = 10000;
+
 class Mesh_reader : public Row_reader
 {
 public:

@@ -57,7 +57,7 @@ void Obj_reader::read_face(const std::string& line)
   Face face;
   face.line = lines_.number();
   face.solid = solid_;
-  const std::vector<std::string> texts = words(line, line.size());
+  const std::vector<std::string> texts = words(line, most_corners + 2);
   for(auto corner = texts.begin() + 1; corner != texts.end(); ++corner)
     face.corners.push_back(vertex_at(*corner));
   take_face(face);

@@ -116,8 +116,10 @@ void Off_reader::read_faces()
     numbers_.begin("face", face, faces);
     Face in_hand;
     for(std::size_t corner = take_count(); corner > 0; --corner) {
-      in_hand.corners.push_back(take_count());
-      if(in_hand.corners.back() >= vertices_)
+      const std::size_t vertex = take_count();
+      if(in_hand.corners.size() <= most_corners)
+        in_hand.corners.push_back(vertex);
+      if(vertex >= vertices_)
         throw numbers_.wrong("a face has a corner that is no vertex (they count from 0)");
     }
     in_hand.line = numbers_.are_binary() ? 0 : numbers_.line();

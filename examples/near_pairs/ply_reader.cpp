@@ -186,7 +186,8 @@ void Ply_reader::read_face(const Ply_property& property)
   Face face;
   for(std::size_t corner = numbers_.count(); corner > 0; --corner) {
     numbers_.take(property.type);
-    face.corners.push_back(numbers_.count());
+    if(face.corners.size() <= most_corners)
+      face.corners.push_back(numbers_.count());
   }
   face.line = numbers_.are_binary() ? 0 : numbers_.line();
   take_face(face);

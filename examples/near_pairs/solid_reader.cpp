@@ -17,8 +17,6 @@
 namespace near_pairs {
 namespace {
 
-constexpr std::size_t most_corners = 10000; // cutting a face takes the square of them
-
 // Numbers points by their coordinates: equal ones have one number.
 std::vector<std::size_t> numbers_of(const std::vector<std::array<double, 3>>& points)
 {
