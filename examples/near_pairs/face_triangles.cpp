@@ -50,14 +50,15 @@ public:
 
   std::vector<std::array<std::size_t, 3>> cut()
   {
-    // Invariant: the triangles and the corners that are left have the boundary of the face.
+    // Invariant: the triangles and the corners that are left have the boundary of the face. Convex
+    // faces get diagonals from the first corner, as other programs draw them.
     std::size_t failed = 0;
-    for(std::size_t at = 0; left_.size() > 3; at = (at + 1) % left_.size())
+    for(std::size_t at = 1; left_.size() > 3; at %= left_.size())
       if(is_ear(at, failed >= left_.size())) {
         take(at);
         failed = 0;
       }
-      else if(++failed == 2 * left_.size())
+      else if(++at, ++failed == 2 * left_.size())
         return {};
     if(CGAL::orientation(point(0), point(1), point(2)) * turn_ == CGAL::NEGATIVE)
       return {};
@@ -137,7 +138,11 @@ bool are_in_plane(const Corners& corners)
 
 std::vector<std::array<std::size_t, 3>> triangles_of(const Corners& corners)
 {
-  return Ear_cutter(corners).cut();
+  std::vector<std::array<std::size_t, 3>> triangles = Ear_cutter(corners).cut();
+  if(triangles.empty() && !are_in_plane(corners)) // it crosses itself as it is seen
+    for(std::size_t i = 1; i + 1 < corners.size(); ++i)
+      triangles.push_back({0, i, i + 1});
+  return triangles;
 }
 
 } // namespace near_pairs

@@ -20,7 +20,7 @@ bool are_in_plane(const Corners& corners);
 // Cuts a face of three or more corners along diagonals, and returns the positions of the corners of
 // each triangle. Each edge of the face is one of a triangle, and each diagonal one of two, so that
 // closed faces stay so. A face in a plane that does not cross itself is the union of its triangles.
-// Returns an empty list if the face has no diagonal inside, because it crosses itself.
+// Returns an empty list if a face in a plane has no diagonals inside, because it crosses itself.
 std::vector<std::array<std::size_t, 3>> triangles_of(const Corners& corners);
 
 } // namespace near_pairs

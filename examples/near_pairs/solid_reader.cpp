@@ -118,7 +118,7 @@ private:
     }
     const auto triangles = triangles_of(corners);
     if(triangles.empty())
-      throw wrong(face, "crosses itself");
+      throw wrong(face, "is in a plane, and crosses itself");
     Mesh& mesh = solids_.back().mesh;
     mesh.bent_faces += !are_in_plane(corners);
     for(const std::array<std::size_t, 3>& triangle : triangles)
