@@ -9,9 +9,10 @@
 #include "row_reader.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <cstring>
 
 namespace near_pairs {
@@ -31,9 +32,9 @@ double floating(Bits bits)
 // The text that nearest_double() reads as the same number.
 std::string text_of(double value)
 {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.17g", value);
-  return text;
+  std::array<char, 32> text;
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value,
+                                     std::chars_format::general, 17).ptr};
 }
 
 } // namespace
