@@ -8,6 +8,7 @@
 #include "support/unit_test.h"
 
 #include <CGAL/Thick_ball_traits_d.h>
+#include <CGAL/Thick_object_traits_d.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
 #include <CGAL/thick_intersection_d.h>
 
@@ -135,6 +136,33 @@ void check_near_objects(const std::vector<A>& a, const std::vector<B>& b, int de
   BOOST_TEST(tally.degree_in_doubles == 1);
 }
 
+// Pairs of segments with a radius each, of which the filter decides none.
+template <class Segment>
+void check_thickened(const std::vector<Segment>& segments, int degree)
+{
+  std::vector<std::pair<Segment, Degree_number>> thickened;
+  for(const Segment& segment : segments)
+    thickened.emplace_back(
+      segment, Degree_number::input(64. * static_cast<double>(1 + thickened.size() % 6)));
+  const auto are_near = [](const auto& a, const auto& b) {
+    const Degree_number sum = a.second + b.second;
+    return CGAL::squared_distance(a.first, b.first) <= sum * sum;
+  };
+  const CGAL::Thick_object_traits_d<std::pair<Segment, Degree_number>> traits(thickened);
+  std::size_t expected = 0, found = 0;
+  for(const auto& a : thickened)
+    for(const auto& b : thickened)
+      expected += are_near(a, b);
+  Degree_record::get().restart(true);
+  for(const auto& a : thickened)
+    for(const auto& b : thickened)
+      found += traits.do_intersect_d_object()(a, b);
+  BOOST_TEST(found == expected);
+  BOOST_TEST(expected > thickened.size());
+  BOOST_TEST(expected < thickened.size() * thickened.size());
+  BOOST_TEST(Degree_record::get().total().degree() == degree);
+}
+
 template <class Segment, class Point>
 std::vector<Segment> segments_between(const std::vector<Point>& points)
 {
@@ -161,6 +189,14 @@ BOOST_AUTO_TEST_CASE(near_objects_have_the_degree_of_the_profile)
     if(!CGAL::collinear(points_3[i], points_3[i + 1], points_3[i + 2]))
       triangles.emplace_back(points_3[i], points_3[i + 1], points_3[i + 2]);
   check_near_objects(points_3, triangles, 6);
+}
+
+BOOST_AUTO_TEST_CASE(thickened_segments_have_the_degree_of_their_distance)
+{
+  const auto points_2 = test_support::degree_points<Point_2, 2>(n / 2, bits, 6);
+  check_thickened(segments_between<Degree_kernel::Segment_2>(points_2), 4);
+  const auto points_3 = test_support::degree_points<Point_3, 3>(n / 2, bits, 7);
+  check_thickened(segments_between<Degree_kernel::Segment_3>(points_3), 6);
 }
 
 BOOST_AUTO_TEST_CASE(near_neighbors_have_degree_two)

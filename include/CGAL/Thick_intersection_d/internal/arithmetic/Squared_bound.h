@@ -109,14 +109,14 @@ public:
   // Whether a squared distance is within (r + s)^2. It is a quotient x = n / d, where d > 0.
   //
   // This is so iff x - r^2 - s^2 is at most 2rs, which is not negative. So its square decides, if
-  // it is positive.
+  // it is positive. This takes twice the degree, so not if r or s is zero.
   CGAL_THICK_INTERSECTION_D_RARELY_CALLED
   bool holds_for(const Exact& n, const Exact& d, const Exact& s) const
   {
     if(unbounded_)
       return true;
     const Exact excess(n * denominator_ - d * numerator_ - d * denominator_ * s * s);
-    if(excess < Exact(0) || s == Exact(0))
+    if(excess < Exact(0) || s == Exact(0) || numerator_ == Exact(0))
       return open_ ? excess < Exact(0) : excess <= Exact(0);
     const Exact square(excess * excess);
     const Exact limit(Exact(4) * s * s * d * d * numerator_ * denominator_);
