@@ -14,13 +14,17 @@
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Polygon_2.h>
 #include <CGAL/Thick_ball_traits_d.h>
 #include <CGAL/Thick_object_traits_d.h>
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
+#include <CGAL/interiors.h>
 #include <CGAL/intersections.h>
+#include <CGAL/thick_feature_intersection_d.h>
 #include <CGAL/thick_intersection_d.h>
 
+#include <array>
 #include <functional>
 #include <iostream>
 
@@ -185,6 +189,50 @@ void run_object_traits(int bits)
   ask_about_all_pairs(objects, traits.do_intersect_d_object());
 }
 
+// With a radius each.
+template <class Maker>
+void run_thickened(int bits)
+{
+  const auto objects = degree_objects<Maker>(bits);
+  std::vector<std::pair<std::decay_t<decltype(objects[0])>, Degree_number>> thickened;
+  for(const auto& object : objects)
+    thickened.emplace_back(
+      object, Degree_number::input(std::ldexp(1. + thickened.size() % 3, bits - 5)));
+  const CGAL::Thick_object_traits_d<typename decltype(thickened)::value_type> traits(thickened);
+  ask_about_all_pairs(thickened, traits.do_intersect_d_object());
+}
+
+template <class Maker>
+void run_interiors(int bits)
+{
+  CGAL::thick_self_intersection_d(CGAL::interiors(degree_objects<Maker>(bits)), ignore_pair);
+}
+
+// Polygons of four vertices, many of which cross themselves.
+void run_polygons(int bits)
+{
+  const auto points = degree_points<Point_2, 2>(n, bits, 1);
+  std::vector<CGAL::Polygon_2<Kernel>> polygons;
+  for(std::size_t i = 0; i < points.size(); i += 4)
+    polygons.emplace_back(points.begin() + i, points.begin() + i + 4);
+  CGAL::thick_feature_self_intersection_d(CGAL::interiors(polygons), ignore_pair);
+}
+
+// Tetrahedra by their four faces, and points, which are in few of the faces.
+void run_solids(int bits)
+{
+  using Soup = std::pair<std::vector<Point_3>, std::vector<std::array<int, 3>>>;
+  const auto points = degree_points<Point_3, 3>(n, bits, 1);
+  std::vector<Soup> solids;
+  for(std::size_t i = 0; i < points.size(); i += 4)
+    solids.push_back({{points.begin() + i, points.begin() + i + 4},
+                      {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}}});
+  const Call_site site("two solids");
+  CGAL::thick_feature_self_intersection_d(solids, ignore_pair);
+  const Call_site site_of_points("a point and a solid");
+  CGAL::thick_feature_intersection_d(degree_points<Point_3, 3>(n, bits, 2), solids, ignore_pair);
+}
+
 template <class Maker>
 void run_do_intersect(int bits)
 {
@@ -243,6 +291,12 @@ std::vector<Algorithm> algorithms()
     {"Thick_object_traits_d<Triangle_3>", true, run_object_traits<Triangles_3>},
     {"Thick_object_traits_d<Tetrahedron_3>", true, run_object_traits<Tetrahedra_3>},
     {"Thick_object_traits_d<Iso_cuboid_3>", true, run_object_traits<Cuboids_3>},
+    {"segments with radii 2D", true, run_thickened<Segments_2>},
+    {"segments with radii 3D", true, run_thickened<Segments_3>},
+    {"interiors(Triangle_2)", true, run_interiors<Triangles_2>},
+    {"interiors(Tetrahedron_3)", true, run_interiors<Tetrahedra_3>},
+    {"interiors(Polygon_2)", true, run_polygons},
+    {"solids", true, run_solids},
     {"do_intersect(Segment_2, Segment_2)", false, run_do_intersect<Segments_2>},
     {"do_intersect(Triangle_2, Triangle_2)", false, run_do_intersect<Triangles_2>},
     {"do_intersect(Segment_3, Segment_3)", false, run_do_intersect<Segments_3>},
