@@ -8,8 +8,6 @@
 
 #include <CGAL/Thick_intersection_d/internal/arrays/Chunked_lists.h>
 
-#include <new>
-
 BOOST_AUTO_TEST_SUITE(Chunked_lists)
 
 using namespace test_support;

@@ -7,8 +7,6 @@
 
 #include <CGAL/Thick_intersection_d/internal/boxes/Numbered_boxes.h>
 
-#include <CGAL/Exact_rational.h>
-
 BOOST_AUTO_TEST_SUITE(Numbered_boxes)
 
 using namespace test_support;

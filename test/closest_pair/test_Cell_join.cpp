@@ -6,13 +6,10 @@
 #include "support/check_closest_pair.h"
 #include "support/plain_points.h"
 #include "support/squared_distance.h"
-#include "support/unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Cell_join.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
-#include <mutex>
 
 BOOST_AUTO_TEST_SUITE(Cell_join)
 

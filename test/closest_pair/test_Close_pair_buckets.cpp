@@ -6,7 +6,6 @@
 #include "support/check_closest_pair.h"
 #include "support/counted_points.h"
 #include "support/plain_points.h"
-#include "support/unit_test.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

@@ -11,8 +11,6 @@
 #include <CGAL/Thick_intersection_d/internal/closest_pair/first_equal_pair.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 
-#include <cstring>
-
 BOOST_AUTO_TEST_SUITE(first_equal_pair)
 
 using namespace test_support;

@@ -5,7 +5,6 @@
 
 #include "support/mpi_fixture.h"
 
-#include <CGAL/Thick_intersection_d/internal/distributed/Communicator.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/Stop_signal.h>
 
 BOOST_AUTO_TEST_SUITE(Stop_signal)

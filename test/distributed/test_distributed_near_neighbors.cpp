@@ -8,23 +8,14 @@
 #define BOOST_TEST_MODULE distributed_near_neighbors
 #include "support/brute_force.h"
 #include "support/mpi_fixture.h"
-#include "support/pairs.h"
 #include "support/scenes.h"
 
-#include <CGAL/Distributed_profile.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Named_function_parameters.h>
-#include <CGAL/Neighbor_lists.h>
-#include <CGAL/Remote_error.h>
 #include <CGAL/distributed_fixed_radius_near_neighbors.h>
-#include <CGAL/tags.h>
 
-#include <chrono>
 #include <csignal>
-#include <functional>
 #include <iostream>
-#include <new>
 
 using namespace test_support;
 

@@ -5,8 +5,6 @@
 
 #include "support/mpi_fixture.h"
 
-#include <CGAL/Remote_error.h>
-#include <CGAL/Thick_intersection_d/internal/distributed/Communicator.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/run_together.h>
 
 BOOST_AUTO_TEST_SUITE(exchange_bytes)

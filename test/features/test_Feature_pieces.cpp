@@ -8,13 +8,6 @@
 
 #include <CGAL/Thick_intersection_d/internal/features/Feature_pieces.h>
 
-#include <CGAL/Polygon_2.h>
-#include <CGAL/Polygon_with_holes_2.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <list>
-#include <variant>
-
 BOOST_AUTO_TEST_SUITE(Feature_pieces)
 
 using namespace test_support;

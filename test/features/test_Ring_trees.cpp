@@ -8,9 +8,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/features/Ring_trees.h>
 
-#include <CGAL/Bbox_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Simple_cartesian.h>
 
 BOOST_AUTO_TEST_SUITE(Ring_trees)
 

@@ -8,8 +8,6 @@
 #include "support/check_pairs.h"
 #include "support/counting_allocator.h"
 
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Lazy_exact_nt.h>
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/thick_box_intersection_d.h>
 

@@ -7,8 +7,6 @@
 #include "support/check_closest_pair.h"
 #include "support/counted_points.h"
 
-#include <CGAL/Simple_cartesian.h>
-
 using namespace test_support;
 
 namespace {

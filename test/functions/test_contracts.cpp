@@ -11,13 +11,11 @@
 #include "support/lattice_traits.h"
 #include "support/scenes.h"
 
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Thick_ball_traits_d.h>
 #include <CGAL/closest_pair.h>
 #include <CGAL/thick_feature_intersection_d.h>
 
 #include <boost/iterator/transform_iterator.hpp>
-#include <boost/range/iterator_range.hpp>
 
 #ifdef __SSE2__
 #include <xmmintrin.h>

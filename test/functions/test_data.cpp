@@ -7,7 +7,6 @@
 
 #include "support/check_closest_pair.h"
 #include "support/data_facts.h"
-#include "support/unit_test.h"
 #include "support/usual_kernels.h"
 
 #include <CGAL/Thick_ball_traits_d.h>

@@ -8,7 +8,6 @@
 #include "support/kernels.h"
 
 #include <CGAL/Point_set_3.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
 using namespace test_support;

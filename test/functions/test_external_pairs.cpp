@@ -7,18 +7,9 @@
 #include "support/kernels.h"
 #include "support/unit_test.h"
 
-#include <CGAL/Memory_budget.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/external_fixed_radius_near_neighbors.h>
 
-#include <CGAL/Thick_intersection_d/internal/external/Chunk_store.h>
-#include <CGAL/Thick_intersection_d/internal/external/External_parts.h>
-#include <CGAL/Thick_intersection_d/internal/external/Searched_points.h>
-#include <CGAL/Thick_intersection_d/internal/external/Stored_points.h>
 #include <CGAL/Thick_intersection_d/internal/external/external_pairs_search.h>
-
-#include <chrono>
-#include <filesystem>
 
 #ifdef __unix__
 #include <sys/stat.h>

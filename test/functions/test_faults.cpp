@@ -9,7 +9,6 @@
 #include "support/searches.h"
 #include "support/unit_test.h"
 
-#include <CGAL/Dimension.h>
 #include <CGAL/closest_pair.h>
 
 #include <tbb/global_control.h>

@@ -8,8 +8,6 @@
 #include "support/unit_test.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_2.h>
-#include <CGAL/Polygon_with_holes_2.h>
 #include <CGAL/thick_feature_intersection_d.h>
 
 #include <array>

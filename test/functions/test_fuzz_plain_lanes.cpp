@@ -6,8 +6,6 @@
 
 #include "support/check_fuzz.h"
 
-#include <CGAL/Simple_cartesian.h>
-
 using namespace test_support;
 namespace internal = CGAL::Thick_intersection_d::internal;
 

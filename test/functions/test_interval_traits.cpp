@@ -7,8 +7,6 @@
 
 #include "support/interval_traits.h"
 
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Thick_ball_traits_d.h>
 
 #include <boost/property_map/function_property_map.hpp>

@@ -8,9 +8,7 @@
 #include "support/unit_test.h"
 
 #include <CGAL/Epick_d.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/neighbor_squared_distances.h>
-#include <CGAL/property_map.h>
 
 using namespace test_support;
 

@@ -6,20 +6,10 @@
 
 #include "support/found_pairs.h"
 
-#include <CGAL/Bbox_2.h>
 #include <CGAL/Cartesian.h>
 #include <CGAL/Cartesian_converter.h>
-#include <CGAL/Dimension.h>
-#include <CGAL/Distance_bound.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Polygon_2.h>
-#include <CGAL/Polygon_with_holes_2.h>
-#include <CGAL/Scene_profile.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Thick_ball_traits_d.h>
-#include <CGAL/Thick_object_traits_d.h>
-#include <CGAL/Thick_point_traits_d.h>
 #include <CGAL/intersections.h>
 #include <CGAL/thick_feature_intersection_d.h>
 

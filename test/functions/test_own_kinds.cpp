@@ -5,15 +5,6 @@
 
 #include "support/found_pairs.h"
 
-#include <CGAL/Arithmetic_tier.h>
-#include <CGAL/Bbox_2.h>
-#include <CGAL/Dimension.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Scene_profile.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <forward_list>
-
 using namespace test_support;
 
 namespace {

@@ -10,7 +10,6 @@
 #include "support/periodic_oracle.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/periodic_closest_pair.h>
 #include <CGAL/periodic_fixed_radius_near_neighbors.h>
 

@@ -7,7 +7,6 @@
 #include "support/searches.h"
 #include "support/unit_test.h"
 
-#include <CGAL/Memory_budget.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/closest_pair.h>
 #include <CGAL/external_fixed_radius_near_neighbors.h>

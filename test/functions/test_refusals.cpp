@@ -5,11 +5,9 @@
 // bounds. The error names the first position, in two ranges as in one, whatever the size and by
 // threads as well, and nothing is reported before.
 
-#include "support/check_pairs.h"
 #include "support/interval_traits.h"
 #include "support/usual_kernels.h"
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/closest_pair.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
 #include <CGAL/thick_box_intersection_d.h>

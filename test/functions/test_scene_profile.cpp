@@ -10,10 +10,8 @@
 #include "support/brute_force.h"
 #include "support/check_pairs.h"
 #include "support/kernels.h"
-#include "support/unit_test.h"
 
 #include <CGAL/Cartesian_d.h>
-#include <CGAL/Simple_cartesian.h>
 
 using namespace test_support;
 using CGAL::Arithmetic_tier;

@@ -11,9 +11,6 @@
 #include "support/usual_kernels.h"
 
 #include <CGAL/Cartesian_converter.h>
-#include <CGAL/Thick_intersection_d/internal/objects/Object_route.h>
-#include <CGAL/Thick_intersection_d/internal/objects/Stretched_objects.h>
-#include <CGAL/Thick_intersection_d/internal/objects/Stretches.h>
 #include <CGAL/Thick_intersection_d/internal/objects/segment_pairs_search.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
 #include <CGAL/thick_intersection_d.h>

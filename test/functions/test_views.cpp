@@ -6,8 +6,6 @@
 #include "support/pairs.h"
 #include "support/unit_test.h"
 
-#include <CGAL/Bbox_2.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/closest_pair.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
 #include <CGAL/thick_intersection_d.h>

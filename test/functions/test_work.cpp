@@ -10,7 +10,6 @@
 #include "support/recursion_variants.h"
 #include "support/unit_test.h"
 
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Thick_ball_traits_d.h>
 
 using namespace test_support;

@@ -13,8 +13,6 @@
 #include <boost/range/iterator_range.hpp>
 
 #include <forward_list>
-#include <iterator>
-#include <list>
 
 BOOST_AUTO_TEST_SUITE(Numbered_elements)
 

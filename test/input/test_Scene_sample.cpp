@@ -8,8 +8,6 @@
 
 #include <CGAL/Thick_intersection_d/internal/input/Scene_sample.h>
 
-#include <CGAL/Exact_rational.h>
-
 BOOST_AUTO_TEST_SUITE(Scene_sample)
 
 using namespace test_support;

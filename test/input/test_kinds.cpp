@@ -9,9 +9,6 @@
 
 #include <CGAL/Simple_cartesian.h>
 
-#include <tuple>
-#include <variant>
-
 BOOST_AUTO_TEST_SUITE(kinds)
 
 using namespace test_support;

@@ -9,10 +9,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
-
-#include <tuple>
 
 BOOST_AUTO_TEST_SUITE(scan_points)
 

@@ -6,7 +6,6 @@
 
 #include "support/instruction_sets.h"
 #include "support/number_boxes.h"
-#include "support/unit_test.h"
 
 BOOST_AUTO_TEST_SUITE(meeting_boxes)
 

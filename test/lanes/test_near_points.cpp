@@ -9,7 +9,6 @@
 #include "support/pairs.h"
 #include "support/run_of_points.h"
 #include "support/squared_distance.h"
-#include "support/unit_test.h"
 
 BOOST_AUTO_TEST_SUITE(near_points)
 

@@ -4,7 +4,6 @@
 // Runs of positions, sorted and merged by the lanes of all processors, against std::sort.
 
 #include "support/instruction_sets.h"
-#include "support/unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/lanes/run_sorter.h>
 

@@ -10,7 +10,6 @@
 #include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/intersections.h>
 
 BOOST_AUTO_TEST_SUITE(mesh_triangles)

@@ -7,9 +7,7 @@
 #include "support/rounding_mode.h"
 #include "support/unit_test.h"
 
-#include <CGAL/Periodic_lattice_d.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Periods.h>
 
 BOOST_AUTO_TEST_SUITE(Periods)

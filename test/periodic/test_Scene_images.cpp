@@ -6,19 +6,10 @@
 
 #include "support/unit_test.h"
 
-#include <CGAL/Named_function_parameters.h>
-#include <CGAL/Periodic_lattice_d.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
-#include <CGAL/Thick_intersection_d/internal/periodic/Cell_boundary.h>
-#include <CGAL/Thick_intersection_d/internal/periodic/Lattice_basis.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Scene_images.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
-#include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
-
-#include <ostream>
-#include <tuple>
 
 BOOST_AUTO_TEST_SUITE(Scene_images)
 

@@ -11,11 +11,7 @@
 #include "support/squared_distance.h"
 #include "support/unit_test.h"
 
-#include <CGAL/Thick_intersection_d/internal/input/Ball_centers.h>
-
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Thick_ball_traits_d.h>
 
 BOOST_AUTO_TEST_SUITE(Do_balls_intersect)

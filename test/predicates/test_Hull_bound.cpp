@@ -11,9 +11,6 @@
 
 #include <CGAL/Thick_intersection_d/internal/predicates/Hull_bound.h>
 
-#include <CGAL/Distance_bound.h>
-#include <CGAL/Exact_rational.h>
-
 BOOST_AUTO_TEST_SUITE(Hull_bound)
 
 using namespace test_support;

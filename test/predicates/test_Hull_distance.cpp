@@ -11,8 +11,6 @@
 
 #include <CGAL/Thick_intersection_d/internal/predicates/Hull_distance.h>
 
-#include <CGAL/Uncertain.h>
-
 BOOST_AUTO_TEST_SUITE(Hull_distance)
 
 using namespace test_support;

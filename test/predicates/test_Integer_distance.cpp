@@ -11,11 +11,6 @@
 
 #include <CGAL/Thick_intersection_d/internal/predicates/Integer_distance.h>
 
-#include <CGAL/Arithmetic_tier.h>
-#include <CGAL/Distance_bound.h>
-
-#include <cfenv>
-
 BOOST_AUTO_TEST_SUITE(Integer_distance)
 
 using namespace test_support;

@@ -11,7 +11,6 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Scene_profile.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Thick_point_traits_d.h>

@@ -7,7 +7,6 @@
 
 #include <CGAL/Thick_intersection_d/internal/predicates/Is_within_distance.h>
 
-#include <atomic>
 #include <chrono>
 #include <thread>
 

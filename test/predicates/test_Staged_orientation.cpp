@@ -9,7 +9,6 @@
 
 #include <CGAL/Thick_intersection_d/internal/predicates/Staged_orientation.h>
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
 
 BOOST_AUTO_TEST_SUITE(Staged_orientation)

@@ -8,14 +8,7 @@
 #include <CGAL/Thick_intersection_d/internal/predicates/are_objects_near.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
 
-#include <CGAL/Arithmetic_tier.h>
-#include <CGAL/Distance_bound.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <tuple>
-#include <variant>
 
 BOOST_AUTO_TEST_SUITE(are_objects_near)
 

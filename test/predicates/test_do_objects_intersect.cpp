@@ -10,7 +10,6 @@
 #include <CGAL/Exact_integer.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Homogeneous.h>
-#include <CGAL/Simple_cartesian.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
 

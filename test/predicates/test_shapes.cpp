@@ -14,12 +14,9 @@
 #include <CGAL/Thick_intersection_d/internal/predicates/spatial_objects.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/tetrahedra.h>
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
-
-#include <functional>
 
 BOOST_AUTO_TEST_SUITE(shapes)
 

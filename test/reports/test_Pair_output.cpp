@@ -9,10 +9,6 @@
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
 #include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
 
-#include <CGAL/Element_callback.h>
-
-#include <iterator>
-
 BOOST_AUTO_TEST_SUITE(Pair_output)
 
 using namespace test_support;

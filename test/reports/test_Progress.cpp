@@ -7,8 +7,6 @@
 
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 
-#include <functional>
-
 BOOST_AUTO_TEST_SUITE(Progress)
 
 using namespace test_support;

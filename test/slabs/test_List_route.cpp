@@ -7,9 +7,6 @@
 #define BOOST_TEST_MODULE list_route
 #include "support/kernels.h"
 #include "support/slab_variants.h"
-#include "support/unit_test.h"
-
-#include <CGAL/Simple_cartesian.h>
 
 #include <tbb/global_control.h>
 

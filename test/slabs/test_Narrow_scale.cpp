@@ -10,8 +10,6 @@
 
 #include <CGAL/Thick_intersection_d/internal/slabs/Narrow_scale.h>
 
-#include <CGAL/Exact_rational.h>
-
 BOOST_AUTO_TEST_SUITE(Narrow_scale)
 
 using namespace test_support;

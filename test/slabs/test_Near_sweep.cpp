@@ -11,8 +11,6 @@
 #include <CGAL/Thick_intersection_d/internal/near_points/Callback_taker.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_sweep.h>
 
-#include <CGAL/Arithmetic_tier.h>
-
 BOOST_AUTO_TEST_SUITE(Near_sweep)
 
 using namespace test_support;

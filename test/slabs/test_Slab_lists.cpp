@@ -8,8 +8,6 @@
 
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_lists.h>
 
-#include <deque>
-
 BOOST_AUTO_TEST_SUITE(Slab_lists)
 
 using namespace test_support;

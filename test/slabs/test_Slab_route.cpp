@@ -9,9 +9,6 @@
 #include "support/point_source.h"
 #include "support/seeds.h"
 #include "support/slab_variants.h"
-#include "support/unit_test.h"
-
-#include <CGAL/Simple_cartesian.h>
 
 using namespace test_support;
 

@@ -6,7 +6,6 @@
 
 #include "support/instruction_sets.h"
 #include "support/point_source.h"
-#include "support/unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/slabs/Strips.h>
 

@@ -7,16 +7,12 @@
 #define THICK_INTERSECTION_TEST_SUPPORT_CHECK_FEATURES_H
 
 #include "check_pairs.h"
-#include "feature_oracle.h"
 #include "feature_scenes.h"
 #include "kernel_types.h"
 #include "parallel_pairs.h"
 #include "scales.h"
 #include "usual_kernels.h"
-#include "unit_test.h"
 
-#include <CGAL/Polygon_2.h>
-#include <CGAL/Polygon_with_holes_2.h>
 #include <CGAL/thick_feature_intersection_d.h>
 
 namespace test_support {

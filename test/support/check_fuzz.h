@@ -8,26 +8,18 @@
 #define THICK_INTERSECTION_TEST_SUPPORT_CHECK_FUZZ_H
 
 #include "fuzz_makers.h"
-#include "fuzz_scenes.h"
 #include "hull_oracle.h"
 #include "instruction_sets.h"
 #include "object_routes.h"
 #include "rounding_mode.h"
 #include "seeds.h"
-#include "unit_test.h"
 
 #include <CGAL/Box_intersection_d/Box_d.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Scene_profile.h>
 #include <CGAL/Thick_ball_traits_d.h>
-#include <CGAL/Thick_object_traits_d.h>
-#include <CGAL/Thick_point_traits_d.h>
 #include <CGAL/closest_pair.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
 #include <CGAL/thick_box_intersection_d.h>
 #include <CGAL/thick_intersection_d.h>
-
-#include <boost/multiprecision/cpp_int.hpp>
 
 namespace test_support {
 

@@ -7,12 +7,8 @@
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_CHECK_KERNEL_H
 #define THICK_INTERSECTION_TEST_SUPPORT_CHECK_KERNEL_H
 
-#include "brute_force.h"
 #include "check_closest_pair.h"
 #include "check_pairs.h"
-#include "kernels.h"
-#include "scenes.h"
-#include "unit_test.h"
 
 namespace test_support {
 

@@ -11,10 +11,7 @@
 #include "periodic_fuzz_scenes.h"
 #include "rounding_mode.h"
 #include "seeds.h"
-#include "unit_test.h"
 
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Periodic_lattice_d.h>
 #include <CGAL/periodic_closest_pair.h>
 #include <CGAL/periodic_fixed_radius_near_neighbors.h>
 

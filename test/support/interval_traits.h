@@ -11,7 +11,6 @@
 #include "lattice_traits.h"
 #include "number_boxes.h"
 
-#include <CGAL/Dimension.h>
 #include <CGAL/thick_intersection_d.h>
 
 namespace test_support {

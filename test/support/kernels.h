@@ -12,8 +12,6 @@
 #include "point_scene.h"
 
 #include <CGAL/Exact_integer.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Fraction_traits.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
 #include <CGAL/thick_intersection_d.h>
 

@@ -9,13 +9,8 @@
 
 #include "pairs.h"
 
-#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
-#include <CGAL/Thick_intersection_d/internal/arrays/Random_numbers.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Box_route.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
-#include <CGAL/Thick_intersection_d/internal/boxes/Piece_box.h>
-#include <CGAL/Thick_intersection_d/internal/boxes/tuning.h>
-#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 
 namespace test_support {

@@ -8,10 +8,8 @@
 
 #include "number_boxes.h"
 
-#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/objects/Object_route.h>
 #include <CGAL/Thick_intersection_d/internal/recursion/Recursive_route.h>
-#include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
 
 namespace test_support {
 

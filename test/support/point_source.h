@@ -8,15 +8,7 @@
 
 #include "point_generators.h"
 
-#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
-#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Integer_distance.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Near_task.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Point_reader.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slabs.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/tuning.h>
 
 namespace test_support {
 

@@ -10,7 +10,6 @@
 #include "pairs.h"
 #include "paper_base_cases.h"
 
-#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/recursion/Recursive_route.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 #include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>

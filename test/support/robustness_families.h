@@ -10,7 +10,6 @@
 #define THICK_INTERSECTION_TEST_SUPPORT_ROBUSTNESS_FAMILIES_H
 
 #include "point_generators.h"
-#include "point_scene.h"
 
 namespace test_support {
 

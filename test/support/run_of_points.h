@@ -8,7 +8,6 @@
 
 #include "point_scene.h"
 
-#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Run.h>
 
 namespace test_support {

@@ -10,10 +10,6 @@
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 
-#include <CGAL/Algebraic_structure_traits.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Fraction_traits.h>
-
 namespace test_support {
 
 namespace internal = CGAL::Thick_intersection_d::internal;

@@ -8,8 +8,6 @@
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_SCENES_H
 #define THICK_INTERSECTION_TEST_SUPPORT_SCENES_H
 
-#include "point_generators.h"
-#include "point_scene.h"
 #include "robustness_families.h"
 
 namespace test_support {

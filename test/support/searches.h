@@ -10,9 +10,7 @@
 #include "kernels.h"
 #include "point_generators.h"
 
-#include <CGAL/Bbox_3.h>
 #include <CGAL/Polygon_2.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Thick_ball_traits_d.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
 #include <CGAL/interiors.h>

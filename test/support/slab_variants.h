@@ -7,13 +7,10 @@
 #define THICK_INTERSECTION_TEST_SUPPORT_SLAB_VARIANTS_H
 
 #include "pairs.h"
-#include "point_generators.h"
 #include "unit_test.h"
 
 #include <CGAL/fixed_radius_near_neighbors.h>
 
-#include <CGAL/Thick_intersection_d/internal/near_points/Callback_taker.h>
-#include <CGAL/Thick_intersection_d/internal/near_points/Element_points.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/List_route.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_route.h>
 

@@ -7,7 +7,6 @@
 #include "unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/machine/Per_thread.h>
-#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 
 BOOST_AUTO_TEST_SUITE(Task_record)
 
