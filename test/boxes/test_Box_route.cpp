@@ -82,8 +82,6 @@ BOOST_AUTO_TEST_CASE(boxes_at_the_borders_of_pieces_meet_once)
   }
 }
 
-namespace {
-
 // Boxes whose sizes follow a power law, up to the whole scene, among small ones.
 Number_boxes power_law(Generator& random, int dimension, std::size_t size)
 {
@@ -96,8 +94,6 @@ Number_boxes power_law(Generator& random, int dimension, std::size_t size)
     }
   return boxes;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(large_scenes_with_the_usual_constants)
 {

@@ -11,8 +11,6 @@ BOOST_AUTO_TEST_SUITE(Meeting_boxes)
 
 using namespace test_support;
 
-namespace {
-
 struct Rectangle
 {
   int number;
@@ -39,8 +37,6 @@ bool do_half_open_boxes_meet(const Rectangle& a, const Rectangle& b)
   BOOST_CHECK_EQUAL(meeting.do_intersect(0, 1), meeting.do_intersect(1, 0));
   return meeting.do_intersect(0, 1);
 }
-
-} // namespace
 
 // Along the second axis, the boxes are all the same.
 BOOST_AUTO_TEST_CASE(intervals_decide_boxes_of_doubles)

@@ -11,8 +11,6 @@ BOOST_AUTO_TEST_SUITE(Numbered_boxes)
 
 using namespace test_support;
 
-namespace {
-
 template <class NT>
 struct Interval_box
 {
@@ -49,8 +47,6 @@ bool are_distinct(const std::vector<int>& first, const std::vector<int>& second)
   const Range a(first.begin(), first.end()), b(second.begin(), second.end());
   return internal::Numbered_boxes<Range, Range, Traits>(a, b, traits).have_distinct_ids();
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(ids_that_ascend_are_distinct)
 {

@@ -9,15 +9,10 @@
 
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Cell_join.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
 BOOST_AUTO_TEST_SUITE(Cell_join)
 
 using namespace test_support;
 
-using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
-template <int Dimension>
-using Maker = Cartesian_points<Epick, Dimension>;
 using Point = Epick::Point_2;
 
 constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
@@ -72,7 +67,7 @@ BOOST_AUTO_TEST_CASE(joins_visit_all_close_pairs)
     if(scene.points.empty() || !internal::do_cells_fit(reach, 0))
       continue;
     ++joined;
-    const auto points = make_points<Maker<2>>(scene.points);
+    const auto points = make_points<Epick_points<2>>(scene.points);
     const Elements_of<Point> elements(points);
     for(const double factor : {2., 16.}) {
       Set_taker taker;

@@ -7,15 +7,10 @@
 #include "support/counted_points.h"
 #include "support/plain_points.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
 BOOST_AUTO_TEST_SUITE(Close_pair_buckets)
 
 using namespace test_support;
 
-using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
-template <int Dimension>
-using Maker = Cartesian_points<Epick, Dimension>;
 using Point = Epick::Point_2;
 
 // The division has the same cells, and its orders of points.
@@ -95,10 +90,10 @@ BOOST_AUTO_TEST_CASE(heavy_cell_ends_the_search)
 // closer, and in dimension 4 one more. All of them are in one cell, as its side is a little longer.
 BOOST_AUTO_TEST_CASE(as_many_points_as_a_cell_holds)
 {
-  const auto corners = make_points<Maker<2>>(lattice_points(2, 2, 3, 1));
+  const auto corners = make_points<Epick_points<2>>(lattice_points(2, 2, 3, 1));
   BOOST_CHECK(CGAL::has_close_pair(corners, CGAL::within_distance(3)));
   BOOST_CHECK(!CGAL::has_close_pair(corners, CGAL::within_distance(3).open()));
-  const auto corners_3 = make_points<Maker<3>>(lattice_points(3, 2, 3, 1));
+  const auto corners_3 = make_points<Epick_points<3>>(lattice_points(3, 2, 3, 1));
   BOOST_CHECK(CGAL::has_close_pair(corners_3, CGAL::within_distance(3)));
   BOOST_CHECK(!CGAL::has_close_pair(corners_3, CGAL::within_distance(3).open()));
   BOOST_CHECK_EQUAL(internal::max_points_per_cell(1), 2u);

@@ -6,15 +6,9 @@
 #include "support/check_closest_pair.h"
 #include "support/plain_points.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
 BOOST_AUTO_TEST_SUITE(Closest_pair_divide)
 
 using namespace test_support;
-
-using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
-template <int Dimension>
-using Maker = Cartesian_points<Epick, Dimension>;
 
 struct Work_of_division
 {
@@ -74,9 +68,9 @@ Work_of_division work_of(const Elements& elements, int dimension)
 template <int Dimension>
 void check_work(const std::string& name, const Points& scene, double max_comparisons)
 {
-  const auto points = make_points<Maker<Dimension>>(scene);
+  const auto points = make_points<Epick_points<Dimension>>(scene);
   const Work_of_division work
-    = work_of(Elements_of<typename Maker<Dimension>::Point>(points), Dimension);
+    = work_of(Elements_of<typename Epick_points<Dimension>::Point>(points), Dimension);
   const double n = static_cast<double>(points.size());
   const double comparisons = static_cast<double>(work.comparisons) / (n * std::log2(n));
   BOOST_TEST_MESSAGE(name << ' ' << Dimension << "D: " << comparisons
@@ -153,7 +147,7 @@ BOOST_AUTO_TEST_CASE(closest_pairs_between_cells_of_a_plate_are_found)
     for(Coordinates& c : plate)
       c[0] *= 1e-6;
     const Pair expected = closest_of_doubles(plate).pair;
-    BOOST_CHECK(closest_by_division(make_points<Maker<3>>(plate)) == expected);
+    BOOST_CHECK(closest_by_division(make_points<Epick_points<3>>(plate)) == expected);
   }
 }
 

@@ -6,21 +6,16 @@
 #include "support/check_closest_pair.h"
 #include "support/counted_points.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
 BOOST_AUTO_TEST_SUITE(Closest_pair_search)
 
 using namespace test_support;
 
-using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
-template <int Dimension>
-using Maker = Cartesian_points<Epick, Dimension>;
 using Point = Epick::Point_2;
 
 // Squared distances overflow for the first pair only.
 BOOST_AUTO_TEST_CASE(first_point_may_be_far_out)
 {
-  auto points = make_points<Maker<2>>(uniform_points(2, 20000, 0, 1, 26));
+  auto points = make_points<Epick_points<2>>(uniform_points(2, 20000, 0, 1, 26));
   points[0] = Point(1e200, 0);
   std::size_t looks = 0;
   const Counted_points<Point> counted = {points, looks};
@@ -34,7 +29,7 @@ BOOST_AUTO_TEST_CASE(first_point_may_be_far_out)
 // Once it is cancelled, a search ends with the block of points that it is in.
 BOOST_AUTO_TEST_CASE(cancelled_search_looks_at_few_points_more)
 {
-  const auto points = make_points<Maker<2>>(uniform_points(2, 20000, 0, 1, 25));
+  const auto points = make_points<Epick_points<2>>(uniform_points(2, 20000, 0, 1, 25));
   std::size_t looks = 0;
   const Counted_points<Point> counted = {points, looks};
   const internal::Squared_bound<Exact_of<Point>> zero(CGAL::within_distance(0));
@@ -64,8 +59,8 @@ BOOST_AUTO_TEST_CASE(cancelled_search_looks_at_few_points_more)
 template <int Dimension>
 std::size_t near_searches_of_closest_pair(const Points& scene)
 {
-  const auto points = make_points<Maker<Dimension>>(scene);
-  const Elements_of<typename Maker<Dimension>::Point> elements(points);
+  const auto points = make_points<Epick_points<Dimension>>(scene);
+  const Elements_of<typename Epick_points<Dimension>::Point> elements(points);
   Counting_progress progress(points.size());
   check_pair("search", closest_by_division(points),
              closest_of_many(elements, scene_of(elements), progress));
@@ -198,7 +193,7 @@ BOOST_AUTO_TEST_CASE(uniform_points_are_not_crowded)
 // Once for each coordinate, and for few others in the same place of the hash table.
 BOOST_AUTO_TEST_CASE(equal_points_are_found_by_few_looks)
 {
-  const auto points = make_points<Maker<2>>(uniform_points(2, 20000, 0, 1, 7));
+  const auto points = make_points<Epick_points<2>>(uniform_points(2, 20000, 0, 1, 7));
   std::size_t looks = 0;
   const Counted_points<Point> counted = {points, looks};
   const internal::Scene scene = scene_of(Elements_of<Point>(points));
@@ -213,7 +208,7 @@ BOOST_AUTO_TEST_CASE(equal_points_are_found_by_few_looks)
 BOOST_AUTO_TEST_CASE(close_pairs_of_crowded_points_are_found)
 {
   for(const double step : {1., 0.1, 1e-318, 1e200}) {
-    const auto points = make_points<Maker<2>>(shuffled(lattice_points(2, 60, step), 6));
+    const auto points = make_points<Epick_points<2>>(shuffled(lattice_points(2, 60, step), 6));
     const Pair closest = closest_by_division(points);
     const auto bound = CGAL::within_squared_distance(
       internal::exact_squared_distance(points[closest.first], points[closest.second], 2));

@@ -5,18 +5,14 @@
 
 #include "support/feature_oracle.h"
 #include "support/unit_test.h"
+#include "support/usual_kernels.h"
 
 #include <CGAL/Thick_intersection_d/internal/features/Ring_trees.h>
-
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
 BOOST_AUTO_TEST_SUITE(Ring_trees)
 
 using namespace test_support;
 using internal::Place;
-
-using Doubles = CGAL::Simple_cartesian<double>;
-using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
 
 // Coordinates are integers times a unit, from an origin.
 template <class Kernel>
@@ -128,9 +124,9 @@ BOOST_AUTO_TEST_CASE(rings_of_any_size)
 {
   Random random(1);
   for(const std::size_t size : {3, 4, 9, 16, 17, 33, 64, 100, 300})
-    check_rings<Doubles>({any_ring(random, size, 30)}, 1, 1);
+    check_rings<Double_kernel>({any_ring(random, size, 30)}, 1, 1);
   for(const std::size_t size : {50, 200, 1000})
-    check_rings<Doubles>({wandering_ring(random, size)}, 1, 2);
+    check_rings<Double_kernel>({wandering_ring(random, size)}, 1, 2);
 }
 
 BOOST_AUTO_TEST_CASE(several_rings)
@@ -140,7 +136,7 @@ BOOST_AUTO_TEST_CASE(several_rings)
     std::vector<Chain> rings;
     for(int k = 0; k < 5; ++k)
       rings.push_back(k % 2 == 0 ? any_ring(random, size, 40) : wandering_ring(random, size));
-    check_rings<Doubles>(rings, 1, 2);
+    check_rings<Double_kernel>(rings, 1, 2);
   }
 }
 
@@ -161,7 +157,7 @@ BOOST_AUTO_TEST_CASE(coordinates_without_a_double_between_them)
 BOOST_AUTO_TEST_CASE(box_of_a_polygon)
 {
   Random random(4);
-  Rings<Doubles> rings;
+  Rings<Double_kernel> rings;
   rings.add_ring({{0, 0, 0}, {9, 0, 0}, {0, 9, 0}});
   rings.end_polygon();
   rings.add_ring(wandering_ring(random, 200));

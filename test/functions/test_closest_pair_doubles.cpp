@@ -7,13 +7,8 @@
 #include "support/check_closest_pair.h"
 #include "support/check_pairs.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
 using namespace test_support;
 
-using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
-template <int Dimension>
-using Maker = Cartesian_points<Epick, Dimension>;
 using Point = Epick::Point_2;
 
 // ---- scenes that are large enough for a join ----------------------------------------------------
@@ -24,7 +19,7 @@ template <int Dimension>
 void check_large(const std::string& name, const Points& scene)
 {
   BOOST_TEST_CONTEXT(name << ' ' << Dimension << 'D')
-  check_closest_and_close_pair<Maker<Dimension>>(scene);
+  check_closest_and_close_pair<Epick_points<Dimension>>(scene);
 }
 
 template <int Dimension>
@@ -84,7 +79,7 @@ BOOST_AUTO_TEST_CASE(the_first_two_of_equal_points)
   points[2000] = points[2500] = points[1500];
   points[2999] = points[1000];
   check_large<2>("a few copies", points);
-  BOOST_CHECK(CGAL::closest_pair(make_points<Maker<2>>(points)) == Pair(1000, 2999));
+  BOOST_CHECK(CGAL::closest_pair(make_points<Epick_points<2>>(points)) == Pair(1000, 2999));
   points[5] = {0., 1.};
   points[6] = {-0., 1.};
   check_large<2>("plus and minus zero", points);
@@ -106,7 +101,7 @@ BOOST_AUTO_TEST_CASE(a_few_points_of_a_small_lattice)
       for(std::size_t i = 0; i < n; ++i)
         points.push_back({static_cast<double>(random() % 12), static_cast<double>(random() % 12)});
       BOOST_TEST_CONTEXT(n << " points, repetition " << repetition)
-      check_closest_and_close_pair<Maker<2>>(points);
+      check_closest_and_close_pair<Epick_points<2>>(points);
     }
 }
 
@@ -120,7 +115,7 @@ BOOST_AUTO_TEST_CASE(the_closest_of_near_ties)
         Points scene_points = is_first ? concatenated(near, far) : concatenated(far, near);
         for(Coordinates& c : scene_points)
           c[2] *= 1e3 * scale;
-        const auto points = make_points<Maker<3>>(scene_points);
+        const auto points = make_points<Epick_points<3>>(scene_points);
         const Pair closest = is_first || scale * tiny == 0 ? Pair(0, 1) : Pair(2, 3);
         BOOST_CHECK(CGAL::closest_pair(points) == closest);
       }
@@ -138,14 +133,14 @@ BOOST_AUTO_TEST_CASE(the_closest_of_rounded_squares)
     const Coordinates v = {random.uniform(), random.uniform(), random.uniform()};
     const Coordinates w = {v[2], v[0], std::nextafter(v[1], 0.)};
     count += square(v) < square(w);
-    const auto points = make_points<Maker<3>>({{0, 0, 0}, v, {-w[0], -w[1], -w[2]}});
+    const auto points = make_points<Epick_points<3>>({{0, 0, 0}, v, {-w[0], -w[1], -w[2]}});
     BOOST_CHECK(CGAL::closest_pair(points) == Pair(0, 2));
   }
   BOOST_CHECK_GT(count, 10);
 
   // Squares that underflow: of .4 and .6 of the smallest number, and .8 is more than .6.
   const double x = 0x1p-537 * std::sqrt(.4), y = 0x1p-537 * std::sqrt(.6);
-  const auto points = make_points<Maker<3>>({{0, 0, 0}, {x, x, 0}, {0, 0, 1}, {y, 0, 1}});
+  const auto points = make_points<Epick_points<3>>({{0, 0, 0}, {x, x, 0}, {0, 0, 1}, {y, 0, 1}});
   BOOST_CHECK(CGAL::closest_pair(points) == Pair(2, 3));
 }
 
@@ -158,7 +153,7 @@ BOOST_AUTO_TEST_CASE(closest_pair_of_a_wall)
     for(Coordinates& c : wall)
       c[0] /= 1048576;
     BOOST_TEST_CONTEXT("seed " << seed)
-    check_closest_pair<Maker<3>>(wall);
+    check_closest_pair<Epick_points<3>>(wall);
   }
 }
 
@@ -172,23 +167,23 @@ BOOST_AUTO_TEST_CASE(bounds_of_any_size)
   scene[10] = {greatest, greatest};
   scene[20] = {-greatest, -greatest};
   scene[30] = {-least, least};
-  const auto points = make_points<Maker<2>>(scene);
+  const auto points = make_points<Epick_points<2>>(scene);
   for(const double r : {0., least, 1e-300, 1e-20})
     BOOST_CHECK(!CGAL::has_close_pair(points, CGAL::within_distance(r)));
   for(const double r : {1e-2, 1., 1e100, greatest, infinity})
     BOOST_CHECK(CGAL::has_close_pair(points, CGAL::within_distance(r)));
 
   scene[40] = {0, least}; // one step to the right
-  const auto pair = CGAL::find_close_pair(make_points<Maker<2>>(scene),
+  const auto pair = CGAL::find_close_pair(make_points<Epick_points<2>>(scene),
                                           CGAL::within_distance(least));
   BOOST_CHECK(pair == Pair(30, 40));
-  BOOST_CHECK(!CGAL::has_close_pair(make_points<Maker<2>>(scene),
+  BOOST_CHECK(!CGAL::has_close_pair(make_points<Epick_points<2>>(scene),
                                     CGAL::within_distance(least).open()));
 }
 
 BOOST_AUTO_TEST_CASE(close_pair_is_a_function_of_the_input)
 {
-  const auto points = make_points<Maker<2>>(uniform_points(2, 5000, 0, 1, 16));
+  const auto points = make_points<Epick_points<2>>(uniform_points(2, 5000, 0, 1, 16));
   for(const double r : {0.5, 0.01, 0.001})
     BOOST_CHECK(CGAL::find_close_pair(points, CGAL::within_distance(r))
                 == CGAL::find_close_pair(points, CGAL::within_distance(r)));

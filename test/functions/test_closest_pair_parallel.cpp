@@ -5,13 +5,9 @@
 
 #include "support/check_closest_pair.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
 #include <tbb/global_control.h>
 
 using namespace test_support;
-
-using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 namespace {
 
@@ -20,7 +16,7 @@ void check_parallel(const std::string& name, const Points& scene)
 {
   BOOST_TEST_CONTEXT(name << ' ' << Dimension << 'D')
   {
-    const auto points = make_points<Cartesian_points<Epick, Dimension>>(scene);
+    const auto points = make_points<Epick_points<Dimension>>(scene);
     const Pair expected = CGAL::closest_pair(points);
     check_pair("division", expected, closest_by_division(points));
     const double distance

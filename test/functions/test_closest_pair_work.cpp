@@ -11,17 +11,13 @@ using namespace test_support;
 
 namespace {
 
-using Kernel = CGAL::Simple_cartesian<double>;
-template <int Dimension>
-using Maker = Cartesian_points<Kernel, Dimension>;
-
 // Looks per point, of the search without the scan.
 template <int Dimension>
 double looks_per_point(const Points& scene)
 {
-  using Point = typename Maker<Dimension>::Point;
+  using Point = typename Epick_points<Dimension>::Point;
   using Counted = Counted_points<Point>;
-  const auto points = make_points<Maker<Dimension>>(scene);
+  const auto points = make_points<Epick_points<Dimension>>(scene);
   std::size_t looks = 0;
   const Counted counted = {points, looks};
   const internal::Scene scene_of_points = scene_of(Elements_of<Point>(points));

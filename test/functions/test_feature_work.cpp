@@ -6,18 +6,17 @@
 // interiors, it is the edges that are read where boundaries meet in many places, or in one.
 
 #include "support/unit_test.h"
+#include "support/usual_kernels.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/thick_feature_intersection_d.h>
 
 #include <array>
 #include <variant>
 
-namespace internal = CGAL::Thick_intersection_d::internal;
+using namespace test_support;
 
 namespace {
 
-using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Epick::Point_2;
 using Polyline = std::vector<Point>;
 using Polygon = CGAL::Polygon_2<Epick>;
@@ -134,8 +133,6 @@ Polyline moored_track(std::size_t size, double x)
   return track;
 }
 
-} // namespace
-
 BOOST_AUTO_TEST_CASE(pieces_of_one_feature_are_not_compared)
 {
   for(const std::size_t n : {2000, 6000}) {
@@ -158,8 +155,6 @@ BOOST_AUTO_TEST_CASE(pieces_of_known_pairs_are_not_compared)
 }
 
 // ---- interiors ----------------------------------------------------------------------------------
-
-namespace {
 
 using Polygons = std::vector<Polygon>;
 
@@ -264,8 +259,6 @@ Polygons antenna_across_border(std::size_t crossings)
   const Point large[] = {{-5, 0}, {end, 0}, {end, 9}, {-5, 9}};
   return {ring, Polygon(large, large + 4)};
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(edges_where_boundaries_meet_are_read_a_few_times)
 {

@@ -5,22 +5,14 @@
 // that are promised for any number of points, and they get no memory. Scenes of all sizes, and
 // their closest pairs, are those of test_fuzz.
 
-#include "support/brute_force.h"
+#include "support/check_closest_pair.h"
 #include "support/check_pairs.h"
 #include "support/counting_allocator.h"
 #include "support/instruction_sets.h"
-#include "support/kernels.h"
-
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/closest_pair.h>
 
 using namespace test_support;
 
 namespace {
-
-template <int Dimension>
-using Epick_points = Cartesian_points<CGAL::Epick, Dimension>;
 
 // The pairs of the first `size` points, of which `first_size` are the first set, if there are two.
 Pairs pairs_among(const Pairs& pairs, std::size_t size, std::size_t first_size = 0)
@@ -153,7 +145,7 @@ BOOST_AUTO_TEST_CASE(few_points_need_no_memory)
     const auto bound = CGAL::within_distance(0.1);
     for(std::size_t size = 0; size <= all.size(); ++size) {
       const auto end = all.begin() + static_cast<std::ptrdiff_t>(size);
-      const std::vector<CGAL::Epick::Point_3> points(all.begin(), end);
+      const std::vector<Epick::Point_3> points(all.begin(), end);
       std::size_t count = 0;
       const auto add = [&](std::size_t, std::size_t) { ++count; };
       const auto search = [&] {
@@ -174,9 +166,8 @@ BOOST_AUTO_TEST_CASE(few_points_need_no_memory)
 // Lanes read all columns of the ends. Programs that look for memory nobody wrote would complain.
 BOOST_AUTO_TEST_CASE(runs_end_in_every_column)
 {
-  namespace internal = CGAL::Thick_intersection_d::internal;
-  const std::vector<CGAL::Epick::Point_3> points(20, CGAL::ORIGIN);
-  internal::Few_runs<CGAL::Epick::Point_3> runs;
+  const std::vector<Epick::Point_3> points(20, CGAL::ORIGIN);
+  internal::Few_runs<Epick::Point_3> runs;
   const auto run = runs.make(points, 0, points.size());
   for(const double* column : run.x)
     for(std::size_t end = 0; end < internal::lanes; ++end)

@@ -4,12 +4,9 @@
 // Most of a million small random scenes: on doubles, in sequence, by the best lanes.
 
 #include "support/check_fuzz.h"
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include "support/usual_kernels.h"
 
 using namespace test_support;
-
-using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 BOOST_AUTO_TEST_CASE(doubles_2) { fuzz<Fuzz_cartesian<Epick, 2, false>>(400000); }
 BOOST_AUTO_TEST_CASE(doubles_3) { fuzz<Fuzz_cartesian<Epick, 3, false>>(400000); }

@@ -4,17 +4,9 @@
 // Small random periodic scenes on the usual kernels, in sequence and by threads.
 
 #include "support/check_periodic_fuzz.h"
-
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Simple_cartesian.h>
+#include "support/usual_kernels.h"
 
 using namespace test_support;
-
-using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
-using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Doubles = CGAL::Simple_cartesian<double>;
-using Rationals = CGAL::Simple_cartesian<CGAL::Exact_rational>;
 
 namespace {
 
@@ -26,9 +18,9 @@ void fuzz_with_domain(std::uint64_t count)
 
 using Threads = CGAL::Parallel_if_available_tag;
 using Epick_2 = Fuzz_cartesian<Epick, 2, false>;
-using Doubles_3 = Fuzz_cartesian<Doubles, 3, false>;
+using Doubles_3 = Fuzz_cartesian<Double_kernel, 3, false>;
 using Epeck_3 = Fuzz_cartesian<Epeck, 3, true>;
-using Rationals_2 = Fuzz_cartesian<Rationals, 2, true>;
+using Rationals_2 = Fuzz_cartesian<Rational_kernel, 2, true>;
 
 } // namespace
 

@@ -4,19 +4,16 @@
 // Small random periodic scenes on further kernels, and of points and domains of different kernels.
 
 #include "support/check_periodic_fuzz.h"
+#include "support/usual_kernels.h"
 
 #include <CGAL/Epick_d.h>
 #include <CGAL/Exact_integer.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Homogeneous.h>
-#include <CGAL/Simple_cartesian.h>
 
 using namespace test_support;
 
-using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Floats = CGAL::Simple_cartesian<float>;
 using Integers = CGAL::Homogeneous<CGAL::Exact_integer>;
-using Rationals = CGAL::Simple_cartesian<CGAL::Exact_rational>;
 
 BOOST_AUTO_TEST_CASE(floats_3) { fuzz_periodic<Fuzz_cartesian<Floats, 3, false>>(2000); }
 BOOST_AUTO_TEST_CASE(homogeneous_2) { fuzz_periodic<Fuzz_homogeneous<Integers, 2>>(200); }
@@ -24,13 +21,13 @@ BOOST_AUTO_TEST_CASE(homogeneous_2) { fuzz_periodic<Fuzz_homogeneous<Integers, 2
 // Points are doubles, and periods thirds.
 BOOST_AUTO_TEST_CASE(doubles_in_a_domain_of_rationals_3)
 {
-  fuzz_periodic<Fuzz_cartesian<Epick, 3, false>, Fuzz_cartesian<Rationals, 3, true>>(400);
+  fuzz_periodic<Fuzz_cartesian<Epick, 3, false>, Fuzz_cartesian<Rational_kernel, 3, true>>(400);
 }
 
 // Points are thirds, and periods doubles.
 BOOST_AUTO_TEST_CASE(rationals_in_a_domain_of_doubles_2)
 {
-  fuzz_periodic<Fuzz_cartesian<Rationals, 2, true>, Fuzz_cartesian<Epick, 2, false>>(400);
+  fuzz_periodic<Fuzz_cartesian<Rational_kernel, 2, true>, Fuzz_cartesian<Epick, 2, false>>(400);
 }
 
 BOOST_AUTO_TEST_CASE(epick_d_3)

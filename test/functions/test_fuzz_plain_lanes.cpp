@@ -7,7 +7,6 @@
 #include "support/check_fuzz.h"
 
 using namespace test_support;
-namespace internal = CGAL::Thick_intersection_d::internal;
 
 using Doubles = CGAL::Simple_cartesian<double>;
 using Floats = CGAL::Simple_cartesian<float>;

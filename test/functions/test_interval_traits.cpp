@@ -47,8 +47,6 @@ void check_fixed_dimensions(std::size_t size)
   (check_colored(some_boxes(Dimensions, size), Fixed_interval_traits<Dimensions>(calls)), ...);
 }
 
-} // namespace
-
 BOOST_AUTO_TEST_CASE(archetype_traits_are_enough_in_any_dimension)
 {
   for(const int dimension : {1, 2, 3, 4, 5, 8})
@@ -103,8 +101,6 @@ BOOST_AUTO_TEST_CASE(intervals_may_be_infinite)
   }
 }
 
-namespace {
-
 struct Checking_traits : Interval_traits
 {
   using Interval_traits::Interval_traits;
@@ -114,8 +110,6 @@ struct Checking_traits : Interval_traits
       throw std::out_of_range("Object " + std::to_string(position) + " is not allowed.");
   }
 };
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(traits_check_objects_before_intervals_are_read)
 {
@@ -194,3 +188,5 @@ BOOST_AUTO_TEST_CASE(balls_beyond_the_range_of_doubles_are_searched_exactly)
     CGAL::thick_self_intersection_d(balls, collect, CGAL::parameters::geom_traits(traits));
   }));
 }
+
+} // namespace

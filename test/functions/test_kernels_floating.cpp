@@ -5,7 +5,6 @@
 
 #include "support/check_kernel.h"
 #include "support/mpfr_kernel_number.h"
-#include "support/usual_kernels.h"
 
 using namespace test_support;
 

@@ -6,12 +6,8 @@
 
 #include "support/check_kernel.h"
 #include "support/lattice_counts.h"
-#include "support/usual_kernels.h"
 
 using namespace test_support;
-
-using Plane = Cartesian_points<Epick, 2>;
-using Space = Cartesian_points<Epick, 3>;
 
 namespace {
 
@@ -53,8 +49,8 @@ void check_large_scene(int dimension)
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(large_scene_of_the_plane) { check_large_scene<Plane>(2); }
-BOOST_AUTO_TEST_CASE(large_scene_of_space) { check_large_scene<Space>(3); }
+BOOST_AUTO_TEST_CASE(large_scene_of_the_plane) { check_large_scene<Epick_points<2>>(2); }
+BOOST_AUTO_TEST_CASE(large_scene_of_space) { check_large_scene<Epick_points<3>>(3); }
 
 // Ties by the million, counted in closed form.
 BOOST_AUTO_TEST_CASE(lattices_have_the_closed_form_counts)
@@ -65,13 +61,13 @@ BOOST_AUTO_TEST_CASE(lattices_have_the_closed_form_counts)
                                       [&](std::size_t, std::size_t) { ++pairs; });
     return pairs;
   };
-  const auto plane = make_points<Plane>(lattice_points(2, 300, 0.5));
+  const auto plane = make_points<Epick_points<2>>(lattice_points(2, 300, 0.5));
   const Lattice_count expected_2 = lattice_count(300, 2, 25);
   BOOST_CHECK_EQUAL(count(plane, CGAL::within_distance(2.5)), expected_2.pairs);
   BOOST_CHECK_EQUAL(count(plane, CGAL::within_distance(2.5).open()),
                     expected_2.pairs - expected_2.at_threshold);
 
-  const auto space = make_points<Space>(lattice_points(3, 40, 1));
+  const auto space = make_points<Epick_points<3>>(lattice_points(3, 40, 1));
   const Lattice_count expected_3 = lattice_count(40, 3, 6);
   BOOST_CHECK_EQUAL(count(space, CGAL::within_squared_distance(6)), expected_3.pairs);
   BOOST_CHECK_EQUAL(count(space, CGAL::within_squared_distance(6).open()),

@@ -17,8 +17,6 @@ BOOST_AUTO_TEST_SUITE(own_boxes)
 using namespace test_support;
 using namespace CGAL::Thick_box_intersection_d;
 
-namespace {
-
 // The least that a box needs.
 template <std::size_t D>
 struct Plain_box
@@ -74,8 +72,6 @@ struct Fattening_traits
   double min_coord(double x, int) const { return x - distance; }
   double max_coord(double x, int) const { return x + distance; }
 };
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(closed_boxes_touch_and_half_open_boxes_do_not)
 {

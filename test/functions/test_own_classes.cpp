@@ -172,8 +172,6 @@ std::vector<Triangle> degenerate_triangles()
           {P(0, 0, 9), P(1, 0, 9), P(0, 1, 9)}};
 }
 
-} // namespace
-
 // ---- objects ------------------------------------------------------------------------------------
 
 BOOST_AUTO_TEST_CASE(segment_with_an_id_is_decided_exactly)
@@ -315,8 +313,6 @@ BOOST_AUTO_TEST_CASE(derived_features_are_what_their_base_is)
 
 // ---- objects of no kernel -----------------------------------------------------------------------
 
-namespace {
-
 using plans::Disk;
 
 std::vector<Disk> random_disks(std::size_t n)
@@ -345,8 +341,6 @@ struct Traits_without_intervals : CGAL::Thick_object_traits_d<Disk>
   using CGAL::Thick_object_traits_d<Disk>::Thick_object_traits_d;
   Interval_d interval_d_object() const = delete;
 };
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(a_class_with_a_box_and_a_test_is_searched_without_traits)
 {
@@ -389,8 +383,6 @@ BOOST_AUTO_TEST_CASE(radii_may_be_numbers_of_another_type)
 
 // ---- traits -------------------------------------------------------------------------------------
 
-namespace {
-
 // Traits of the package with another question: do two objects meet, unless they are equal?
 template <class Traits>
 struct Different_traits : Traits
@@ -431,8 +423,6 @@ struct Manhattan_distance
   Interval_d interval_d_object() const { return {}; }
   Is_within_distance_d is_within_distance_d_object() const { return {}; }
 };
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(traits_that_derive_from_those_of_the_package_are_asked)
 {
@@ -505,3 +495,5 @@ BOOST_AUTO_TEST_CASE(kernel_of_the_points_says_what_their_type_says)
   CGAL::thick_feature_self_intersection_d(points, Pair_collector{pairs}, np);
   BOOST_CHECK_EQUAL(pairs.size(), 2);
 }
+
+} // namespace

@@ -6,15 +6,13 @@
 
 #include "support/interval_traits.h"
 #include "support/parallel_pairs.h"
+#include "support/usual_kernels.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
 
 #include <tbb/global_control.h>
 
 using namespace test_support;
-
-using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 namespace {
 

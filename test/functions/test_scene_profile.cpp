@@ -201,7 +201,6 @@ BOOST_AUTO_TEST_CASE(differences_of_a_multiple_of_2_to_64_steps_are_not_zero)
     check_tiers<Plane>(points, reach, Arithmetic_tier::INT128);
 
     // Whether a sweep asks for such a pair depends on its lanes.
-    namespace internal = CGAL::Thick_intersection_d::internal;
     const internal::Squared_bound<internal::Exact_number_t<double>> bound(
       CGAL::within_distance(reach));
     const auto made = make_points<Plane>(points);

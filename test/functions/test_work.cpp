@@ -66,8 +66,6 @@ void check_work(const std::string& what, const std::vector<Site>& sites, long di
   }
 }
 
-} // namespace
-
 BOOST_AUTO_TEST_CASE(uniform_in_the_plane)
 {
   // k is about n pi r^2 (n / side^2) / 2: n/2, and 10 n
@@ -146,8 +144,6 @@ BOOST_AUTO_TEST_CASE(pairs_within_a_set_are_not_tested)
   }
 }
 
-namespace {
-
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_2;
 using Plane = Cartesian_points<Kernel, 2>;
@@ -186,8 +182,6 @@ void check_bytes_of_flat_scenes(std::size_t n)
                    bytes + bytes_of_work + 2 * n);
   }
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(axes_without_extent_are_not_stored)
 {
@@ -236,3 +230,5 @@ BOOST_AUTO_TEST_CASE(memory_does_not_depend_on_the_number_of_pairs)
   for(const double r : {0., 0.001, 0.01, 0.1, 0.4, 2.})
     BOOST_CHECK_LE(bytes_of_search(points, r, pairs), limit);
 }
+
+} // namespace

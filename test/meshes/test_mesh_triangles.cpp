@@ -15,7 +15,6 @@
 BOOST_AUTO_TEST_SUITE(mesh_triangles)
 
 using namespace test_support;
-namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
@@ -47,8 +46,6 @@ std::vector<Point> directions()
 
 // All directions, up to symmetry.
 const std::vector<Point> few = {Point(1, 0, 0), Point(1, 1, 0), Point(1, 1, 1)};
-
-} // namespace
 
 // They have more in common than the vertex iff one meets the edge of the other that is opposite.
 BOOST_AUTO_TEST_CASE(triangles_at_a_vertex_meet_where_an_opposite_edge_does)

@@ -10,15 +10,14 @@
 #include "support/rounding_mode.h"
 #include "support/squared_distance.h"
 #include "support/unit_test.h"
+#include "support/usual_kernels.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Thick_ball_traits_d.h>
 
 BOOST_AUTO_TEST_SUITE(Do_balls_intersect)
 
 using namespace test_support;
 
-using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point_2 = Epick::Point_2;
 using Ball_2 = std::pair<Point_2, double>;
 

@@ -4,18 +4,16 @@
 // Which arithmetic decides about the distance of two objects, and that its answers are right.
 
 #include "support/unit_test.h"
+#include "support/usual_kernels.h"
 
 #include <CGAL/Thick_intersection_d/internal/predicates/are_objects_near.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
-
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
 BOOST_AUTO_TEST_SUITE(are_objects_near)
 
 using namespace test_support;
 using CGAL::Arithmetic_tier;
-using Doubles = CGAL::Simple_cartesian<double>;
-using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
+using Doubles = Double_kernel;
 using Ball = std::pair<Doubles::Point_2, double>;
 using Exact_ball = std::pair<Epeck::Point_2, Epeck::FT>;
 

@@ -4,11 +4,11 @@
 // Which arithmetic decides about objects of a kernel, and that it gives the answer for each.
 
 #include "support/unit_test.h"
+#include "support/usual_kernels.h"
 
 #include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
 
 #include <CGAL/Exact_integer.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Homogeneous.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -17,7 +17,6 @@ BOOST_AUTO_TEST_SUITE(do_objects_intersect)
 
 using namespace test_support;
 using CGAL::Arithmetic_tier;
-using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
 
 // Two segments that cross, of which one ends on the other if `do_touch`.
 template <class Kernel>

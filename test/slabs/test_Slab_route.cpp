@@ -86,8 +86,6 @@ Points geometric(int dimension)
   return points;
 }
 
-} // namespace
-
 BOOST_AUTO_TEST_CASE(first_structured_scenes) // enough for most errors
 {
   for(std::uint64_t seed = 0; seed < 2000; ++seed)
@@ -102,8 +100,6 @@ BOOST_AUTO_TEST_CASE(many_structured_scenes)
   check_seeds(120000, check_structured_scene<2>);
   check_seeds(80000, check_structured_scene<3>);
 }
-
-namespace {
 
 // Reaches for which points in the unit cube, or of such clusters, have few pairs or many.
 struct Skewed_scenes
@@ -134,8 +130,6 @@ void check_skewed_scenes(int dimension, const Skewed_scenes& scenes)
   check_large_scene<Maker>("geometric", geometric(dimension), 1e-9);
 }
 
-} // namespace
-
 BOOST_AUTO_TEST_CASE(skewed_scenes_2)
 {
   check_skewed_scenes<Plane>(2, {0.01, 0.001, 1e-5, 1. / 256, 1. / 2048});
@@ -164,8 +158,6 @@ BOOST_AUTO_TEST_CASE(half_of_the_points_at_one_place)
     crowd[i] = {0.25, 0.75};
   check_large_scene<Plane>("half of them at one place", crowd, 0.001);
 }
-
-namespace {
 
 // The limit of the points looked at for borders, per n + k.
 const double max_border_points = 16;
@@ -284,8 +276,6 @@ void check_candidates_of_scenes(double limit)
   check_candidates<Dimension>("flight", flight_points(Dimension, 20000), 1, limit);
 }
 
-} // namespace
-
 // Thin scenes in space, each with an outlier along one axis and without: wires along an axis, which
 // end a reach or many from each other across it; bars and plates; a cross of wires; and two plates.
 void check_thin_scenes()
@@ -367,3 +357,5 @@ BOOST_AUTO_TEST_CASE(extents_without_end)
   BOOST_CHECK(near_pairs(points, CGAL::within_distance(0)).empty());
   BOOST_CHECK_EQUAL(near_pairs(points, CGAL::within_distance(1e308)).size(), 1u);
 }
+
+} // namespace

@@ -11,12 +11,14 @@
 #include "kernels.h"
 #include "scenes.h"
 #include "unit_test.h"
+#include "usual_kernels.h"
 
 #include <CGAL/closest_pair.h>
 
 namespace test_support {
 
-namespace internal = CGAL::Thick_intersection_d::internal;
+template <int Dimension>
+using Epick_points = Cartesian_points<Epick, Dimension>;
 
 template <class Point>
 using Elements_of = internal::Numbered_elements<std::vector<Point>>;

@@ -46,7 +46,6 @@ public:
 template <class Task>
 void with_all_lanes(const Task& task)
 {
-  namespace internal = CGAL::Thick_intersection_d::internal;
   task(internal::lanes_plain::Lanes());
   for(const internal::Instruction_set set : instruction_sets()) {
     const Forced_instruction_set forced(set);

@@ -16,7 +16,6 @@
 
 namespace test_support {
 
-namespace internal = CGAL::Thick_intersection_d::internal;
 using internal::Slab_tuning;
 
 // Calls search(number, points, task) with the points as the slab route sees them, at least one: as
