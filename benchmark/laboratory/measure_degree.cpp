@@ -7,8 +7,10 @@
 //
 //   measure_degree <folder for degree.csv>
 
+#include "object_makers.h"
+#include "paper_traits.h"
+
 #include "support/degree_traits.h"
-#include "support/object_makers.h"
 
 #include "measuring/Csv_file.h"
 
@@ -44,6 +46,7 @@ struct box_limits<test_support::Degree_number>
 
 namespace {
 
+using namespace lab;
 using namespace test_support;
 using thick_benchmark::Csv_file;
 using Kernel = Degree_kernel;

@@ -7,12 +7,11 @@
 #ifndef THICK_INTERSECTION_BENCHMARK_LABORATORY_PREDICATE_COLUMNS_H
 #define THICK_INTERSECTION_BENCHMARK_LABORATORY_PREDICATE_COLUMNS_H
 
+#include "object_makers.h"
 #include "object_questions.h"
 #include "run_in_child.h"
 
 #include "measuring/timing.h"
-
-#include "support/object_makers.h"
 
 #include <CGAL/intersections.h>
 
@@ -87,19 +86,19 @@ Answers answers_to(const Object_questions& questions, double milliseconds, const
   return answers;
 }
 
-// Calls f(maker) with the maker of a kind (support/object_makers.h).
+// Calls f(maker) with the maker of a kind (object_makers.h).
 template <class Function>
 auto with_maker(const Kind& kind, const Function& f)
 {
   if(kind.name == "Segment_2")
-    return f(test_support::Segments_2());
+    return f(Segments_2());
   if(kind.name == "Triangle_2")
-    return f(test_support::Triangles_2());
+    return f(Triangles_2());
   if(kind.name == "Segment_3")
-    return f(test_support::Segments_3());
+    return f(Segments_3());
   if(kind.name == "Triangle_3")
-    return f(test_support::Triangles_3());
-  return f(test_support::Tetrahedra_3());
+    return f(Triangles_3());
+  return f(Tetrahedra_3());
 }
 
 inline bool knows_all(const Kind&) { return true; }

@@ -7,6 +7,8 @@
 //
 //   section_3 <folder for section_3.csv> <disks> <disks for rational numbers> <disks, all near>
 
+#include "paper_traits.h"
+
 #include "measuring/Csv_file.h"
 #include "measuring/Tally.h"
 #include "measuring/timing.h"
@@ -14,7 +16,6 @@
 #include "methods/all_pairs.h"
 #include "scenes/from_tests.h"
 
-#include "support/paper_traits.h"
 #include "support/point_generators.h"
 #include "support/recursion_variants.h"
 
@@ -132,7 +133,7 @@ private:
   // The program of the paper: a random pivot, the walk, and the predicates in double.
   void write_paper_version()
   {
-    const test_support::Paper_point_traits<Double_kernel::Point_2, 2> traits(scene_.r);
+    const lab::Paper_point_traits<Double_kernel::Point_2, 2> traits(scene_.r);
     write_on_points<Double_kernel>("[V03] as in its section 3, in double", 2,
                                    [traits](const auto& points, Tally& tally) {
                                      using test_support::Base_case, test_support::Pivot;

@@ -8,6 +8,7 @@
 //
 //   staircase_runs <folder for staircase_runs.csv>
 
+#include "paper_traits.h"
 #include "staircase.h"
 #include "wrong_pairs.h"
 
@@ -17,14 +18,12 @@
 
 #include "support/brute_force.h"
 #include "support/kernels.h"
-#include "support/paper_traits.h"
 
 #include <CGAL/Simple_cartesian.h>
 
 namespace {
 
 using namespace lab;
-using test_support::Paper_point_traits;
 using test_support::Random;
 
 template <unsigned Digits>

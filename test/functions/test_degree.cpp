@@ -88,11 +88,6 @@ void check_point_traits()
   check_degrees_of_predicates(1, 0, 2); // closeness is left to doubles,
   const auto& sites = Degree_record::get().tallies();
   BOOST_TEST(sites.at("Is_close_along_axis_d").degree_in_doubles == 1); // which see coordinates
-
-  Degree_record::get().restart(false);
-  BOOST_TEST(count_pairs(points, test_support::Paper_point_traits<Point, Dimension>(radius()))
-             == expected);
-  check_degrees_of_predicates(1, 1, 2);
 }
 
 template <class Point, int Dimension>
@@ -221,20 +216,4 @@ BOOST_AUTO_TEST_CASE(ball_traits_with_a_radius_each_have_degree_two)
 {
   check_ball_traits<Point_2, 2>();
   check_ball_traits<Point_3, 3>();
-}
-
-// The other direction: what has a higher degree is seen to have it.
-BOOST_AUTO_TEST_CASE(balls_stored_by_squared_radius_are_measured_at_degree_four)
-{
-  std::vector<Degree_kernel::Sphere_3> spheres;
-  for(const auto& ball : degree_balls<Point_3, 3>(3))
-    spheres.emplace_back(ball.first, ball.second * ball.second);
-  const test_support::Squared_radius_traits<Degree_kernel::Sphere_3, 3> traits(
-    Degree_number::input(2 * 64. * 6));
-  Degree_record::get().restart(false);
-  const std::size_t found = count_pairs(spheres, traits);
-  check_degrees_of_predicates(1, 1, 4);
-
-  const auto balls = degree_balls<Point_3, 3>(3);
-  BOOST_TEST(found == count_pairs(balls, CGAL::Thick_ball_traits_d<Point_3>(balls)));
 }

@@ -1,14 +1,13 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// What the degree is measured on: points of Degree_number, traits whose predicates are call sites,
-// and traits of balls that are stored with the square of their radius.
+// What the degree is measured on: points of Degree_number, and traits whose predicates are call
+// sites.
 
 #ifndef THICK_INTERSECTION_TEST_SUPPORT_DEGREE_TRAITS_H
 #define THICK_INTERSECTION_TEST_SUPPORT_DEGREE_TRAITS_H
 
 #include "Degree_number.h"
-#include "paper_traits.h"
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -86,44 +85,6 @@ public:
 
 private:
   Traits traits_;
-};
-
-// Solid balls that are stored with the square of their radius, as Circle_2 and Sphere_3 are: two
-// intersect iff d^2 <= (sqrt R1 + sqrt R2)^2, which without roots is
-//   d^2 - R1 - R2 <= 0   or   (d^2 - R1 - R2)^2 <= 4 R1 R2.
-// The squares are of degree 2 in the radii, so the second polynomial is of degree 4. The reach is
-// given, for it needs a root.
-template <class Sphere, int Dimension>
-class Squared_radius_traits
-{
-  struct Position
-  {
-    decltype(auto) operator()(const Sphere& s, int i) const { return s.center()[i]; }
-  };
-
-public:
-  using Object_d = Sphere;
-  using Less_coordinate_d = typename Paper_order<Sphere, Position>::Less_coordinate_d;
-  using Is_close_along_axis_d = typename Paper_order<Sphere, Position>::Is_close_along_axis_d;
-  struct Do_intersect_d
-  {
-    bool operator()(const Sphere& a, const Sphere& b) const
-    {
-      const Degree_number excess = CGAL::squared_distance(a.center(), b.center())
-                                   - a.squared_radius() - b.squared_radius();
-      return excess <= 0 || excess * excess <= 4 * a.squared_radius() * b.squared_radius();
-    }
-  };
-
-  explicit Squared_radius_traits(const Degree_number& reach) : reach_(reach) {}
-
-  int dimension() const { return Dimension; }
-  Less_coordinate_d less_coordinate_d_object() const { return {}; }
-  Is_close_along_axis_d is_close_along_axis_d_object() const { return {reach_}; }
-  Do_intersect_d do_intersect_d_object() const { return {}; }
-
-private:
-  Degree_number reach_;
 };
 
 } // namespace test_support

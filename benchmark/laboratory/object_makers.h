@@ -3,12 +3,12 @@
 
 // Makers of the types of objects of a kernel.
 
-#ifndef THICK_INTERSECTION_TEST_SUPPORT_OBJECT_MAKERS_H
-#define THICK_INTERSECTION_TEST_SUPPORT_OBJECT_MAKERS_H
+#ifndef THICK_INTERSECTION_BENCHMARK_LABORATORY_OBJECT_MAKERS_H
+#define THICK_INTERSECTION_BENCHMARK_LABORATORY_OBJECT_MAKERS_H
 
-#include "kernel_types.h"
+#include "support/kernel_types.h"
 
-namespace test_support {
+namespace lab {
 
 // What all makers do: Maker::Object<K> is the type, in a kernel, of the objects that have so many
 // points. Boxes are made of two opposite corners.
@@ -28,7 +28,7 @@ struct Object_maker
   template <class Kernel, class Coordinates>
   static auto point(const Coordinates& c, std::size_t i)
   {
-    return Kernel_types<Kernel, Dimension>::point([&](std::size_t axis) {
+    return test_support::Kernel_types<Kernel, Dimension>::point([&](std::size_t axis) {
       return typename Kernel::FT(c[Dimension * i + axis]);
     });
   }
@@ -46,21 +46,21 @@ template <int Dimension>
 struct Segments_maker : Object_maker<Segments_maker<Dimension>, Dimension, 2>
 {
   template <class K>
-  using Object = typename Kernel_types<K, Dimension>::Segment;
+  using Object = typename test_support::Kernel_types<K, Dimension>::Segment;
 };
 
 template <int Dimension>
 struct Triangles_maker : Object_maker<Triangles_maker<Dimension>, Dimension, 3>
 {
   template <class K>
-  using Object = typename Kernel_types<K, Dimension>::Triangle;
+  using Object = typename test_support::Kernel_types<K, Dimension>::Triangle;
 };
 
 template <int Dimension>
 struct Iso_boxes_maker : Object_maker<Iso_boxes_maker<Dimension>, Dimension, 2, true>
 {
   template <class K>
-  using Object = typename Kernel_types<K, Dimension>::Iso_box;
+  using Object = typename test_support::Kernel_types<K, Dimension>::Iso_box;
 };
 
 struct Tetrahedra_3 : Object_maker<Tetrahedra_3, 3, 4>
@@ -76,6 +76,6 @@ using Triangles_3 = Triangles_maker<3>;
 using Rectangles_2 = Iso_boxes_maker<2>;
 using Cuboids_3 = Iso_boxes_maker<3>;
 
-} // namespace test_support
+} // namespace lab
 
-#endif // THICK_INTERSECTION_TEST_SUPPORT_OBJECT_MAKERS_H
+#endif // THICK_INTERSECTION_BENCHMARK_LABORATORY_OBJECT_MAKERS_H
