@@ -12,16 +12,6 @@ BOOST_AUTO_TEST_SUITE(Known_pairs)
 using namespace test_support;
 using internal::Place;
 
-BOOST_AUTO_TEST_CASE(each_pair_is_added_once_in_either_order)
-{
-  internal::Known_pairs known{internal::Threads()};
-  BOOST_CHECK(!known.has(0, 1));
-  BOOST_CHECK(known.add(0, 1));
-  BOOST_CHECK(known.has(0, 1) && known.has(1, 0) && !known.has(1, 2));
-  BOOST_CHECK(!known.add(0, 1) && !known.add(1, 0));
-  BOOST_CHECK(known.add(1, 2));
-}
-
 // As many pairs as a small set takes before it grows. Each search for another pair ends: it looks
 // through all slots, not through every other one, which may all be taken.
 BOOST_AUTO_TEST_CASE(searches_in_full_sets_end)

@@ -29,11 +29,6 @@ using Maker = Cartesian_points<Kernel, 2>;
 
 namespace {
 
-Point_scene some_scene()
-{
-  return scene("uniform", 2, uniform_points(2, 300, 0, 1, 5), Radius::of_length(0.1));
-}
-
 // Any object is at the origin of a line.
 struct Distances_at_origin
 {
@@ -83,7 +78,8 @@ BOOST_AUTO_TEST_CASE(archetype_traits_are_enough)
 
 BOOST_AUTO_TEST_CASE(any_range_of_points_will_do)
 {
-  const Point_scene scene = some_scene();
+  const Point_scene scene
+    = test_support::scene("uniform", 2, uniform_points(2, 300, 0, 1, 5), Radius::of_length(0.1));
   const Pairs& expected = truth_of(scene).pairs;
   const auto points = make_points<Maker>(scene.points);
   const auto check = [&](const char* what, const auto& range, const auto&... np) {
@@ -107,15 +103,6 @@ BOOST_AUTO_TEST_CASE(any_range_of_points_will_do)
   BOOST_CHECK(CGAL::closest_pair(named, np) == CGAL::closest_pair(points));
   const auto bound = CGAL::within_distance(0.01);
   BOOST_CHECK(CGAL::find_close_pair(named, bound, np) == CGAL::find_close_pair(points, bound));
-}
-
-BOOST_AUTO_TEST_CASE(two_ranges_may_differ_in_type)
-{
-  const auto a = make_points<Maker>({{0, 0}, {5, 5}});
-  const std::list<Point> b = {Point(5, 6), Point(0, 1), Point(0, 0)};
-  Pairs found;
-  CGAL::fixed_radius_near_neighbors(a, b, CGAL::within_distance(1), Pair_collector{found});
-  BOOST_CHECK(sorted(found) == (Pairs{{0, 1}, {0, 2}, {1, 0}}));
 }
 
 BOOST_AUTO_TEST_CASE(bound_of_any_number_type)
@@ -161,22 +148,6 @@ BOOST_AUTO_TEST_CASE(infinite_bound_reports_all_pairs)
   const auto points = make_points<Maker>({{0, 0}, {1e308, -1e308}, {-1e308, 1e308}});
   BOOST_CHECK_EQUAL(near_pairs(points, CGAL::within_distance(infinity)).size(), 3u);
   BOOST_CHECK_EQUAL(near_pairs(points, CGAL::within_distance(infinity).open()).size(), 3u);
-}
-
-BOOST_AUTO_TEST_CASE(callback_is_used_and_not_copied)
-{
-  struct Counter
-  {
-    std::size_t calls = 0;
-    Counter() = default;
-    Counter(const Counter&) = delete;
-    void operator()(std::size_t, std::size_t) { ++calls; }
-  };
-  const Point_scene scene = some_scene();
-  Counter counter;
-  CGAL::fixed_radius_near_neighbors(make_points<Maker>(scene.points), CGAL::within_distance(0.1),
-                                    counter);
-  BOOST_CHECK_EQUAL(counter.calls, truth_of(scene).pairs.size());
 }
 
 // Nobody reads the elements: it would take long, and most of their memory is never there.

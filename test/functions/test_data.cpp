@@ -7,7 +7,6 @@
 
 #include "support/check_closest_pair.h"
 #include "support/data_facts.h"
-#include "support/usual_kernels.h"
 
 #include <CGAL/Thick_ball_traits_d.h>
 
@@ -225,8 +224,7 @@ BOOST_AUTO_TEST_CASE(aircraft_are_too_close_as_the_facts_say)
 // Runways of one airport cross, or touch; those of different airports are not asked about.
 BOOST_AUTO_TEST_CASE(runways_meet_as_the_facts_say)
 {
-  const Runway_fact fact;
-  const auto path = find_data_file(fact.file, data_folders());
+  const auto path = find_data_file("runways.csv", data_folders());
   BOOST_REQUIRE(path);
   const Runways runways = read_runways(*path);
   const std::size_t n = runways.airports.size();
@@ -241,13 +239,12 @@ BOOST_AUTO_TEST_CASE(runways_meet_as_the_facts_say)
   CGAL::thick_self_intersection_d(segments, [&](std::size_t i, std::size_t j) {
     pairs += runways.airports[i] == runways.airports[j];
   });
-  BOOST_CHECK_EQUAL(pairs, fact.crossing + fact.touching);
+  BOOST_CHECK_EQUAL(pairs, crossing_runways + touching_runways);
 }
 
 BOOST_AUTO_TEST_CASE(boxes_of_triangles_meet_as_the_facts_say)
 {
-  const Mesh_fact fact;
-  const auto path = find_data_file(fact.file, data_folders());
+  const auto path = find_data_file("spot.obj", data_folders());
   BOOST_REQUIRE(path);
   const Mesh mesh = read_obj(*path);
   std::vector<Rational_kernel::Iso_cuboid_3> boxes;
@@ -263,5 +260,5 @@ BOOST_AUTO_TEST_CASE(boxes_of_triangles_meet_as_the_facts_say)
   }
   std::size_t pairs = 0;
   CGAL::thick_self_intersection_d(boxes, [&](std::size_t, std::size_t) { ++pairs; });
-  BOOST_CHECK_EQUAL(pairs, fact.meeting_boxes);
+  BOOST_CHECK_EQUAL(pairs, meeting_boxes_of_spot);
 }

@@ -7,8 +7,6 @@
 
 using namespace test_support;
 
-namespace {
-
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_2;
 using Segment = Kernel::Segment_2;
@@ -154,8 +152,6 @@ bool do_intersect(const Segment& segment, const Buoy& buoy)
 void ignore(std::size_t, std::size_t) {}
 void fail(std::size_t, std::size_t) { BOOST_ERROR("a pair before the checks"); }
 
-} // namespace
-
 BOOST_AUTO_TEST_SUITE(own_kinds)
 
 BOOST_AUTO_TEST_CASE(traits_for_two_types)
@@ -219,14 +215,6 @@ BOOST_AUTO_TEST_CASE(traits_for_two_types_check_what_they_take)
 }
 
 // ---- near objects of two types ------------------------------------------------------------------
-
-BOOST_AUTO_TEST_CASE(near_objects_in_lists)
-{
-  const std::list<Segment> segments(30, Segment(Point(0, 0), Point(1, 0)));
-  const std::forward_list<Ball> balls(20, Ball(Point(0, 3), 1));
-  BOOST_CHECK_EQUAL(near_pairs_of(segments, balls, CGAL::within_distance(2.)).size(), 600u);
-  BOOST_CHECK(near_pairs_of(segments, balls, CGAL::within_distance(2.).open()).empty());
-}
 
 BOOST_AUTO_TEST_CASE(no_objects_are_closer_than_zero)
 {

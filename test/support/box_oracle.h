@@ -50,23 +50,6 @@ Pairs box_pairs(const Points& points, const Radius& radius, std::ptrdiff_t cutof
   return sorted(std::move(pairs));
 }
 
-// Two sets: pairs (i in a, j in b).
-template <int Dimension>
-Pairs box_pairs(const Points& a, const Points& b, const Radius& radius, std::ptrdiff_t cutoff = 10)
-{
-  const Exact_points exact(concatenated(a, b), radius);
-  auto boxes_a = boxes_around<Dimension>(a, radius);
-  auto boxes_b = boxes_around<Dimension>(b, radius);
-  Pairs pairs;
-  const auto report = [&](const auto& p, const auto& q) {
-    if(exact.are_within_radius(p.info(), a.size() + q.info()))
-      pairs.emplace_back(p.info(), q.info());
-  };
-  CGAL::box_intersection_d(boxes_a.begin(), boxes_a.end(), boxes_b.begin(), boxes_b.end(), report,
-                           cutoff, CGAL::Box_intersection_d::CLOSED);
-  return sorted(std::move(pairs));
-}
-
 inline Pairs box_pairs(const Point_scene& scene, std::ptrdiff_t cutoff = 10)
 {
   switch(scene.dimension) {

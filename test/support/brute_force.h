@@ -18,26 +18,20 @@ struct Truth
   std::size_t boundary; // at exactly the radius: pairs.size() - open_pairs.size()
 };
 
-inline void decide(const Exact_points& points, std::size_t i, std::size_t j, const Pair& name,
-                   Truth& truth)
-{
-  const int sign = points.compare_distance_with_radius(i, j);
-  if(sign <= 0)
-    truth.pairs.push_back(name);
-  if(sign < 0)
-    truth.open_pairs.push_back(name);
-  if(sign == 0)
-    ++truth.boundary;
-}
-
-// One set: pairs (i, j) with i < j.
+// Pairs (i, j) with i < j.
 inline Truth brute_force(const Points& points, const Radius& radius)
 {
   const Exact_points exact(points, radius);
   Truth truth{};
   for(std::size_t i = 0; i < exact.size(); ++i)
-    for(std::size_t j = i + 1; j < exact.size(); ++j)
-      decide(exact, i, j, Pair(i, j), truth);
+    for(std::size_t j = i + 1; j < exact.size(); ++j) {
+      const int sign = exact.compare_distance_with_radius(i, j);
+      if(sign <= 0)
+        truth.pairs.emplace_back(i, j);
+      if(sign < 0)
+        truth.open_pairs.emplace_back(i, j);
+      truth.boundary += sign == 0;
+    }
   return truth;
 }
 
@@ -45,17 +39,6 @@ inline Points concatenated(Points a, const Points& b)
 {
   a.insert(a.end(), b.begin(), b.end());
   return a;
-}
-
-// Two sets: pairs (i in a, j in b).
-inline Truth brute_force(const Points& a, const Points& b, const Radius& radius)
-{
-  const Exact_points exact(concatenated(a, b), radius);
-  Truth truth{};
-  for(std::size_t i = 0; i < a.size(); ++i)
-    for(std::size_t j = 0; j < b.size(); ++j)
-      decide(exact, i, a.size() + j, Pair(i, j), truth);
-  return truth;
 }
 
 // Computed once per process for equal points and radius, whatever the scene is called.

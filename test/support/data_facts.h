@@ -91,11 +91,7 @@ inline std::vector<Ball_fact> ball_facts()
 }
 
 // spot.obj: pairs of its triangles whose closed bounding boxes meet.
-struct Mesh_fact
-{
-  std::string file = "spot.obj";
-  std::size_t meeting_boxes = 36747;
-};
+constexpr std::size_t meeting_boxes_of_spot = 36747;
 
 // aircraft_ch_2018-08-01_am.csv: pairs at one instant, closer than 5 nautical miles and 1000 feet.
 struct Separation_fact
@@ -107,12 +103,7 @@ struct Separation_fact
 
 // runways.csv: pairs of runways of one airport that cross at inner points of both, and those that
 // only touch, overlap or have an end in common.
-struct Runway_fact
-{
-  std::string file = "runways.csv";
-  std::size_t crossing = 2601;
-  std::size_t touching = 71;
-};
+constexpr std::size_t crossing_runways = 2601, touching_runways = 71;
 
 inline Decimal_points read_view(const std::string& path, View view)
 {

@@ -53,13 +53,6 @@ void take_time_for_each(std::size_t count, std::int64_t time)
   });
 }
 
-BOOST_AUTO_TEST_CASE(what_runs_alone_is_work_and_span)
-{
-  const Cost cost = cost_of(4, [] { take_time(7); });
-  BOOST_CHECK_EQUAL(cost.work, 7);
-  BOOST_CHECK_EQUAL(cost.span, 7);
-}
-
 BOOST_AUTO_TEST_CASE(the_span_of_blocks_is_that_of_the_longest)
 {
   const Cost cost = cost_of(2, [] {

@@ -91,19 +91,6 @@ BOOST_AUTO_TEST_CASE(oracles_agree)
       check_pairs(scene, truth_of(scene).pairs, box_pairs(scene));
 }
 
-BOOST_AUTO_TEST_CASE(two_sets_are_the_mixed_pairs_of_one_set)
-{
-  for(int d : {2, 3})
-    for(const Point_scene& scene : small_scenes(d)) {
-      const std::size_t half = scene.points.size() / 2;
-      const auto [a, b] = split(scene.points, half);
-      const Pairs mixed = of_two_sets(truth_of(scene).pairs, half);
-      check_pairs(scene, mixed, brute_force(a, b, scene.radius).pairs);
-      check_pairs(scene, mixed,
-                  d == 2 ? box_pairs<2>(a, b, scene.radius) : box_pairs<3>(a, b, scene.radius));
-    }
-}
-
 BOOST_AUTO_TEST_CASE(families_have_the_counts_of_the_table)
 {
   std::size_t checked = 0;
