@@ -166,15 +166,7 @@ BOOST_AUTO_TEST_CASE(tree_looks_at_few_boxes)
 {
   for(const std::size_t n : {2000, 16000}) {
     Generator random(n);
-    Number_boxes beams(n);
-    for(std::size_t i = 0; i < n; ++i) {
-      const double x = below(random, 1 << 20), y = below(random, 1 << 20);
-      const double long_side = 1 << 20;
-      if(i % 2)
-        beams[i] = {{{0 + x / 8, long_side}, {y, y}}};
-      else
-        beams[i] = {{{-1 - x, -1 - x}, {0 + y / 8, long_side}}};
-    }
+    const Number_boxes beams = half_beams(n);
     check_work<2>(beams);
     check_work<3>(beams);
     check_work<2>(long_boxes(random, 2, n, 1 << 30));

@@ -126,6 +126,16 @@ Pairs pairs_of(const std::vector<Point>& points, const CGAL::Distance_bound<NT>&
   return pairs;
 }
 
+template <class Point, class NT>
+void check_pairs_of(const std::vector<Point>& mine, const CGAL::Distance_bound<NT>& bound,
+                    const Truth& truth)
+{
+  for(const CGAL::Point_distribution distribution : {balanced, as_is}) {
+    check_equal(truth.pairs, pairs_of(mine, bound, distribution));
+    check_equal(truth.open_pairs, pairs_of(mine, bound.open(), distribution));
+  }
+}
+
 std::vector<Point_3> points_3(const Points& all)
 {
   std::vector<Point_3> points;
@@ -152,6 +162,9 @@ Scenes scenes(int dimension)
       all.push_back(scene);
   all.push_back(scene("ties at 10^15", dimension,
                       shuffled(lattice_points(dimension, 6, 1, 1e15), 1), Radius::of_length(2)));
+  // In even shares, parts are layers, and the radius leads from one layer to the next but one.
+  all.push_back(scene("layers", dimension, lattice_points(dimension, 8, 0.1, -0.3),
+                      Radius::of_length(2 * 0.1)));
   Points crowd = uniform_points(dimension, 300, 0, 1, 2);
   for(const Coordinates& x : uniform_points(dimension, 200, 0.5, 1e-9, 3))
     crowd.push_back(x);
@@ -185,22 +198,8 @@ void for_each_share(bool is_even, const Task& task)
 BOOST_AUTO_TEST_CASE(pairs_are_those_of_one_process_however_points_are_distributed)
 {
   for_each_share(true, [](const Truth& truth, const auto& mine, const auto& bound) {
-    check_equal(truth.pairs, pairs_of(mine, bound, balanced));
-    check_equal(truth.open_pairs, pairs_of(mine, bound.open(), as_is));
+    check_pairs_of(mine, bound, truth);
   });
-}
-
-// Parts are layers of the lattice, and the radius leads from one layer to the next but one.
-BOOST_AUTO_TEST_CASE(ties_across_the_borders_of_parts_are_found)
-{
-  const double unit = 0.1;
-  const Point_scene layers = scene("layers", 3, lattice_points(3, 8, unit, -0.3),
-                                   Radius::of_length(2 * unit));
-  const Truth& truth = truth_of(layers);
-  const std::vector<Point_3> mine = my_share_of(points_3(layers.points), Shares::EVEN);
-  const auto bound = CGAL::within_distance(2 * unit);
-  check_equal(truth.pairs, pairs_of(mine, bound, as_is));
-  check_equal(truth.pairs, pairs_of(mine, bound, balanced));
 }
 
 // Calls task(a, b, bound, expected) for the scenes in space, with the shares of this process of two
@@ -234,16 +233,11 @@ BOOST_AUTO_TEST_CASE(pairs_of_two_sets_are_those_of_one_process)
 
 BOOST_AUTO_TEST_CASE(exact_numbers_are_sent_without_rounding)
 {
-  for(const Point_scene& scene : scenes(2)) {
-    const Truth& truth = truth_of(scene);
-    const auto bound = CGAL::within_distance(Exact_kernel::FT(*scene.radius.length()) / 3);
-    const auto mine = my_share_of(thirds_of(scene.points), Shares::SKEWED);
+  for(const Point_scene& scene : scenes(2))
     BOOST_TEST_CONTEXT(scene)
-    {
-      check_equal(truth.pairs, pairs_of(mine, bound, balanced));
-      check_equal(truth.open_pairs, pairs_of(mine, bound.open(), as_is));
-    }
-  }
+    check_pairs_of(my_share_of(thirds_of(scene.points), Shares::SKEWED),
+                   CGAL::within_distance(Exact_kernel::FT(*scene.radius.length()) / 3),
+                   truth_of(scene));
 }
 
 BOOST_AUTO_TEST_CASE(the_same_pairs_are_found_on_the_same_process_again)
@@ -409,18 +403,17 @@ On_pair at_pair(std::size_t number, const std::function<bool()>& fail)
 
 const auto near_bound = CGAL::within_distance(0.05);
 
-BOOST_AUTO_TEST_CASE(a_coordinate_that_is_not_a_number_fails_on_all_processes)
+BOOST_AUTO_TEST_CASE(a_bad_argument_fails_on_all_processes)
 {
   std::vector<Point_3> mine = my_share_of(many_points(), Shares::EVEN);
   if(rank() == failing_rank())
     mine[10] = Point_3(0, std::numeric_limits<double>::quiet_NaN(), 0);
   check_failure<std::invalid_argument>([&] { search(mine, near_bound, ignore); });
-}
-
-BOOST_AUTO_TEST_CASE(a_negative_bound_fails_on_all_processes)
-{
   const auto bound = CGAL::within_distance(rank() == failing_rank() ? -1. : 1.);
   check_failure<std::invalid_argument>([&] { search({}, bound, ignore); });
+  check_failure<std::invalid_argument>([&] {
+    CGAL::distributed_fixed_radius_neighbor_lists(MPI_COMM_WORLD, std::vector<Point_3>(), bound);
+  });
 }
 
 BOOST_AUTO_TEST_CASE(different_bounds_are_refused_on_all_processes)
@@ -446,18 +439,13 @@ BOOST_AUTO_TEST_CASE(an_exception_of_a_callback_reaches_all_processes)
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_callback_that_stops_stops_all_processes)
+BOOST_AUTO_TEST_CASE(a_callback_stops_all_processes_and_so_do_all_callbacks_at_once)
 {
   const std::vector<Point_3> mine = my_share_of(many_points(), Shares::EVEN);
   for(int round = 0; round < 3; ++round)
     for(const std::size_t number : {1, 5000})
       BOOST_CHECK(!search(mine, near_bound, at_pair(number, [] { return false; })));
   BOOST_CHECK(search(mine, near_bound, ignore));
-}
-
-BOOST_AUTO_TEST_CASE(all_processes_may_stop_or_throw_at_once)
-{
-  const std::vector<Point_3> mine = my_share_of(many_points(), Shares::EVEN);
   const auto stop = [](std::uint64_t, std::uint64_t) { return false; };
   BOOST_CHECK(!search(mine, near_bound, stop));
   const auto fail = [](std::uint64_t, std::uint64_t) -> bool { throw Fault(); };
@@ -504,10 +492,6 @@ BOOST_AUTO_TEST_CASE(pairs_of_a_cancelled_search_are_in_both_of_their_lists)
 BOOST_AUTO_TEST_CASE(no_process_gets_lists_if_one_throws)
 {
   check_failure<Fault>([&] { lists_until([]() -> bool { throw Fault(); }); });
-  const auto bound = CGAL::within_distance(rank() == failing_rank() ? -1. : 1.);
-  check_failure<std::invalid_argument>([&] {
-    CGAL::distributed_fixed_radius_neighbor_lists(MPI_COMM_WORLD, std::vector<Point_3>(), bound);
-  });
 }
 
 } // namespace

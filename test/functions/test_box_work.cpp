@@ -93,22 +93,6 @@ void check_scenes(std::size_t n, double limit)
   check_work<Axes>("outlier", outlier, limit);
 }
 
-// Horizontals that begin at 0 or later, and long verticals before 0: many pairs meet along each
-// axis, none along both.
-Number_boxes half_beams(std::size_t n)
-{
-  Generator random(n);
-  Number_boxes boxes(n);
-  for(std::size_t i = 0; i < n; ++i) {
-    const double x = uniform(random), y = uniform(random);
-    if(i % 2)
-      boxes[i] = {{{x / 8, 1 + x}, {y, y}}};
-    else
-      boxes[i] = {{{-1 - x, -1 - x}, {y / 8, 1 + y}}};
-  }
-  return boxes;
-}
-
 // Short boxes that begin at `places` places along each axis.
 template <int Axes>
 Number_boxes short_boxes_of_a_lattice(std::size_t n, std::uint64_t places)

@@ -4,7 +4,6 @@
 // Every scene on the kernels whose coordinates are exact numbers.
 
 #include "support/check_kernel.h"
-#include "support/usual_kernels.h"
 
 #include <CGAL/Homogeneous.h>
 
@@ -48,8 +47,6 @@ void check_quotients()
   }
 }
 
-} // namespace
-
 BOOST_AUTO_TEST_CASE(epeck_2) { check_kernel<Cartesian_points<Epeck, 2>>(2); }
 BOOST_AUTO_TEST_CASE(epeck_3) { check_kernel<Cartesian_points<Epeck, 3>>(3); }
 BOOST_AUTO_TEST_CASE(rational_2) { check_kernel<Cartesian_points<Rational_kernel, 2>>(2); }
@@ -58,21 +55,8 @@ BOOST_AUTO_TEST_CASE(homogeneous_2) { check_quotients<2>(); }
 BOOST_AUTO_TEST_CASE(homogeneous_3) { check_quotients<3>(); }
 
 // Coordinates beyond the range of doubles.
-BOOST_AUTO_TEST_CASE(coordinates_beyond_the_doubles)
-{
-  CGAL::Exact_rational huge(1e300);
-  huge *= huge;
-  const std::vector<Rational_kernel::Point_2> points
-    = {{huge, 0}, {huge + 3, 4}, {huge + 3, 5}, {-huge, 0}};
-  const Pairs expected = {{0, 1}, {1, 2}};
-  BOOST_CHECK(near_pairs(points, CGAL::within_distance(5)) == expected);
-  const auto far = CGAL::within_distance(CGAL::Exact_rational(3 * huge));
-  BOOST_CHECK_EQUAL(near_pairs(points, far).size(), 6u);
-}
 
 // ---- closest pairs ------------------------------------------------------------------------------
-
-namespace {
 
 // Enough points for a join; with ties, with one closest pair, with a point whose coordinates are
 // known to an eighth only, and with points that differ by less than a double tells.
@@ -108,20 +92,21 @@ void check_closest_thirds()
   }
 }
 
-} // namespace
-
 BOOST_AUTO_TEST_CASE(closest_pair_between_the_doubles)
 {
   check_closest_thirds<Epeck>();
   check_closest_thirds<Rational_kernel>();
 }
 
-BOOST_AUTO_TEST_CASE(closest_pair_beyond_the_doubles)
+BOOST_AUTO_TEST_CASE(coordinates_beyond_the_doubles)
 {
   CGAL::Exact_rational huge(1e300);
   huge *= huge;
   std::vector<Rational_kernel::Point_2> points
     = {{huge, 0}, {huge + 3, 4}, {huge + 3, 8}, {-huge, 0}};
+  BOOST_CHECK(near_pairs(points, CGAL::within_distance(5)) == (Pairs{{0, 1}, {1, 2}}));
+  const auto far = CGAL::within_distance(CGAL::Exact_rational(3 * huge));
+  BOOST_CHECK_EQUAL(near_pairs(points, far).size(), 6u);
   BOOST_CHECK(CGAL::closest_pair(points) == Pair(1, 2));
   BOOST_CHECK(CGAL::find_close_pair(points, CGAL::within_distance(4)) == Pair(1, 2));
   BOOST_CHECK(!CGAL::has_close_pair(points, CGAL::within_distance(4).open()));
@@ -130,3 +115,5 @@ BOOST_AUTO_TEST_CASE(closest_pair_beyond_the_doubles)
   BOOST_CHECK(CGAL::closest_pair(points) == Pair(1, 2));
   BOOST_CHECK(CGAL::find_close_pair(points, CGAL::within_distance(4)) == Pair(1, 2));
 }
+
+} // namespace

@@ -101,10 +101,10 @@ Surface with_copy(Surface mesh, const Epick::Vector_3& shift)
 double rounded(double x) { return std::round(x * 128) / 128; }
 
 // A patch of triangles, and a closed surface, with vertices anywhere on a small lattice.
-Surface random_mesh(unsigned int seed, bool is_closed)
+Surface random_mesh(unsigned int seed)
 {
   Surface mesh;
-  if(is_closed)
+  if(seed % 4 < 2)
     CGAL::make_icosahedron<Surface, Point>(mesh);
   else
     CGAL::make_grid(4, 3, mesh, true);
@@ -113,6 +113,16 @@ Surface random_mesh(unsigned int seed, bool is_closed)
     const double x = double(random.below(3)), y = double(random.below(3));
     return Point(x, y, double(random.below(2 + seed % 2)));
   });
+}
+
+// Calls task(mesh, name) for random meshes, which returns how many pairs there are.
+template <class Task>
+void for_random_meshes(unsigned int count, std::size_t least_pairs, const Task& task)
+{
+  std::size_t pairs = 0;
+  for(unsigned int seed = 0; seed < count; ++seed)
+    pairs += task(random_mesh(seed), "seed " + std::to_string(seed));
+  BOOST_CHECK_GT(pairs, least_pairs);
 }
 
 // The mesh with all coordinates divided by three.
@@ -177,10 +187,7 @@ BOOST_AUTO_TEST_CASE(mesh_with_holes_and_removed_faces_reports_its_own_descripto
 
 BOOST_AUTO_TEST_CASE(random_meshes_on_a_lattice_have_the_pairs_of_cgal)
 {
-  std::size_t pairs = 0;
-  for(unsigned int seed = 0; seed < 400; ++seed)
-    pairs += check_mesh(random_mesh(seed, seed % 4 < 2), "seed " + std::to_string(seed));
-  BOOST_CHECK_GT(pairs, 20000u);
+  for_random_meshes(400, 20000, check_mesh<Surface>);
 }
 
 // CGAL 5.5 reports them, too. CGAL 6.1 does not.
@@ -307,32 +314,26 @@ BOOST_AUTO_TEST_CASE(polyhedron_has_the_same_pairs)
 // Thirds are no doubles, so the planes through them need exact numbers.
 BOOST_AUTO_TEST_CASE(exact_kernels_have_the_pairs_of_cgal)
 {
-  std::size_t pairs = 0;
-  for(unsigned int seed = 0; seed < 40; ++seed) {
-    const Surface mesh = random_mesh(seed, seed % 4 < 2);
-    const std::string name = "seed " + std::to_string(seed);
+  for_random_meshes(40, 2000, [](const Surface& mesh, const std::string& name) {
     const auto lazy = thirds<Epeck>(mesh);
-    pairs += check_mesh(lazy, name);
     check_pairs_of(thirds<Rational_kernel>(mesh), pairs_of_cgal(lazy), name + ", rationals");
-  }
-  BOOST_CHECK_GT(pairs, 2000u);
+    return check_mesh(lazy, name);
+  });
 }
 
 // Tenths of integers are on a line or plane only nearly, so that predicates in doubles err.
 BOOST_AUTO_TEST_CASE(kernel_with_inexact_predicates_has_the_pairs_of_an_exact_one)
 {
-  std::size_t pairs = 0;
-  for(unsigned int seed = 0; seed < 100; ++seed) {
-    const Surface mesh = moved(random_mesh(seed, seed % 4 < 2), [](const Point& p) {
+  for_random_meshes(100, 2000, [](const Surface& random, const std::string& name) {
+    const Surface mesh = moved(random, [](const Point& p) {
       return Point(p.x() / 10 + 100, p.y() / 10 + 200, p.z() / 10 + 300);
     });
     CGAL::Surface_mesh<Double_kernel::Point_3> inexact;
     CGAL::copy_face_graph(mesh, inexact);
     const Pairs expected = pairs_of_cgal(mesh);
-    pairs += expected.size();
-    check_pairs_of(inexact, expected, "seed " + std::to_string(seed));
-  }
-  BOOST_CHECK_GT(pairs, 2000u);
+    check_pairs_of(inexact, expected, name);
+    return expected.size();
+  });
 }
 
 BOOST_AUTO_TEST_CASE(empty_mesh_has_no_pair)

@@ -8,11 +8,9 @@
 #include "support/plain_points.h"
 #include "support/rounding_mode.h"
 #include "support/unit_test.h"
+#include "support/usual_kernels.h"
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Scene_profile.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Thick_point_traits_d.h>
 
 BOOST_AUTO_TEST_SUITE(Is_within_distance)
@@ -20,7 +18,6 @@ BOOST_AUTO_TEST_SUITE(Is_within_distance)
 using namespace test_support;
 using CGAL::Arithmetic_tier;
 
-using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point_2 = Epick::Point_2;
 using Point_3 = Epick::Point_3;
 
@@ -110,10 +107,11 @@ std::uint64_t total(const internal::Decision_counts& counts)
 }
 
 // Asks about (0, 0) and `q` in the arithmetic of a tier, and checks which one decides; none is
-// counted for pairs that the filter puts beyond the bound.
+// counted for pairs that the filter puts beyond the bound. Or asks the last question
+// alone, which is left if no filter decides.
 template <class Number>
 void check_count(Arithmetic_tier tier, const Plain_point<Number>& q, bool is_within,
-                 std::optional<Arithmetic_tier> decided_by)
+                 std::optional<Arithmetic_tier> decided_by, bool is_last = false)
 {
   using Point = Plain_point<Number>;
   const Plain_points<Number> points = {{{Number(0), Number(0)}}, q};
@@ -121,10 +119,14 @@ void check_count(Arithmetic_tier tier, const Plain_point<Number>& q, bool is_wit
   const internal::Scene scene = internal::scan_points(points, "point");
   internal::Shared_decision_counts shared;
   const internal::Is_within_distance<Point> test(bound, scene, tier, &shared);
-  BOOST_CHECK_EQUAL(test(points[0], points[1]), is_within);
-  BOOST_CHECK_EQUAL(total(shared.total()), decided_by ? 1u : 0u);
+  internal::Decision_counts counts;
+  BOOST_CHECK_EQUAL(is_last ? test.decide_undecided(points[0], points[1], counts)
+                            : test(points[0], points[1]), is_within);
+  if(!is_last)
+    counts = shared.total();
+  BOOST_CHECK_EQUAL(total(counts), decided_by ? 1u : 0u);
   if(decided_by)
-    BOOST_CHECK_EQUAL(shared.total()[*decided_by], 1u);
+    BOOST_CHECK_EQUAL(counts[*decided_by], 1u);
 }
 
 BOOST_AUTO_TEST_CASE(each_pair_is_decided_once)
@@ -148,30 +150,16 @@ BOOST_AUTO_TEST_CASE(each_pair_is_decided_once)
                         Arithmetic_tier::DOUBLE);
 }
 
-template <class Number>
-void check_last_question(const Plain_point<Number>& q, bool is_within, Arithmetic_tier decided_by)
-{
-  const Plain_points<Number> points = {{{Number(0), Number(0)}}, q};
-  const internal::Squared_bound<internal::Exact_number_t<Number>> bound(CGAL::within_distance(5));
-  const internal::Scene scene = internal::scan_points(points, "point");
-  const internal::Is_within_distance<Plain_point<Number>> test(bound, scene,
-                                                               Arithmetic_tier::FILTERED_EXACT);
-  internal::Decision_counts counts;
-  BOOST_CHECK_EQUAL(test.decide_undecided(points[0], points[1], counts), is_within);
-  BOOST_CHECK_EQUAL(total(counts), 1u);
-  BOOST_CHECK_EQUAL(counts[decided_by], 1u);
-}
-
 // Of doubles the filter has been asked before; of other coordinates it is asked again.
 BOOST_AUTO_TEST_CASE(the_last_question_is_answered_once)
 {
   using Rational = CGAL::Exact_rational;
   const Rational third = Rational(1) / 3;
-  check_last_question<double>({{3, 4}}, true, Arithmetic_tier::FILTERED_EXACT);
-  check_last_question<double>({{std::nextafter(3, 4.), 4}}, false, Arithmetic_tier::FILTERED_EXACT);
-  check_last_question<Rational>({{third, third}}, true, Arithmetic_tier::DOUBLE);
-  check_last_question<Rational>({{Rational(7) / 5, Rational(24) / 5}}, true,
-                                Arithmetic_tier::FILTERED_EXACT);
+  const auto exact = Arithmetic_tier::FILTERED_EXACT;
+  check_count<double>(exact, {{3, 4}}, true, exact, true);
+  check_count<double>(exact, {{std::nextafter(3, 4.), 4}}, false, exact, true);
+  check_count<Rational>(exact, {{third, third}}, true, Arithmetic_tier::DOUBLE, true);
+  check_count<Rational>(exact, {{Rational(7) / 5, Rational(24) / 5}}, true, exact, true);
 }
 
 // The sum of the reach and a much smaller error is rounded down.
@@ -195,15 +183,14 @@ BOOST_AUTO_TEST_CASE(the_reach_of_doubles_has_room_for_the_error)
 // The bounds of a lazy number are on both sides of the reach.
 BOOST_AUTO_TEST_CASE(lazy_numbers_along_an_axis_are_compared_exactly)
 {
-  using Lazy = CGAL::Exact_predicates_exact_constructions_kernel;
-  const Lazy::Point_2 origin(0, 0);
-  const internal::Is_within_distance<Lazy::Point_2> is_within(
-    internal::Squared_bound<Lazy::FT>(CGAL::within_distance(1)), 2);
+  const Epeck::Point_2 origin(0, 0);
+  const internal::Is_within_distance<Epeck::Point_2> is_within(
+    internal::Squared_bound<Epeck::FT>(CGAL::within_distance(1)), 2);
   for(const double excess : {-1e-6, 0., 1e-6}) {
-    const Lazy::FT x = Lazy::FT(1e10) / 3 * 3 - 1e10 + 1 + excess;
-    const internal::Gap gap = internal::gap_along(origin, Lazy::Point_2(x, 0), 0);
+    const Epeck::FT x = Epeck::FT(1e10) / 3 * 3 - 1e10 + 1 + excess;
+    const internal::Gap gap = internal::gap_along(origin, Epeck::Point_2(x, 0), 0);
     BOOST_REQUIRE(gap.inf < 1 - 1e-7 && gap.sup > 1 + 1e-7);
-    BOOST_CHECK_EQUAL(is_within.is_within_along(origin, Lazy::Point_2(x, 0), 0), excess <= 0);
+    BOOST_CHECK_EQUAL(is_within.is_within_along(origin, Epeck::Point_2(x, 0), 0), excess <= 0);
   }
 }
 

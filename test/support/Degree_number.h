@@ -264,29 +264,24 @@ public:
 
   struct Sgn
   {
-    using argument_type = Type;
     using result_type = Sign;
     Sign operator()(const Type& x) const { return x.sign(); }
   };
 
   struct Compare
   {
-    using first_argument_type = Type;
-    using second_argument_type = Type;
     using result_type = Comparison_result;
     Comparison_result operator()(const Type& a, const Type& b) const { return compare(a, b); }
   };
 
   struct To_double
   {
-    using argument_type = Type;
     using result_type = double;
     double operator()(const Type& x) const { return CGAL::to_double(x.value()); }
   };
 
   struct To_interval
   {
-    using argument_type = Type;
     using result_type = std::pair<double, double>;
     std::pair<double, double> operator()(const Type& x) const { return x.to_interval(); }
   };

@@ -40,7 +40,6 @@ public:
 
   struct Sqrt
   {
-    using argument_type = Type;
     using result_type = Type;
     Type operator()(const Type& x) const { return boost::multiprecision::sqrt(x); }
   };
@@ -55,14 +54,12 @@ public:
 
   struct Is_finite
   {
-    using argument_type = Type;
     using result_type = bool;
     bool operator()(const Type& x) const { return mpfr_number_p(x.backend().data()) != 0; }
   };
 
   struct To_double
   {
-    using argument_type = Type;
     using result_type = double;
     double operator()(const Type& x) const { return mpfr_get_d(x.backend().data(), MPFR_RNDN); }
   };
@@ -71,7 +68,6 @@ public:
   // the processor, and stops at the largest double when it rounds an overflow towards zero.
   struct To_interval
   {
-    using argument_type = Type;
     using result_type = std::pair<double, double>;
     std::pair<double, double> operator()(const Type& x) const
     {

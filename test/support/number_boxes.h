@@ -212,6 +212,22 @@ inline Number_boxes structured_boxes(Generator& random, int dimension, std::size
   return boxes;
 }
 
+// Horizontals that begin at 0 or later, and long verticals before 0: many pairs meet along each
+// axis, none along both.
+inline Number_boxes half_beams(std::size_t n)
+{
+  Generator random(n);
+  Number_boxes boxes(n);
+  for(std::size_t i = 0; i < n; ++i) {
+    const double x = below(random, 1 << 30) / (1 << 30), y = below(random, 1 << 30) / (1 << 30);
+    if(i % 2)
+      boxes[i] = {{{x / 8, 1 + x}, {y, y}}};
+    else
+      boxes[i] = {{{-1 - x, -1 - x}, {y / 8, 1 + y}}};
+  }
+  return boxes;
+}
+
 } // namespace test_support
 
 #endif // THICK_INTERSECTION_TEST_SUPPORT_NUMBER_BOXES_H
