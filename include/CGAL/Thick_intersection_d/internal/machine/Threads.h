@@ -123,8 +123,9 @@ public:
   // This thread alone.
   Threads() : Threads(Sequential_tag()) {}
 
-  // Those of a tag.
+  // Those of a tag. A copy is none, which Clang would ask about otherwise.
   template <class ConcurrencyTag,
+            std::enable_if_t<!std::is_same_v<ConcurrencyTag, Threads>, int> = 0,
             class Kind
             = std::conditional_t<is_parallel<ConcurrencyTag>(), Threads_of_tbb, One_thread>>
   explicit Threads(ConcurrencyTag)
