@@ -71,14 +71,15 @@ void write_staircase(const std::string& folder, std::size_t count)
 template <class Number, class Maker>
 std::size_t count_wrong(Maker maker, const Object_questions& questions)
 {
+  namespace internal = CGAL::Thick_intersection_d::internal;
   const auto objects = objects_of<CGAL::Simple_cartesian<Number>>(maker, questions.objects);
   CGAL::Arithmetic_tier tier = CGAL::Arithmetic_tier::FILTERED_EXACT;
   std::size_t wrong = 0;
   for(std::size_t i = 0; i < questions.pairs.size(); ++i) {
     const auto& [a, b] = questions.pairs[i];
-    wrong += CGAL::Thick_intersection_d::internal::do_objects_intersect_by_kernel(
-               objects[a], objects[b], tier)
-             != (questions.answers[i] != 0);
+    const bool do_intersect = internal::ask_by_kernel(internal::Do_vertices_intersect(),
+                                                      objects[a], objects[b], tier);
+    wrong += do_intersect != (questions.answers[i] != 0);
   }
   return wrong;
 }
