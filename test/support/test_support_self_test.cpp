@@ -1,14 +1,15 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Tests of the tests: the oracles agree with each other, the scenes have the number of pairs they
-// claim, and decimals are read exactly. That data files are read as those who counted their pairs
-// read them, test_data shows.
+// Tests of the tests: brute force agrees with CGAL's boxes and Delaunay triangulations, the scenes
+// have the number of pairs they claim, and decimals are read exactly. That data files are read as
+// those who counted their pairs read them, test_data shows.
 
 #include "box_oracle.h"
 #include "check_pairs.h"
 #include "counting_allocator.h"
 #include "data_facts.h"
+#include "delaunay_oracle.h"
 #include "lattice_counts.h"
 #include "mpfr_kernel_number.h"
 #include "scenes.h"
@@ -87,8 +88,10 @@ BOOST_AUTO_TEST_CASE(brute_force_knows_the_boundary)
 BOOST_AUTO_TEST_CASE(oracles_agree)
 {
   for(int d : {2, 3})
-    for(const Point_scene& scene : all_scenes(d))
+    for(const Point_scene& scene : all_scenes(d)) {
       check_pairs(scene, truth_of(scene).pairs, box_pairs(scene));
+      check_pairs(scene, truth_of(scene).pairs, delaunay_pairs(scene));
+    }
 }
 
 BOOST_AUTO_TEST_CASE(families_have_the_counts_of_the_table)
