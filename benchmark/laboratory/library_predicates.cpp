@@ -57,7 +57,8 @@ Predicate_columns library_predicates()
 {
   return {
 #ifdef THICK_BENCHMARK_HAS_GEOS
-    {"GEOS", "library", [](const Kind& kind) { return kind.dimension == 2; }, ask_geos},
+    {"GEOS", "library", [](const Kind& kind) { return knows_closed(kind) && kind.dimension == 2; },
+     ask_geos},
 #endif
   };
 }

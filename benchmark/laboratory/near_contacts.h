@@ -133,6 +133,16 @@ private:
   Random random_;
 };
 
+// Adds the questions about the objects 2i and 2i + 1, and the answers.
+inline void ask_about_neighbors(Object_questions& questions)
+{
+  const Exact_objects exact(questions.objects);
+  for(std::size_t i = 0; i < questions.objects.size(); i += 2) {
+    questions.pairs.emplace_back(i, i + 1);
+    questions.answers.push_back(exact.do_intersect(i, i + 1));
+  }
+}
+
 // Questions about the objects 2i and 2i + 1.
 inline Object_questions contacts(const Kind& kind, int bits, bool is_near, std::size_t count)
 {
@@ -144,11 +154,8 @@ inline Object_questions contacts(const Kind& kind, int bits, bool is_near, std::
       for(const Place& p : *object)
         for(std::size_t axis = 0; axis < static_cast<std::size_t>(kind.dimension); ++axis)
           questions.objects.numbers.push_back(static_cast<double>(p[axis]));
-    questions.pairs.emplace_back(2 * i, 2 * i + 1);
   }
-  const Exact_objects exact(questions.objects);
-  for(const auto& [i, j] : questions.pairs)
-    questions.answers.push_back(exact.do_intersect(i, j));
+  ask_about_neighbors(questions);
   return questions;
 }
 

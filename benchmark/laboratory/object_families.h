@@ -7,6 +7,8 @@
 #ifndef THICK_INTERSECTION_BENCHMARK_LABORATORY_OBJECT_FAMILIES_H
 #define THICK_INTERSECTION_BENCHMARK_LABORATORY_OBJECT_FAMILIES_H
 
+#include "object_sets.h"
+
 #include "support/hull_oracle.h"
 #include "support/point_generators.h"
 
@@ -22,39 +24,6 @@
 namespace lab {
 
 using test_support::Random;
-
-// ---- what a set of objects is -------------------------------------------------------------------
-
-struct Kind
-{
-  std::string name; // that of CGAL's class
-  int dimension;
-  int vertices;
-};
-
-inline std::vector<Kind> kinds()
-{
-  return {{"Segment_2", 2, 2},
-          {"Triangle_2", 2, 3},
-          {"Segment_3", 3, 2},
-          {"Triangle_3", 3, 3},
-          {"Tetrahedron_3", 3, 4}};
-}
-
-// Objects are the coordinates of their vertices.
-struct Object_set
-{
-  Kind kind;
-  std::string family;
-  std::vector<double> numbers;
-
-  std::size_t numbers_of_object() const
-  {
-    return static_cast<std::size_t>(kind.dimension * kind.vertices);
-  }
-  std::size_t size() const { return numbers.size() / numbers_of_object(); }
-  const double* object(std::size_t i) const { return &numbers[i * numbers_of_object()]; }
-};
 
 // ---- lattices -----------------------------------------------------------------------------------
 
@@ -237,6 +206,24 @@ public:
       x += offset;
       x = choice == 0 ? x : std::nextafter(x, choice == 1 ? infinity : -infinity);
     }
+    return set;
+  }
+
+  // Every other object is in the one before it, and has a vertex of it, or lies inside of it.
+  Object_set nested(const std::string& name, double unit, bool is_inside)
+  {
+    Object_set set = {kind_, name, {}};
+    const std::vector<Places> all = Lattice_objects(kind_, 2).objects(false);
+    for(std::size_t i = 0; i < all.size(); ++i)
+      for(const Place& vertex : all[i - i % 2])
+        for(std::size_t axis = 0; axis < static_cast<std::size_t>(kind_.dimension); ++axis) {
+          std::int64_t sum = 0; // the center, times the number of vertices
+          for(const Place& p : all[i - i % 2])
+            sum += p[axis];
+          const std::int64_t x = kind_.vertices * vertex[axis],
+                             center = is_inside ? sum : kind_.vertices * all[i - i % 2][0][axis];
+          set.numbers.push_back(unit * static_cast<double>(i % 2 == 0 ? 2 * x : center + x));
+        }
     return set;
   }
 

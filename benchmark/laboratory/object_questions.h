@@ -8,6 +8,7 @@
 
 #include "object_families.h"
 
+#include "support/distance_oracle.h"
 #include "support/exact_points.h"
 #include "support/hull_oracle.h"
 #include "support/pairs.h"
@@ -23,14 +24,40 @@ namespace lab {
 using test_support::Integer;
 using test_support::Pairs;
 
-// The vertices of all objects, in integers: each axis has a unit of its own, 2^e.
+// Whether the interiors of two convex sets meet, which have some: no plane at the origin has all
+// differences of their vertices on one side, or in it. Those that two differences span are enough.
+inline bool do_open_hulls_intersect(const test_support::Hull_vectors<Integer>& a,
+                                    const test_support::Hull_vectors<Integer>& b, int dimension)
+{
+  using Vector = test_support::Hull_vector<Integer>;
+  const test_support::Hull_vectors<Integer> all = test_support::differences_of(a, b);
+  for(const Vector& u : all)
+    for(const Vector& v : all) {
+      const Vector normal = cross(u, dimension == 2 ? Vector{0, 0, 1} : v);
+      if(test_support::is_null(normal))
+        continue;
+      if(std::all_of(all.begin(), all.end(),
+                     [&](const Vector& w) { return dot(normal, w) >= 0; }))
+        return false;
+    }
+  return true;
+}
+
+// The vertices of all objects, in integers: each axis has a unit of its own, 2^e, unless there are
+// radii.
 class Exact_objects
 {
 public:
-  explicit Exact_objects(const Object_set& objects)
+  explicit Exact_objects(const Object_set& objects) : kind_(objects.kind)
   {
     const auto dimension = static_cast<std::size_t>(objects.kind.dimension);
-    const std::vector<int> units = unit_exponents(objects.numbers, dimension);
+    std::vector<int> units = unit_exponents(objects.numbers, dimension);
+    if(!objects.radii.empty()) {
+      units.push_back(unit_exponents(objects.radii, 1)[0]);
+      units.assign(dimension, *std::min_element(units.begin(), units.end()));
+    }
+    for(double radius : objects.radii)
+      radii_.push_back(in_units(radius, units[0]));
     for(std::size_t i = 0; i < objects.size(); ++i) {
       vertices_.emplace_back(objects.kind.vertices);
       const double* x = objects.object(i);
@@ -42,7 +69,13 @@ public:
 
   bool do_intersect(std::size_t i, std::size_t j) const
   {
-    return test_support::do_hulls_intersect(vertices_[i], vertices_[j]);
+    if(kind_.meaning == Meaning::OPEN)
+      return do_open_hulls_intersect(vertices_[i], vertices_[j], kind_.dimension);
+    if(kind_.meaning != Meaning::THICK)
+      return test_support::do_hulls_intersect(vertices_[i], vertices_[j]);
+    const Integer sum = radii_[i] + radii_[j], square = sum * sum;
+    return test_support::squared_distance_of_hulls(vertices_[i], vertices_[j])
+           <= test_support::Rational(boost::multiprecision::mpz_int(square));
   }
 
 private:
@@ -65,7 +98,9 @@ private:
     return significand << (exponent - 53 - unit);
   }
 
+  Kind kind_;
   std::vector<test_support::Hull_vectors<Integer>> vertices_;
+  std::vector<Integer> radii_;
 };
 
 struct Object_questions
@@ -83,6 +118,7 @@ struct Object_questions
 inline bool do_boxes_meet(const Object_set& set, std::size_t i, std::size_t j)
 {
   const double *a = set.object(i), *b = set.object(j);
+  const double reach = (set.radius(i) + set.radius(j)) * (1 + 0x1p-40);
   for(int axis = 0; axis < set.kind.dimension; ++axis) {
     const auto ends = [&](const double* object) {
       std::pair<double, double> ends(object[axis], object[axis]);
@@ -94,13 +130,13 @@ inline bool do_boxes_meet(const Object_set& set, std::size_t i, std::size_t j)
     };
     const auto [a_low, a_high] = ends(a);
     const auto [b_low, b_high] = ends(b);
-    if(a_low > b_high || b_low > a_high)
+    if(a_low - b_high > reach || b_low - a_high > reach)
       return false;
   }
   return true;
 }
 
-// About all pairs whose boxes meet.
+// About all pairs whose boxes meet. Boxes with radii are a little larger than need be.
 inline Object_questions questions_about(const Object_set& set)
 {
   const Exact_objects exact(set);

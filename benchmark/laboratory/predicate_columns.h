@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The columns of the table of objects: predicates that tell whether two segments, triangles or
-// tetrahedra intersect, ours and others.
+// The columns of the tables of objects: predicates that tell whether two segments, triangles or
+// tetrahedra intersect, as they are, with radii, without their boundaries, or as solids. Ours and
+// others.
 
 #ifndef THICK_INTERSECTION_BENCHMARK_LABORATORY_PREDICATE_COLUMNS_H
 #define THICK_INTERSECTION_BENCHMARK_LABORATORY_PREDICATE_COLUMNS_H
@@ -15,7 +16,9 @@
 
 #include <CGAL/intersections.h>
 
+#include <algorithm>
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -48,6 +51,10 @@ Predicate_columns plain_predicates();   // in doubles, and with intervals of the
 Predicate_columns library_predicates(); // GEOS
 Predicate_columns cgal_predicates();    // CGAL's exact ones
 Predicate_columns package_predicates(); // ours
+
+// About objects with radii, open objects and solids.
+Predicate_columns thick_predicates(); // ours, and CGAL's distances
+Predicate_columns thick_rivals();     // doubles, Polygon_mesh_processing, Boolean sets, GEOS, FCL
 
 // ---- to make them -------------------------------------------------------------------------------
 
@@ -90,18 +97,28 @@ Answers answers_to(const Object_questions& questions, double milliseconds, const
 template <class Function>
 auto with_maker(const Kind& kind, const Function& f)
 {
-  if(kind.name == "Segment_2")
-    return f(Segments_2());
-  if(kind.name == "Triangle_2")
-    return f(Triangles_2());
-  if(kind.name == "Segment_3")
-    return f(Segments_3());
-  if(kind.name == "Triangle_3")
-    return f(Triangles_3());
-  return f(Tetrahedra_3());
+  if(kind.vertices == 4)
+    return f(Tetrahedra_3());
+  if(kind.dimension == 2)
+    return kind.vertices == 2 ? f(Segments_2()) : f(Triangles_2());
+  return kind.vertices == 2 ? f(Segments_3()) : f(Triangles_3());
 }
 
-inline bool knows_all(const Kind&) { return true; }
+// The same of open objects and solids, and of capsules.
+template <class Function>
+auto with_thick_maker(const Kind& kind, const Function& f)
+{
+  if(kind.vertices == 4)
+    return f(Tetrahedra_3());
+  return f(Triangles_2());
+}
+template <class Function>
+auto with_segments_maker(const Kind& kind, const Function& f)
+{
+  return kind.dimension == 2 ? f(Segments_2()) : f(Segments_3());
+}
+
+inline bool knows_closed(const Kind& kind) { return kind.meaning == Meaning::CLOSED; }
 
 template <class Kernel, class Maker>
 auto objects_of(Maker, const Object_set& set)
@@ -126,7 +143,7 @@ Predicate_column predicate_column(const std::string& name, const std::string& gr
       });
     });
   };
-  return {name, group, knows_all, ask};
+  return {name, group, knows_closed, ask};
 }
 
 // CGAL's predicate.
@@ -135,6 +152,24 @@ inline auto by_do_intersect()
   return [](const auto&) {
     return [](const auto& a, const auto& b) { return CGAL::do_intersect(a, b); };
   };
+}
+
+// Of find(), which returns the sorted pairs that a search reports. The time includes that for
+// finding the pairs of boxes.
+template <class Find>
+Answers answers_of_search(const Object_questions& questions, double milliseconds, const Find& find)
+{
+  const Pairs found = find();
+  Answers answers = answers_to(questions, 0, [&](std::size_t i, std::size_t j) {
+    return std::binary_search(found.begin(), found.end(), Pair(std::minmax(i, j)));
+  });
+  answers.nanoseconds
+    = nanoseconds_of([&] { return find().size(); }, questions.pairs.size(), milliseconds);
+  const auto found_in_order
+    = std::count(answers.in_order.begin(), answers.in_order.end(), static_cast<char>(YES));
+  if(static_cast<std::size_t>(found_in_order) != found.size())
+    throw std::logic_error("a pair is reported twice, or its boxes do not meet");
+  return answers;
 }
 
 // ---- to ask them --------------------------------------------------------------------------------

@@ -25,6 +25,11 @@ using Precisions = std::integer_sequence<unsigned, 3, 4, 5, 6, 7, 8, 9, 10, 11, 
                                          17, 18, 19, 20, 22, 24, 26, 28, 30, 31, 32, 33, 34, 35, 36,
                                          37, 38, 39>;
 
+// Up to 157 bits.
+using Long_precisions
+  = std::integer_sequence<unsigned, 3, 5, 7, 9, 11, 13, 15, 16, 17, 18, 20, 22, 24, 26, 28, 30, 32,
+                          34, 36, 38, 40, 42, 44, 45, 47>;
+
 // How many bits a number of so many digits has.
 template <unsigned Digits>
 int bits_of()

@@ -160,7 +160,7 @@ def draw_degree(rows):
     rows = [r for r in rows if r["input_bits"] == "24" and int(r["degree"]) > 0]
     sites = set(r["algorithm"] for r in rows if r["call_site"] != "all")
     rows = [r for r in rows if (r["call_site"] != "all") == (r["algorithm"] in sites)]
-    figure, ((axes,),) = panels(1, 1, (9, 8.6))
+    figure, ((axes,),) = panels(1, 1, (9, 0.19 * len(rows) + 0.8))
     labels = []
     for y, row in enumerate(reversed(rows)):
         degree = int(row["degree"])
@@ -198,6 +198,10 @@ OBJECT_STAIR_STYLES = {"Segment_2": (GREEN, "s", "degree 2: Segment_2"),
                        "Segment_3": (BLUE, "o", "degree 3: Segment_3"),
                        "Triangle_3": (ORANGE, "^", "degree 3: Triangle_3"),
                        "Tetrahedron_3": (RED, "P", "degree 3: Tetrahedron_3")}
+
+
+THICK_STAIR_STYLES = {"capsules, plane": (ORANGE, "^", "degree 4: capsules in the plane"),
+                      "capsules, space": (RED, "P", "degree 6: capsules in space")}
 
 
 def draw_stairs(axes, some_rows, styles, marks_theory):
@@ -242,6 +246,12 @@ def draw_staircase(rows):
 def draw_object_staircase(rows):
     return (draw_all_stairs(rows, "kind", OBJECT_STAIR_STYLES, (72, 8)),
             "lab_object_staircase.png")
+
+
+@figure_of("thick_staircase.csv")
+def draw_thick_staircase(rows):
+    return (draw_all_stairs(rows, "kind", THICK_STAIR_STYLES, (72, 8)),
+            "lab_thick_staircase.png")
 
 
 @figure_of("staircase_runs.csv")
@@ -521,20 +531,27 @@ def time_cells(rows, own_method):
     return cells
 
 
-def draw_object_families(rows, dimension, height):
+def draw_object_families(rows, dimension, height, own_method, name):
     rows = [{**r, "shape": r["kind"], "objects": r["questions"]}
             for r in where(rows, dimension=dimension)]
-    methods = in_order(rows, "method")
+    ours = in_order(where(rows, group="ours"), "method")
+    methods = [m for m in in_order(rows, "method") if m not in ours] + ours
     wrong = {(place_of(r), r["method"]): cell_of(r) for r in rows}
-    times = time_cells(rows, "ours, EPICK")
+    times = time_cells(rows, own_method)
     figure = draw_times_and_wrong(rows, methods, times, wrong, height, (0.1, 1000),
-                                  ("time over \"ours, EPICK\"; of ours, ns per answer",
+                                  (f"time over \"{own_method}\"; of ours, ns per answer",
                                    "missing (−), extra (+), undecided (?); color: per 100 true pairs"))
-    return figure, f"lab_object_families_{dimension}d.png"
+    return figure, f"{name}_{dimension}d.png"
 
 
-figure_of("object_families.csv")(lambda rows: draw_object_families(rows, "2", 8.6))
-figure_of("object_families.csv")(lambda rows: draw_object_families(rows, "3", 11))
+def draws_object_families(table, dimension, height, own_method, name):
+    figure_of(table)(lambda rows: draw_object_families(rows, dimension, height, own_method, name))
+
+
+draws_object_families("object_families.csv", "2", 8.6, "ours, EPICK", "lab_object_families")
+draws_object_families("object_families.csv", "3", 11, "ours, EPICK", "lab_object_families")
+draws_object_families("thick_families.csv", "2", 6.2, "ours, search", "lab_thick_families")
+draws_object_families("thick_families.csv", "3", 8, "ours, search", "lab_thick_families")
 
 
 @figure_of("object_families.csv")
