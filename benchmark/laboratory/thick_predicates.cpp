@@ -127,7 +127,7 @@ Answers search_open(const Object_questions& questions, double milliseconds)
 Answers search_polygons(const Object_questions& questions, double milliseconds)
 {
   std::vector<CGAL::Polygon_2<Epick>> polygons;
-  for(const auto& t : objects_of<Epick>(test_support::Triangles_2(), questions.objects)) {
+  for(const auto& t : objects_of<Epick>(Triangles_2(), questions.objects)) {
     const Epick::Point_2 vertices[] = {t[0], t[1], t[2]};
     polygons.emplace_back(vertices, vertices + 3);
   }
@@ -144,7 +144,7 @@ Answers search_solids(const Object_questions& questions, double milliseconds)
 {
   using Soup = std::pair<std::vector<Epick::Point_3>, std::vector<std::array<int, 3>>>;
   std::vector<Soup> solids;
-  for(const auto& t : objects_of<Epick>(test_support::Tetrahedra_3(), questions.objects))
+  for(const auto& t : objects_of<Epick>(Tetrahedra_3(), questions.objects))
     solids.push_back({{t[0], t[1], t[2], t[3]}, {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}});
   return answers_of_search(questions, milliseconds, [&] {
     return pairs_of([&](auto report) { CGAL::thick_feature_self_intersection_d(solids, report); });

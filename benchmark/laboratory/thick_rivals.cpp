@@ -103,7 +103,7 @@ Answers ask_boolean_sets(const Object_questions& questions, double milliseconds)
 {
   using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
   std::vector<CGAL::Polygon_2<Epeck>> polygons;
-  for(const auto& t : objects_of<Epeck>(test_support::Triangles_2(), questions.objects)) {
+  for(const auto& t : objects_of<Epeck>(Triangles_2(), questions.objects)) {
     const Epeck::Point_2 vertices[] = {t[0], t[1], t[2]};
     polygons.emplace_back(vertices, vertices + 3);
     if(polygons.back().is_clockwise_oriented())
@@ -118,7 +118,7 @@ Answers ask_pmp(const Object_questions& questions, double milliseconds)
 {
   using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
   std::vector<CGAL::Surface_mesh<Epick::Point_3>> meshes(questions.objects.size());
-  const auto tetrahedra = objects_of<Epick>(test_support::Tetrahedra_3(), questions.objects);
+  const auto tetrahedra = objects_of<Epick>(Tetrahedra_3(), questions.objects);
   for(std::size_t i = 0; i < meshes.size(); ++i) {
     const auto& t = tetrahedra[i];
     CGAL::make_tetrahedron(t[0], t[1], t[2], t[3], meshes[i]);
