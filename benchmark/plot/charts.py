@@ -250,7 +250,7 @@ def draw_object_staircase(rows):
 
 @figure_of("thick_staircase.csv")
 def draw_thick_staircase(rows):
-    return (draw_all_stairs(rows, "kind", THICK_STAIR_STYLES, (72, 8)),
+    return (draw_all_stairs(rows, "kind", THICK_STAIR_STYLES, (52, 1)),
             "lab_thick_staircase.png")
 
 
