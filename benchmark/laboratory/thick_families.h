@@ -97,7 +97,7 @@ inline void add_capsule(Object_set& set, const Places& places, double unit, doub
 
 // Adds two capsules with the radii radii_of(distance, random).
 template <class Radii_of>
-void add_touching_capsules(Object_set& set, Segment_pairs::Pair pair, double unit,
+void add_touching_capsules(Object_set& set, const Segment_pairs::Pair& pair, double unit,
                            const Radii_of& radii_of, Random& random)
 {
   const Radii radii = radii_of(unit * static_cast<double>(pair.distance), random);

@@ -39,7 +39,7 @@ auto thickened_objects_of(Maker maker, const Object_set& set)
   return thickened;
 }
 
-// Of the objects [first, last) of a search, which is search(callback).
+// The sorted pairs that search(callback) reports.
 template <class Search>
 Pairs pairs_of(const Search& search)
 {
@@ -50,7 +50,7 @@ Pairs pairs_of(const Search& search)
 
 // ---- radii --------------------------------------------------------------------------------------
 
-// Of predicate(objects), which is about two of them.
+// Of make_predicate(objects), the predicate about two of them.
 template <class Kernel, class Make_predicate>
 Predicate_column thick_column(const std::string& name, const std::string& group,
                               const Make_predicate& make_predicate)
