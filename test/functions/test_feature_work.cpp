@@ -272,8 +272,6 @@ BOOST_AUTO_TEST_CASE(edges_where_boundaries_meet_are_read_a_few_times)
 
 // ---- meshes -------------------------------------------------------------------------------------
 
-namespace {
-
 using Point_3 = Epick::Point_3;
 using Soup = std::pair<std::vector<Point_3>, std::vector<std::array<std::size_t, 3>>>;
 
@@ -339,8 +337,6 @@ void check_tests(const std::string& name, const std::vector<Soup>& soups, std::s
   BOOST_CHECK_MESSAGE(tests <= most_tests, name << ": " << tests);
 }
 
-} // namespace
-
 BOOST_AUTO_TEST_CASE(faces_of_meshes_that_do_not_meet_are_not_tested)
 {
   std::vector<Soup> nested, parts;
@@ -364,3 +360,5 @@ BOOST_AUTO_TEST_CASE(meshes_that_touch_take_few_tests)
   const std::size_t pairs = 2 * 30 * 29 + 2 * 29 * 29;
   check_tests("cells of a grid", grid, pairs, 2. * static_cast<double>(pairs));
 }
+
+} // namespace
