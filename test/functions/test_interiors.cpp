@@ -243,6 +243,17 @@ void check_interiors()
 
 } // namespace
 
+// Boxes decide about boxes, but a profile counts them all.
+BOOST_AUTO_TEST_CASE(a_profile_counts_each_pair_whose_boxes_meet)
+{
+  const std::vector<CGAL::Bbox_2> boxes = {{0, 0, 2, 2}, {1, 1, 3, 3}, {2, 0, 4, 2}, {9, 9, 9, 9}};
+  Pairs pairs;
+  CGAL::Scene_profile profile;
+  CGAL::thick_self_intersection_d(CGAL::interiors(boxes), std::back_inserter(pairs), profile);
+  BOOST_CHECK(sorted(pairs) == Pairs({{0, 1}, {1, 2}}));
+  BOOST_CHECK_EQUAL(profile.decided(CGAL::Arithmetic_tier::DOUBLE), 3u);
+}
+
 BOOST_AUTO_TEST_CASE(epick_2) { check_interiors<Epick, 2>(); }
 BOOST_AUTO_TEST_CASE(epick_3) { check_interiors<Epick, 3>(); }
 BOOST_AUTO_TEST_CASE(epeck_3) { check_interiors<Epeck, 3>(); }

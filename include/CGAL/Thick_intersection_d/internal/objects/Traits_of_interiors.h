@@ -126,8 +126,9 @@ bool do_open_kinds_intersect(const A& a, const B& b, Arithmetic_tier& tier)
                               tier);
 }
 
-// Objects of one range, or of two. The first one is of the first range.
-template <class Object, bool Is_first_open, bool Is_second_open>
+// Objects of one range, or of two. The first one is of the first range. If `Is_profiled`, each pair
+// whose boxes meet is decided here, and counted.
+template <class Object, bool Is_first_open, bool Is_second_open, bool Is_profiled>
 class Traits_of_interiors : public Thick_object_traits_d<Object>
 {
 public:
@@ -165,8 +166,9 @@ private:
   Do_intersect_d do_intersect_;
 };
 
-template <class Object, bool Is_first_open, bool Is_second_open>
-struct Has_boxes<Traits_of_interiors<Object, Is_first_open, Is_second_open>> : std::true_type {};
+template <class Object, bool Is_first_open, bool Is_second_open, bool Is_profiled>
+struct Has_boxes<Traits_of_interiors<Object, Is_first_open, Is_second_open, Is_profiled>>
+  : std::true_type {};
 
 // Decides about objects that are boxes of doubles by their boxes, unless one of them is flat: that
 // may be closed, and inside of the other one, or open.
@@ -186,7 +188,7 @@ struct Open_box_filter
 };
 
 template <class Object, bool Is_first_open, bool Is_second_open>
-struct Box_filter_of_traits<Traits_of_interiors<Object, Is_first_open, Is_second_open>>
+struct Box_filter_of_traits<Traits_of_interiors<Object, Is_first_open, Is_second_open, false>>
 {
   using type = std::conditional_t<Kinds<Object>::template are_all<Is_box_of_doubles>,
                                   Open_box_filter, void>;
@@ -229,11 +231,11 @@ constexpr bool check_open_objects()
 }
 
 // The traits of objects of the package.
-template <class Elements>
+template <class Elements, bool Is_profiled>
 using Default_traits = std::conditional_t<
   have_interiors_v<Elements>,
   Traits_of_interiors<typename Elements::value_type, First_range<Elements>::are_open,
-                      Second_range<Elements>::are_open>,
+                      Second_range<Elements>::are_open, Is_profiled>,
   Thick_object_traits_d<typename Elements::value_type>>;
 
 } // namespace internal
