@@ -49,7 +49,8 @@ A feature is one of these, with points of one type, `Point_2` or `Point_3` of an
   repeat points.
 - A *thickened* feature: a `std::pair` of a feature and a radius. It is all points within the radius
   of the feature, as roads and cables are. Radii are numbers of one type, not negative, and of an
-  integer type only if the coordinates are, because an integer may be an index.
+  integer type only if the coordinates are, because an integer may be an index. A feature of which a
+  member has a radius has no radius itself.
 - A `std::variant` of features.
 - A range of features. It is the union of them, as the multipolygons and collections of geographic
   files are.
@@ -132,10 +133,10 @@ below
 
 \return `false` iff the callback or the progress functor stopped the search.
 
-\throws std::invalid_argument if a coordinate is NaN or infinite, if a polygon with holes has no
-outer boundary, if a face is no triangle, or if an index is beyond the points, before anything is
-reported. The message gives the position of the feature, and of the face in it. Exceptions of the
-callback pass through.
+\throws std::invalid_argument if a coordinate is NaN or infinite, if a radius is negative, NaN or
+infinite, if a polygon with holes has no outer boundary, if a face is no triangle, or if an index is
+beyond the points, before anything is reported. The message gives the position of the feature, and
+of the face in it. Exceptions of the callback pass through.
 \throws std::length_error if there are 2<sup>31</sup> - 1 features, or segments and faces, or parts
 of features, polygons and closed meshes together, or vertices of the faces of a mesh, or more.
 \throws std::runtime_error if the processor is set to flush denormal numbers to zero.

@@ -92,6 +92,7 @@ const std::vector<Kernel::Circle_2> circles;
 const std::vector<std::string> strings;
 const std::vector<std::variant<Kernel::Segment_2, Kernel::Segment_3>> variants;
 const std::vector<CGAL::Bbox_2> boxes;
+const std::vector<std::pair<std::pair<std::vector<Point>, double>, double>> thickened_twice;
 const std::vector<CGAL::Box_intersection_d::Box_d<double, 2>> boxes_with_ids;
 const auto bound = CGAL::within_distance(1);
 const auto report = [](std::size_t, std::size_t) {};
@@ -289,6 +290,12 @@ void make_mistakes()
   // space, or pairs of points and triples of indices. For others, pass a property map to such
   // features as point_map.
   CGAL::thick_feature_self_intersection_d(boxes, report);
+
+  // error: The elements of the range must be polylines, polygons or triangle meshes: ranges of
+  // Point_2 or Point_3, Polygon_2 or Polygon_with_holes_2, models of FaceListGraph with points in
+  // space, or pairs of points and triples of indices. For others, pass a property map to such
+  // features as point_map.
+  CGAL::thick_feature_self_intersection_d(thickened_twice, report);
 
   // error: The features of the two ranges must have points of one type.
   CGAL::thick_feature_intersection_d(points, points_in_space, report);

@@ -202,13 +202,6 @@ inline constexpr bool is_thick_v = false;
 template <class Feature, class NT>
 inline constexpr bool is_thick_v<std::pair<Feature, NT>> = is_number_v<NT>;
 
-// An integer next to a feature may be an index.
-template <class Feature, class NT>
-struct Feature_piece<std::pair<Feature, NT>, std::enable_if_t<is_number_v<NT>>>
-  : Named_type<std::conditional_t<
-      std::is_integral_v<NT> && !Is_coordinate<Feature_piece_t<Feature>, NT>::value, void,
-      Feature_piece_t<Feature>>> {};
-
 // The type of the radii of two features, of which some have none, and then it is that of the
 // others. It is `Radii_differ` if they have two types.
 struct Radii_differ {};
@@ -225,7 +218,7 @@ using Feature_radius_t = typename Feature_radius<Feature>::type;
 
 template <class Feature, class NT>
 struct Feature_radius<std::pair<Feature, NT>, std::enable_if_t<is_number_v<NT>>>
-  : Named_type<Common_radius<NT, Feature_radius_t<Feature>>> {};
+  : Named_type<NT> {};
 template <class Feature>
 struct Feature_radius<std::variant<Feature>> : Feature_radius<Feature> {};
 template <class First, class... Others>
@@ -235,6 +228,15 @@ struct Feature_radius<std::variant<First, Others...>>
 template <class Feature>
 struct Feature_radius<Feature, std::enable_if_t<is_range_v<Feature>>>
   : Feature_radius<Element_of_range<Feature>> {};
+
+// An integer next to a feature may be an index. A feature of which a member has a radius has no
+// other one: radii of one number type may have no sum in it.
+template <class Feature, class NT>
+struct Feature_piece<std::pair<Feature, NT>, std::enable_if_t<is_number_v<NT>>>
+  : Named_type<std::conditional_t<
+      !std::is_void_v<Feature_radius_t<Feature>>
+        || (std::is_integral_v<NT> && !Is_coordinate<Feature_piece_t<Feature>, NT>::value),
+      void, Feature_piece_t<Feature>>> {};
 
 // A piece with a radius, as an object that is searched.
 template <class Object, class Radius>
