@@ -58,9 +58,8 @@ public:
   using Thick = typename Thick_piece<Object, Radius>::type;
   static constexpr bool have_radii = !std::is_void_v<Radius>;
 
-  // Whether there may be meshes, and whether a feature may be inside another one.
+  // Whether there may be meshes.
   static constexpr bool have_faces = !std::is_same_v<Object, Segment>;
-  static constexpr bool may_be_filled = dimension == 2 || have_faces;
 
   struct Part
   {
