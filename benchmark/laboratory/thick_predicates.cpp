@@ -102,7 +102,8 @@ Predicate_column open_column(const std::string& name)
     return with_thick_maker(questions.objects.kind, [&](auto maker) {
       const auto objects = objects_of<Kernel>(maker, questions.objects);
       using Object = typename decltype(objects)::value_type;
-      using Traits = CGAL::Thick_intersection_d::internal::Traits_of_interiors<Object, true, true>;
+      using namespace CGAL::Thick_intersection_d::internal;
+      using Traits = Traits_of_interiors<Object, true, true, false>;
       const auto test = Traits().do_intersect_d_object();
       return answers_to(questions, milliseconds, [&](std::size_t i, std::size_t j) {
         return test.decide(objects[i], objects[j]);
