@@ -30,7 +30,7 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
-#include <CGAL/Thick_intersection_d/internal/features/Known_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Known_pairs.h>
 
 #include <algorithm>
 #include <cstddef>

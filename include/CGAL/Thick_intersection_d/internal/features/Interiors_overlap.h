@@ -41,7 +41,6 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
-#include <CGAL/Thick_intersection_d/internal/features/Known_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/features/Local_overlap.h>
 #include <CGAL/Thick_intersection_d/internal/features/Ring_trees.h>
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
@@ -52,6 +51,7 @@
 #include <CGAL/Thick_intersection_d/internal/predicates/do_kernel_objects_intersect.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_shapes_intersect.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/planar_objects.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Known_pairs.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -17,7 +17,6 @@
 #include <CGAL/Thick_intersection_d/internal/features/Feature_boxes.h>
 #include <CGAL/Thick_intersection_d/internal/features/Feature_insides.h>
 #include <CGAL/Thick_intersection_d/internal/features/Feature_pieces.h>
-#include <CGAL/Thick_intersection_d/internal/features/Known_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/features/Meeting_features.h>
 #include <CGAL/Thick_intersection_d/internal/features/check_feature_types.h>
 #include <CGAL/Thick_intersection_d/internal/features/feature_kinds.h>
@@ -25,6 +24,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Known_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 #include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>

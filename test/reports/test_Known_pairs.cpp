@@ -5,7 +5,7 @@
 
 #include "support/unit_test.h"
 
-#include <CGAL/Thick_intersection_d/internal/features/Known_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Known_pairs.h>
 
 BOOST_AUTO_TEST_SUITE(Known_pairs)
 

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_KNOWN_PAIRS_H
-#define CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_KNOWN_PAIRS_H
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_KNOWN_PAIRS_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_KNOWN_PAIRS_H
 
 // The pairs that are found already, in hash tables: several threads ask and add at once.
 
@@ -121,4 +121,4 @@ private:
 } // namespace Thick_intersection_d
 } // namespace CGAL
 
-#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_KNOWN_PAIRS_H
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_KNOWN_PAIRS_H
