@@ -251,6 +251,9 @@ std::pair<double, double> bounds(const NT& x)
     return bounds_of_mpzf(x);
 #endif
   else {
+    if constexpr(std::is_integral_v<NT>) // those of CGAL do not meet, not even for zero
+      if(const double value = static_cast<double>(x); -0x1p53 <= value && value <= 0x1p53)
+        return {value, value};
     const std::pair<double, double> interval = CGAL::to_interval(x);
     if constexpr(Is_quotient<NT>::value) // infinite if its parts are beyond the doubles
       if(std::isinf(interval.second) || std::isinf(interval.first))

@@ -33,30 +33,41 @@ inline void check_list_size(std::size_t size)
     throw std::length_error("There are more points than lists of neighbors have positions for.");
 }
 
-// Replaces `lists`, in the memory that they have, by those of numbered points. Of two sets, the
-// lists have positions in the second one, for each point of the first. Returns false iff the search
-// was stopped.
-template <class Elements, class Sets, class NT, class NamedParameters>
-bool collect_neighbors_of(Neighbor_lists& lists, const Elements& points, const Sets& sets,
-                          const Distance_bound<NT>& bound, const NamedParameters& np,
-                          const Threads& threads)
+// Replaces `lists`, in the memory that they have, by those of so many elements. Of two sets, the
+// lists have positions in the second one, for each element of the first. search(callback) reports
+// pairs of positions, and returns false iff it was stopped. So does this function.
+template <class Sets, class Search>
+bool collect_pairs(Neighbor_lists& lists, std::size_t size, const Sets& sets, const Search& search,
+                   const Threads& threads)
 {
-  check_list_size(points.size());
+  check_list_size(size);
   if constexpr(Sets::are_two) {
     Neighbor_collector collector(sets.first_size, threads);
     const auto add = [&](std::size_t i, std::size_t j) { collector.add(i, j); };
-    const bool is_complete = report_near_pairs(points, sets, bound, add, np, threads);
+    const bool is_complete = search(add);
     lists = collector.lists(false, std::move(lists));
     return is_complete;
   }
   else {
-    Neighbor_collector collector(points.size(), threads);
-    const bool is_complete = report_near_pairs(points, sets, bound, collector, np, threads);
+    Neighbor_collector collector(size, threads);
+    const bool is_complete = search(collector);
     lists = collector.lists(true, std::move(lists));
     if(!is_complete)
       lists = mutual_neighbors(lists);
     return is_complete;
   }
+}
+
+// The same of the near pairs of numbered points.
+template <class Elements, class Sets, class NT, class NamedParameters>
+bool collect_neighbors_of(Neighbor_lists& lists, const Elements& points, const Sets& sets,
+                          const Distance_bound<NT>& bound, const NamedParameters& np,
+                          const Threads& threads)
+{
+  const auto search = [&](auto& callback) {
+    return report_near_pairs(points, sets, bound, callback, np, threads);
+  };
+  return collect_pairs(lists, points.size(), sets, search, threads);
 }
 
 // The same, for points of one range or of two.

@@ -1,0 +1,214 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_TRACKS_TRACK_LEGS_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_TRACKS_TRACK_LEGS_H
+
+// The legs of tracks, as searches read them: in doubles, in exact numbers, and as boxes in space
+// and time. Long legs may be cut into stretches, which have boxes of their own.
+
+#include <CGAL/Exact_rational.h>
+
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/box_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
+#include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
+#include <CGAL/Thick_intersection_d/internal/machine/hints.h>
+#include <CGAL/Thick_intersection_d/internal/objects/Stretches.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Hull.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Leg.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Relative_motion.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/do_kernel_objects_intersect.h>
+#include <CGAL/Thick_intersection_d/internal/tracks/check_tracks.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// `Fix` is a pair of a time and a point.
+template <class Fix>
+class Track_legs
+{
+  using Time = typename Fix::first_type;
+  using Point = typename Fix::second_type;
+  using Number = Coordinate_t<Point>;
+  static constexpr bool are_doubles = is_held_by_double_v<Number> && is_held_by_double_v<Time>;
+
+public:
+  static constexpr int dimension = dimension_or<Point>(0);
+
+  // Exact numbers that hold times and coordinates. They hold all doubles.
+  using Exact = std::conditional_t<
+    is_held_by_double_v<Time> || std::is_same_v<Exact_number_t<Number>, Exact_number_t<Time>>,
+    Exact_number_t<Number>, Exact_rational>;
+
+  // Adds the tracks of a range. A track of one fix has a leg that lasts for no time.
+  template <class Tracks>
+  void add_tracks(const Tracks& tracks)
+  {
+    for(std::size_t k = 0; k < tracks.size(); ++k)
+      add_track(tracks[k]);
+  }
+
+  template <class Track>
+  void add_track(const Track& track)
+  {
+    const std::size_t first = fixes_.size();
+    for(const auto& fix : track)
+      add_fix(Fix(fix.first, fix.second), fixes_.size() - first);
+    if(fixes_.size() == first + 1)
+      fixes_.push_back(fixes_.back());
+    if(!fits_box_route(fixes_.size()))
+      throw_too_many_objects(fixes_.size());
+    for(std::size_t fix = first; fix + 1 < fixes_.size(); ++fix)
+      stretches_.push_back({static_cast<Place>(track_count_), static_cast<Place>(fix), 0, 1});
+    ++track_count_;
+  }
+
+  std::size_t size() const { return stretches_.size(); }
+  std::size_t track_count() const { return track_count_; }
+  Place track_of(std::size_t stretch) const { return stretches_[stretch].track; }
+
+  void prefetch(std::size_t stretch) const { prefetch_to_read(&fix(stretch, 0)); }
+
+  // Returns the whole leg that a stretch is of.
+  Leg<dimension> leg(std::size_t stretch) const
+  {
+    Leg<dimension> leg;
+    for(std::size_t end = 0; end < 2; ++end) {
+      leg.times[end] = lower_end(time_bounds(stretch, end), leg.time_error);
+      for(int axis = 0; axis < dimension; ++axis)
+        leg.ends[end][axis] = lower_end(place_bounds(stretch, end, axis), leg.error);
+    }
+    return leg;
+  }
+
+  template <class ExactNumber>
+  Exact_leg<ExactNumber, dimension> exact_leg(std::size_t stretch) const
+  {
+    Exact_leg<ExactNumber, dimension> leg;
+    for(std::size_t end = 0; end < 2; ++end) {
+      leg.times[end] = exact_time<ExactNumber>(fix(stretch, end).first);
+      for(int axis = 0; axis < dimension; ++axis)
+        leg.ends[end][axis]
+          = exact_value<ExactNumber>(coordinate(fix(stretch, end).second, axis));
+    }
+    return leg;
+  }
+
+  // Whether two legs begin at the same time, and end at the same time.
+  bool have_common_times(std::size_t i, std::size_t j) const
+  {
+    return fix(i, 0).first == fix(j, 0).first && fix(i, 1).first == fix(j, 1).first;
+  }
+
+  // Returns whether a leg ends before another one (-1), after it (1) or at the same time.
+  int compare_ends(std::size_t i, std::size_t j) const
+  {
+    const Time& a = fix(i, 1).first;
+    const Time& b = fix(j, 1).first;
+    return a < b ? -1 : b < a ? 1 : 0;
+  }
+
+  // Returns what a stretch covers along an axis of space, or in time, which is the last axis.
+  Interval interval(std::size_t stretch, int axis) const
+  {
+    const auto end = [&](std::size_t k) -> Interval {
+      const std::pair<double, double> bounds = finite_interval(
+        axis == dimension ? time_bounds(stretch, k) : place_bounds(stretch, k, axis));
+      return {bounds.first, bounds.second};
+    };
+    const Stretch_of_leg& which = stretches_[stretch];
+    if(which.count != 1)
+      return interval_of_stretch(end(0), end(1), which.index, which.count);
+    Interval whole = end(0);
+    whole.add(end(1));
+    return whole;
+  }
+
+  // Replaces each stretch by a number of shorter ones.
+  void cut(const std::vector<Place>& counts)
+  {
+    std::vector<Stretch_of_leg> stretches;
+    for(std::size_t i = 0; i < counts.size(); ++i)
+      for(Place k = 0; k < counts[i]; ++k) {
+        const Stretch_of_leg& long_one = stretches_[i];
+        stretches.push_back({long_one.track, long_one.fix, long_one.index * counts[i] + k,
+                             long_one.count * counts[i]});
+      }
+    stretches_ = std::move(stretches);
+  }
+
+private:
+  struct Stretch_of_leg
+  {
+    Place track;
+    Place fix; // at which the leg begins
+    Place index;
+    Place count; // of the stretches of the leg
+  };
+
+  // Adds a fix of the last track, which has so many already.
+  void add_fix(const Fix& fix, std::size_t number)
+  {
+    check_fix(fix, number, track_count_);
+    if(number != 0 && !(fixes_.back().first < fix.first))
+      throw_wrong_time(number, track_count_, " is not later than that of the fix before.");
+    settle(fix.second);
+    if constexpr(Is_lazy<Time>::value)
+      CGAL::exact(fix.first);
+    fixes_.push_back(fix);
+  }
+
+  const Fix& fix(std::size_t stretch, std::size_t end) const
+  {
+    return fixes_[stretches_[stretch].fix + end];
+  }
+
+  template <class ExactNumber>
+  static ExactNumber exact_time(const Time& time)
+  {
+    if constexpr(is_held_by_double_v<Time>)
+      return ExactNumber(static_cast<double>(time));
+    else
+      return exact_value<ExactNumber>(time);
+  }
+
+  std::pair<double, double> time_bounds(std::size_t stretch, std::size_t end) const
+  {
+    return bounds(fix(stretch, end).first);
+  }
+
+  std::pair<double, double> place_bounds(std::size_t stretch, std::size_t end, int axis) const
+  {
+    return coordinate_bounds(fix(stretch, end).second, axis);
+  }
+
+  // Returns the lower one of two bounds, and raises the error to their distance.
+  static double lower_end(const std::pair<double, double>& bounds, [[maybe_unused]] double& error)
+  {
+    if constexpr(!are_doubles)
+      error = (std::max)(error, bounds.second - bounds.first);
+    return bounds.first;
+  }
+
+  std::vector<Fix> fixes_;
+  std::vector<Stretch_of_leg> stretches_;
+  std::size_t track_count_ = 0;
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_TRACKS_TRACK_LEGS_H

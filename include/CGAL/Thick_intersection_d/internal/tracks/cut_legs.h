@@ -1,0 +1,176 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_TRACKS_CUT_LEGS_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_TRACKS_CUT_LEGS_H
+
+// Cuts long legs into stretches of time where that pays, because the box of a leg in space and time
+// is much larger than the leg. If it is long along one axis only, it is not: that of a point that
+// stands still is as small as it can be. So the second longest side of the box counts, the width.
+
+#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/Random_numbers.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/box_pairs_search.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// A sample of legs, which are spread evenly over the space of their boxes. All lengths are shares
+// of this space.
+template <int Axes>
+class Leg_sample
+{
+  using Lengths = std::array<double, Axes>;
+
+public:
+  // `Boxes` is like Are_tracks_near.
+  template <class Boxes>
+  explicit Leg_sample(const Boxes& boxes) : size_(static_cast<double>(boxes.size()))
+  {
+    constexpr std::size_t legs_to_look_at = 200;
+    std::array<Interval, Axes> space;
+    Random_numbers random;
+    for(std::size_t k = 0; k < legs_to_look_at; ++k) {
+      const auto intervals = boxes.intervals(random.below(boxes.size()));
+      legs_.emplace_back();
+      for(int axis = 0; axis < Axes; ++axis) {
+        space[axis].add(intervals(axis));
+        legs_.back()[axis] = intervals(axis).length() - boxes.reach(axis);
+      }
+    }
+    for(int axis = 0; axis < Axes; ++axis) {
+      per_length_[axis] = 1 / space[axis].length();
+      reaches_[axis] = boxes.reach(axis) * per_length_[axis];
+    }
+    for(Lengths& leg : legs_)
+      for(int axis = 0; axis < Axes; ++axis)
+        leg[axis] *= per_length_[axis];
+  }
+
+  // Returns the width of a leg in a box, given by the lengths of its sides without the reach.
+  double width(Lengths lengths) const
+  {
+    for(int axis = 0; axis < Axes; ++axis)
+      lengths[axis] *= per_length_[axis];
+    return width_of(lengths);
+  }
+
+  // Returns the width of stretches with which the search is expected to cost least. Of those that
+  // cost the same, as the sample has no longer legs, it is the least one: it cuts a few legs that
+  // are much longer than all others.
+  double best_width() const
+  {
+    constexpr double worthwhile = 0.85, most_stretches = 16; // of the cost and number without cuts
+    constexpr double least_width = 1. / 256;
+    double best = 1, least = worthwhile * cost(1);
+    for(double width = 1; width >= least_width; width /= 2) {
+      if(stretches_per_leg(width) > most_stretches)
+        break;
+      if(cost(width) <= least || stretches_per_leg(width) == 1) {
+        least = (std::min)(least, cost(width));
+        best = width;
+      }
+    }
+    return best;
+  }
+
+  // The number of stretches that are at most so wide, a power of two. If the reach is infinite, no
+  // box is smaller than another.
+  static Place stretch_count(double leg_width, double width)
+  {
+    constexpr Place most_stretches = 64;
+    Place count = 1;
+    while(count < most_stretches && leg_width > width * count)
+      count *= 2;
+    return count;
+  }
+
+private:
+  static double width_of(Lengths lengths)
+  {
+    std::nth_element(lengths.begin(), lengths.begin() + 1, lengths.end(), std::greater<double>());
+    return lengths[1];
+  }
+
+  double stretches_per_leg(double width) const
+  {
+    double sum = 0;
+    for(const Lengths& leg : legs_)
+      sum += stretch_count(width_of(leg), width);
+    return sum / static_cast<double>(legs_.size());
+  }
+
+  // Returns what a search costs for each leg, in pairs of boxes that meet. A stretch costs as much
+  // as two of them. Two boxes with the shares s and t of the space along an axis meet along it with
+  // about the probability s + t - s t.
+  double cost(double width) const
+  {
+    std::vector<Lengths> boxes;
+    std::vector<double> counts;
+    for(const Lengths& leg : legs_) {
+      counts.push_back(stretch_count(width_of(leg), width));
+      boxes.emplace_back();
+      for(int axis = 0; axis < Axes; ++axis)
+        boxes.back()[axis] = (std::min)(1., leg[axis] / counts.back() + reaches_[axis]);
+    }
+    double pairs = 0;
+    for(std::size_t i = 0; i < boxes.size(); ++i)
+      for(std::size_t j = 0; j < i; ++j) {
+        double share = counts[i] * counts[j];
+        for(int axis = 0; axis < Axes; ++axis)
+          share *= boxes[i][axis] + boxes[j][axis] - boxes[i][axis] * boxes[j][axis];
+        pairs += share;
+      }
+    const auto looked_at = static_cast<double>(legs_.size());
+    return 2 * stretches_per_leg(width) + pairs * size_ / (looked_at * looked_at);
+  }
+
+  std::vector<Lengths> legs_;
+  double size_;        // of all legs
+  Lengths per_length_; // the share of the space that a length of 1 takes
+  Lengths reaches_;
+};
+
+// Cuts the legs that are in boxes. Those of a second range begin at `second`, which moves with
+// them.
+template <class Legs, class Boxes>
+void cut_legs(Legs& legs, const Boxes& boxes, std::size_t& second)
+{
+  constexpr int axes = Boxes::static_dimension;
+  if(legs.size() == 0)
+    return;
+  const Leg_sample<axes> sample(boxes);
+  const double width = sample.best_width();
+  if(width == 1)
+    return;
+  std::vector<Place> counts;
+  for(std::size_t i = 0; i < legs.size(); ++i) {
+    std::array<double, axes> lengths;
+    for(int axis = 0; axis < axes; ++axis)
+      lengths[axis] = legs.interval(i, axis).length();
+    counts.push_back(sample.stretch_count(sample.width(lengths), width));
+  }
+  const auto sum_until = [&](std::size_t end) {
+    return std::accumulate(counts.begin(), counts.begin() + std::ptrdiff_t(end), std::size_t(0));
+  };
+  if(sum_until(legs.size()) == legs.size() || !fits_box_route(sum_until(legs.size())))
+    return;
+  second = sum_until(second);
+  legs.cut(counts);
+}
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_TRACKS_CUT_LEGS_H
