@@ -10,6 +10,7 @@
 
 #include <CGAL/closest_pair.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
+#include <CGAL/fixed_radius_near_tracks.h>
 #include <CGAL/thick_box_intersection_d.h>
 #include <CGAL/thick_feature_intersection_d.h>
 #include <CGAL/thick_intersection_d.h>
@@ -153,6 +154,32 @@ void check_ranges(std::size_t size, std::size_t position)
                 [&] { CGAL::fixed_radius_near_features<Tag>(features, bound, fail); }});
 }
 
+// Of tracks: a fix is wrong, or its time.
+template <class Tag>
+void check_tracks(std::size_t size, std::size_t position)
+{
+  using Track = std::vector<std::pair<double, Point>>;
+  const Track good = {{0, Point(0, 0)}, {1, Point(1, 0)}};
+  const std::string of_fix = " fix 1 of track " + std::to_string(position);
+  const auto check = [&](const std::pair<double, Point>& fix, const std::string& text) {
+    const auto tracks = with_bad(size, position, good, Track{good[0], fix});
+    const auto [a, b] = split(tracks, 1);
+    const auto bound = CGAL::within_distance(1.);
+    check_errors(text, {[&] { CGAL::fixed_radius_near_tracks<Tag>(tracks, bound, fail); },
+                        [&, &a = a, &b = b] {
+                          CGAL::fixed_radius_near_tracks<Tag>(a, b, bound, fail);
+                        },
+                        [&] { CGAL::fixed_radius_track_lists<Tag>(tracks, bound); }});
+  };
+  for(const double bad : bad_coordinates) {
+    check({1, Point(0, bad)}, "Coordinate 1 of" + of_fix + " is NaN or infinite.");
+    check({bad, Point(0, 0)}, "The time of" + of_fix + " is NaN or infinite.");
+  }
+  for(const double bad : {0., -1.})
+    check({bad, Point(0, 0)},
+          "The time of" + of_fix + " is not later than that of the fix before.");
+}
+
 } // namespace
 
 // Few points are searched in a way of their own, which takes eight or more of them in lanes.
@@ -183,6 +210,8 @@ BOOST_AUTO_TEST_CASE(objects_that_are_not_finite)
       check_intervals<CGAL::Parallel_if_available_tag>(size, position);
       check_ranges<CGAL::Sequential_tag>(size, position);
       check_ranges<CGAL::Parallel_if_available_tag>(size, position);
+      check_tracks<CGAL::Sequential_tag>(size, position);
+      check_tracks<CGAL::Parallel_if_available_tag>(size, position);
     }
 }
 
@@ -199,6 +228,10 @@ BOOST_AUTO_TEST_CASE(bounds_that_are_negative_or_nan)
         [&] { CGAL::fixed_radius_near_neighbors(segments, bound, fail); },
         [&] { CGAL::fixed_radius_near_neighbors(points, segments, bound, fail); },
         [&] { CGAL::fixed_radius_near_features(points, bound, fail); },
+        [&] {
+          const std::vector<std::pair<int, Point>> tracks[] = {{{0, Point(0, 0)}}};
+          CGAL::fixed_radius_near_tracks(tracks, bound, fail);
+        },
         [&] { CGAL::fixed_radius_neighbor_lists(points, bound); },
         [&] { CGAL::find_close_pair(points, bound); }});
     }

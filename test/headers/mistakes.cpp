@@ -18,6 +18,7 @@
 #include <CGAL/closest_pair.h>
 #include <CGAL/external_fixed_radius_near_neighbors.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
+#include <CGAL/fixed_radius_near_tracks.h>
 #include <CGAL/interiors.h>
 #include <CGAL/periodic_closest_pair.h>
 #include <CGAL/periodic_fixed_radius_near_neighbors.h>
@@ -29,6 +30,7 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
+#include <map>
 #include <string>
 #include <utility>
 #include <variant>
@@ -76,6 +78,8 @@ struct Traits_of_other_objects : CGAL::Thick_object_traits_d<Kernel::Segment_2>
 
 const std::vector<Point> points;
 const std::vector<Kernel::Point_3> points_in_space;
+const std::vector<std::map<double, Point>> tracks;
+const std::vector<std::map<double, Kernel::Point_3>> tracks_in_space;
 const std::vector<Point_of_any_dimension> points_of_any_dimension;
 const std::vector<std::array<double, 2>> arrays;
 const std::vector<Kernel::Weighted_point_2> weighted_points;
@@ -311,6 +315,20 @@ void make_mistakes()
   // error: This function does not take interiors(). Two interiors are within a distance iff the
   // closed objects are closer: pass the ranges, and bound.open().
   CGAL::fixed_radius_near_features(polygons, CGAL::interiors(polygons), bound, report);
+
+  // error: A track must be a range of std::pair<Time, Point>, with a number type and points in the
+  // plane or in space. For others, pass a property map to such tracks as point_map.
+  CGAL::fixed_radius_near_tracks(points, bound, report);
+
+  // error: A track must be a range of std::pair<Time, Point>, with a number type and points in the
+  // plane or in space. For others, pass a property map to such tracks as point_map.
+  CGAL::closest_approach(points, points);
+
+  // error: The tracks of the two ranges must have times and points of the same types.
+  CGAL::fixed_radius_near_tracks(tracks, tracks_in_space, bound, report);
+
+  // error: The bound must be within_distance(r) or within_squared_distance(r2), not a bare number.
+  CGAL::fixed_radius_near_tracks(tracks, 1., report);
 
   // error: The callback must take two boxes, as the iterators give them.
   CGAL::thick_box_self_intersection_d(boxes_with_ids.begin(), boxes_with_ids.end(), [](int) {});

@@ -13,6 +13,7 @@
 #include <CGAL/Polygon_2.h>
 #include <CGAL/Thick_ball_traits_d.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
+#include <CGAL/fixed_radius_near_tracks.h>
 #include <CGAL/interiors.h>
 #include <CGAL/thick_feature_intersection_d.h>
 #include <CGAL/thick_intersection_d.h>
@@ -124,6 +125,18 @@ Search search_of_interiors(std::size_t n)
   }};
 }
 
+template <class ConcurrencyTag>
+Search search_of_tracks(std::size_t n)
+{
+  std::vector<std::vector<std::pair<double, Searched_kernel::Point_2>>> tracks;
+  for(const Searched_segment& s : searched_segments(n, .05))
+    tracks.push_back({{0, s.source()}, {1, s.target()}});
+  return {"tracks", [=](const On_pair& on_pair, const On_progress& on_progress) {
+    return CGAL::fixed_radius_near_tracks<ConcurrencyTag>(
+      tracks, CGAL::within_distance(.02), on_pair, CGAL::parameters::callback(on_progress));
+  }};
+}
+
 // Of so many points or objects.
 template <class ConcurrencyTag>
 std::vector<Search> pair_searches(std::size_t n)
@@ -144,7 +157,8 @@ std::vector<Search> pair_searches(std::size_t n)
           search_of_two<Tag>("objects of two types", segments, disks),
           search_of_two<Tag>("long objects", searched_segments(n / 30 + 1, .9), segments),
           search_of_features<Tag>(n),
-          search_of_interiors<Tag>(n)};
+          search_of_interiors<Tag>(n),
+          search_of_tracks<Tag>(n)};
 }
 
 } // namespace test_support
