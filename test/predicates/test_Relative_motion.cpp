@@ -26,8 +26,8 @@ struct Units
 
 const std::vector<Units> all_units
   = {{}, {0x1p-52, 1, 0x1p-52, 1}, {1, 0x1p52, 1, -0x1p52}, {0x1p-1074, 0, 1, 0},
-     {0x1p990, 0, 1, 0}, {1, 0, 0x1p-1074, 0}, {1, 0, 0x1p1018, 0}, {0x1p300, 0, 0x1p-300, 0},
-     {3, -7, 5, -11}};
+     {0x1p990, 0, 1, 0}, {1, 0, 0x1p-1074, 0}, {1, 0, 0x1.8p1020, -0x9p1020},
+     {0x1p300, 0, 0x1p-300, 0}, {3, -7, 5, -11}};
 
 Lattice_track random_leg(Random& random, int side, int longest, int dimension)
 {
@@ -100,8 +100,9 @@ void check_integers(const Lattice_track& a, const Lattice_track& b,
       const internal::Integer_legs<N> legs(leg_of<N>(a, units), leg_of<N>(b, units),
                                            units.place * r);
       const std::optional<bool> answer = legs.are_near(is_open);
-      BOOST_REQUIRE(answer.has_value());
-      BOOST_CHECK_EQUAL(*answer, is_near(approach, r, is_open));
+      BOOST_CHECK(answer.has_value() || units.time > 0x1p1000); // differences may overflow
+      BOOST_CHECK_EQUAL(answer.value_or(is_near(approach, r, is_open)),
+                        is_near(approach, r, is_open));
     }
 }
 

@@ -52,7 +52,7 @@ struct Leg
   // Returns which share of the leg is over. A leg that lasts for no time has not begun.
   double share_at(double time) const
   {
-    return time <= times[0] ? 0 : time >= times[1] ? 1 : (time - times[0]) / duration();
+    return time <= times[0] ? 0 : (time - times[0]) / duration();
   }
 };
 
