@@ -16,10 +16,11 @@
 #include <CGAL/tags.h>
 
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
+#include <CGAL/Thick_intersection_d/internal/lists/neighbor_lists_search.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
+#include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
 #include <CGAL/Thick_intersection_d/internal/tracks/track_pairs_search.h>
 
-#include <tuple>
 #include <type_traits>
 
 namespace CGAL {
@@ -112,8 +113,11 @@ bool fixed_radius_near_tracks(TrackRange&& tracks, const Distance_bound<NT>& bou
                               const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
-  return internal::search_tracks(std::tie(tracks), bound, callback, np,
-                                 internal::Threads(ConcurrencyTag()));
+  const internal::Threads threads{ConcurrencyTag()};
+  const auto search = [&](const auto& elements, const auto& sets, auto& report) {
+    return internal::report_near_tracks(elements, sets, bound, report, np, threads);
+  };
+  return internal::search_ranges(callback, np, threads, search, tracks);
 }
 
 /*!
@@ -143,8 +147,11 @@ bool fixed_radius_near_tracks(TrackRange&& tracks, const Distance_bound<NT>& bou
                               const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
-  return internal::search_tracks(std::tie(tracks), bound, callback, np,
-                                 internal::Threads(ConcurrencyTag()), profile);
+  const internal::Threads threads{ConcurrencyTag()};
+  const auto search = [&](const auto& elements, const auto& sets, auto& report) {
+    return internal::report_near_tracks(elements, sets, bound, report, profile, np, threads);
+  };
+  return internal::search_ranges(callback, np, threads, search, tracks);
 }
 
 /*!
@@ -174,8 +181,11 @@ bool fixed_radius_near_tracks(TrackRangeA&& tracks_a, TrackRangeB&& tracks_b,
                               const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
-  return internal::search_tracks(std::tie(tracks_a, tracks_b), bound, callback, np,
-                                 internal::Threads(ConcurrencyTag()));
+  const internal::Threads threads{ConcurrencyTag()};
+  const auto search = [&](const auto& elements, const auto& sets, auto& report) {
+    return internal::report_near_tracks(elements, sets, bound, report, np, threads);
+  };
+  return internal::search_ranges(callback, np, threads, search, tracks_a, tracks_b);
 }
 
 /*!
@@ -193,8 +203,11 @@ bool fixed_radius_near_tracks(TrackRangeA&& tracks_a, TrackRangeB&& tracks_b,
                               const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
-  return internal::search_tracks(std::tie(tracks_a, tracks_b), bound, callback, np,
-                                 internal::Threads(ConcurrencyTag()), profile);
+  const internal::Threads threads{ConcurrencyTag()};
+  const auto search = [&](const auto& elements, const auto& sets, auto& report) {
+    return internal::report_near_tracks(elements, sets, bound, report, profile, np, threads);
+  };
+  return internal::search_ranges(callback, np, threads, search, tracks_a, tracks_b);
 }
 
 /*!
@@ -218,8 +231,12 @@ Neighbor_lists fixed_radius_track_lists(TrackRange&& tracks, const Distance_boun
                                         const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
+  const internal::Threads threads{ConcurrencyTag()};
+  const auto search = [&](const auto& elements, const auto& sets, auto& add) {
+    return internal::report_near_tracks(elements, sets, bound, add, np, threads);
+  };
   Neighbor_lists lists;
-  internal::collect_tracks(lists, std::tie(tracks), bound, np, internal::Threads(ConcurrencyTag()));
+  internal::collect_lists(lists, np, threads, search, tracks);
   return lists;
 }
 
@@ -239,9 +256,12 @@ Neighbor_lists fixed_radius_track_lists(TrackRangeA&& tracks_a, TrackRangeB&& tr
                                         const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
+  const internal::Threads threads{ConcurrencyTag()};
+  const auto search = [&](const auto& elements, const auto& sets, auto& add) {
+    return internal::report_near_tracks(elements, sets, bound, add, np, threads);
+  };
   Neighbor_lists lists;
-  internal::collect_tracks(lists, std::tie(tracks_a, tracks_b), bound, np,
-                           internal::Threads(ConcurrencyTag()));
+  internal::collect_lists(lists, np, threads, search, tracks_a, tracks_b);
   return lists;
 }
 

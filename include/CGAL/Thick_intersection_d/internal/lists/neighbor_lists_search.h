@@ -70,19 +70,31 @@ bool collect_neighbors_of(Neighbor_lists& lists, const Elements& points, const S
   return collect_pairs(lists, points.size(), sets, search, threads);
 }
 
-// The same, for points of one range or of two.
-template <class NT, class NamedParameters, class... Ranges>
-bool collect_neighbors(Neighbor_lists& lists, const Distance_bound<NT>& bound,
-                       const NamedParameters& np, const Threads& threads, Ranges&... ranges)
+// The same of the elements of one range or of two. search(elements, sets, callback) reports pairs.
+template <class NamedParameters, class Search, class... Ranges>
+bool collect_lists(Neighbor_lists& lists, const NamedParameters& np, const Threads& threads,
+                   const Search& search, Ranges&... ranges)
 {
   if constexpr((check_range<Ranges, NamedParameters>() && ...)) {
-    const auto collect = [&](const auto& points, const auto& sets) {
-      return collect_neighbors_of(lists, points, sets, bound, np, threads);
+    const auto collect = [&](const auto& elements, const auto& sets) {
+      const auto search_sets = [&](auto& callback) { return search(elements, sets, callback); };
+      return collect_pairs(lists, elements.size(), sets, search_sets, threads);
     };
     return with_sets(collect, make_elements(ranges, np)...);
   }
   else
     return false;
+}
+
+// The same of near points.
+template <class NT, class NamedParameters, class... Ranges>
+bool collect_neighbors(Neighbor_lists& lists, const Distance_bound<NT>& bound,
+                       const NamedParameters& np, const Threads& threads, Ranges&... ranges)
+{
+  const auto search = [&](const auto& points, const auto& sets, auto& callback) {
+    return report_near_pairs(points, sets, bound, callback, np, threads);
+  };
+  return collect_lists(lists, np, threads, search, ranges...);
 }
 
 } // namespace internal

@@ -141,6 +141,13 @@ private:
   double slack_;
 };
 
+// Encloses the distance of the points of two legs, as Relative_segment does.
+template <std::size_t N>
+Interval distance_of(const Leg<N>& a, const Leg<N>& b)
+{
+  return Relative_segment<N>(a, b).distance();
+}
+
 } // namespace internal
 } // namespace Thick_intersection_d
 } // namespace CGAL

@@ -10,15 +10,12 @@
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
-#include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
-#include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
 
 #include <cstddef>
 #include <stdexcept>
 #include <string>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -58,7 +55,7 @@ using Fix_of_t = typename Fix_of<Track>::type;
 
 // Checks tracks of two types, which may be the same. Returns whether a search can be compiled.
 template <class First, class Second>
-constexpr bool check_track_types()
+constexpr bool check_tracks()
 {
   constexpr bool are_tracks
     = !std::is_void_v<Fix_of_t<First>> && !std::is_void_v<Fix_of_t<Second>>;
@@ -69,35 +66,6 @@ constexpr bool check_track_types()
   static_assert(are_alike || !are_tracks,
                 "The tracks of the two ranges must have times and points of the same types.");
   return are_tracks && are_alike;
-}
-
-template <class NamedParameters, class... Ranges>
-constexpr bool check_tracks()
-{
-  if constexpr((check_range<Ranges, NamedParameters>() && ...)) {
-    using Elements = std::tuple<Elements_of<Ranges, NamedParameters>...>;
-    using First = typename std::tuple_element_t<0, Elements>::value_type;
-    using Second = typename std::tuple_element_t<sizeof...(Ranges) - 1, Elements>::value_type;
-    if constexpr(check_track_types<First, Second>())
-      return check_no_traits<typename Fix_of_t<First>::second_type, NamedParameters>();
-    else
-      return false;
-  }
-  else
-    return false;
-}
-
-// The same of a search that gives its pairs to a callback.
-template <class Callback, class NamedParameters, class... Ranges>
-constexpr bool check_track_search()
-{
-  if constexpr(check_tracks<NamedParameters, Ranges...>()) {
-    using Elements = std::tuple<Elements_of<Ranges, NamedParameters>...>;
-    return check_callback<Callback, std::tuple_element_t<0, Elements>,
-                          std::tuple_element_t<sizeof...(Ranges) - 1, Elements>>();
-  }
-  else
-    return false;
 }
 
 // Throws for a time: "The time of fix 1 of track 2 is ..."

@@ -18,7 +18,9 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -57,82 +59,65 @@ public:
         leg[axis] *= per_length_[axis];
   }
 
-  // Returns the width of a leg in a box, given by the lengths of its sides without the reach.
-  double width(Lengths lengths) const
-  {
-    for(int axis = 0; axis < Axes; ++axis)
-      lengths[axis] *= per_length_[axis];
-    return width_of(lengths);
-  }
-
   // Returns the width of stretches with which the search is expected to cost least. Of those that
   // cost the same, as the sample has no longer legs, it is the least one: it cuts a few legs that
   // are much longer than all others.
   double best_width() const
   {
-    constexpr double worthwhile = 0.85, most_stretches = 16; // of the cost and number without cuts
-    constexpr double least_width = 1. / 256;
-    double best = 1, least = worthwhile * cost(1);
-    for(double width = 1; width >= least_width; width /= 2) {
-      if(stretches_per_leg(width) > most_stretches)
-        break;
-      if(cost(width) <= least || stretches_per_leg(width) == 1) {
-        least = (std::min)(least, cost(width));
+    double best = 1, least = cost(1);
+    for(double width = 1. / 2; width >= 1. / 256; width /= 2)
+      if(const double sum = cost(width); sum <= least) {
+        least = sum;
         best = width;
       }
-    }
     return best;
   }
 
-  // The number of stretches that are at most so wide, a power of two. If the reach is infinite, no
-  // box is smaller than another.
-  static Place stretch_count(double leg_width, double width)
+  // Returns how many stretches of a leg are at most so wide, a power of two. The leg is given by
+  // the sides of its box, without the reach.
+  Place stretch_count(Lengths lengths, double width) const
+  {
+    for(int axis = 0; axis < Axes; ++axis)
+      lengths[axis] *= per_length_[axis];
+    return count_of(lengths, width);
+  }
+
+private:
+  static Place count_of(Lengths leg, double width)
   {
     constexpr Place most_stretches = 64;
+    std::nth_element(leg.begin(), leg.begin() + 1, leg.end(), std::greater<double>());
     Place count = 1;
-    while(count < most_stretches && leg_width > width * count)
+    while(count < most_stretches && leg[1] > width * count)
       count *= 2;
     return count;
   }
 
-private:
-  static double width_of(Lengths lengths)
-  {
-    std::nth_element(lengths.begin(), lengths.begin() + 1, lengths.end(), std::greater<double>());
-    return lengths[1];
-  }
-
-  double stretches_per_leg(double width) const
-  {
-    double sum = 0;
-    for(const Lengths& leg : legs_)
-      sum += stretch_count(width_of(leg), width);
-    return sum / static_cast<double>(legs_.size());
-  }
-
-  // Returns what a search costs for each leg, in pairs of boxes that meet. A stretch costs as much
-  // as two of them. Two boxes with the shares s and t of the space along an axis meet along it with
-  // about the probability s + t - s t.
+  // Returns what a search costs for each leg, in pairs of boxes that meet, or infinity if it takes
+  // too much memory. A stretch costs as much as two of them. Two boxes with the shares s and t of
+  // the space along an axis meet along it with about the probability s + t - s t.
   double cost(double width) const
   {
-    std::vector<Lengths> boxes;
-    std::vector<double> counts;
-    for(const Lengths& leg : legs_) {
-      counts.push_back(stretch_count(width_of(leg), width));
-      boxes.emplace_back();
+    constexpr double most_per_leg = 16;
+    std::vector<std::pair<Lengths, double>> boxes; // with the numbers of stretches
+    double stretches = 0, pairs = 0;
+    for(Lengths leg : legs_) {
+      const Place count = count_of(leg, width);
       for(int axis = 0; axis < Axes; ++axis)
-        boxes.back()[axis] = (std::min)(1., leg[axis] / counts.back() + reaches_[axis]);
-    }
-    double pairs = 0;
-    for(std::size_t i = 0; i < boxes.size(); ++i)
-      for(std::size_t j = 0; j < i; ++j) {
-        double share = counts[i] * counts[j];
+        leg[axis] = (std::min)(1., leg[axis] / count + reaches_[axis]);
+      for(const auto& [other, other_count] : boxes) {
+        double share = other_count * count;
         for(int axis = 0; axis < Axes; ++axis)
-          share *= boxes[i][axis] + boxes[j][axis] - boxes[i][axis] * boxes[j][axis];
+          share *= leg[axis] + other[axis] - leg[axis] * other[axis];
         pairs += share;
       }
+      boxes.emplace_back(leg, count);
+      stretches += count;
+    }
     const auto looked_at = static_cast<double>(legs_.size());
-    return 2 * stretches_per_leg(width) + pairs * size_ / (looked_at * looked_at);
+    if(stretches > most_per_leg * looked_at)
+      return std::numeric_limits<double>::infinity();
+    return 2 * stretches / looked_at + pairs * size_ / (looked_at * looked_at);
   }
 
   std::vector<Lengths> legs_;
@@ -158,7 +143,7 @@ void cut_legs(Legs& legs, const Boxes& boxes, std::size_t& second)
     std::array<double, axes> lengths;
     for(int axis = 0; axis < axes; ++axis)
       lengths[axis] = legs.interval(i, axis).length();
-    counts.push_back(sample.stretch_count(sample.width(lengths), width));
+    counts.push_back(sample.stretch_count(lengths, width));
   }
   const auto sum_until = [&](std::size_t end) {
     return std::accumulate(counts.begin(), counts.begin() + std::ptrdiff_t(end), std::size_t(0));

@@ -10,20 +10,16 @@
 
 #include <CGAL/Arithmetic_tier.h>
 #include <CGAL/Distance_bound.h>
-#include <CGAL/Neighbor_lists.h>
 #include <CGAL/Scene_profile.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/check_denormals.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/box_pairs_search.h>
-#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
-#include <CGAL/Thick_intersection_d/internal/lists/neighbor_lists_search.h>
+#include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
-#include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
-#include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
 #include <CGAL/Thick_intersection_d/internal/tracks/Are_tracks_near.h>
 #include <CGAL/Thick_intersection_d/internal/tracks/Track_legs.h>
 #include <CGAL/Thick_intersection_d/internal/tracks/check_tracks.h>
@@ -33,127 +29,103 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
-#include <tuple>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// The tracks of one range, which is both sets, or of two.
-template <class First, class... Second>
-class Track_search
-{
-  using Legs = Track_legs<Fix_of_t<typename First::value_type>>;
-  using Sets = std::conditional_t<sizeof...(Second) == 0, One_set, Two_sets>;
+template <class Range>
+using Track_of = typename std::decay_t<Range>::value_type;
 
-public:
-  Track_search(const Threads& threads, const First& first, const Second&... second)
-    : threads_(threads)
+// The legs of the tracks of one range, or of two.
+template <class Elements, class Sets>
+struct Track_sets
+{
+  using Legs = Track_legs<Fix_of_t<Track_of<decltype(std::declval<const Elements&>().first())>>>;
+
+  explicit Track_sets(const Elements& tracks)
   {
     check_denormals();
-    legs_.add_tracks(first);
+    legs.add_tracks(tracks.first());
     if constexpr(Sets::are_two) {
-      second_track_ = legs_.track_count();
-      second_leg_ = legs_.size();
-      legs_.add_tracks(second...);
+      second_track = legs.track_count();
+      second_leg = legs.size();
+      legs.add_tracks(tracks.second());
     }
   }
 
-  // Reports the pairs of tracks. Returns false iff the search was stopped.
-  template <class NT, class Report, class NamedParameters>
-  bool report(const Distance_bound<NT>& bound, Report& report, const NamedParameters& np)
-  {
-    return report_pairs(bound, Arithmetic_tier::INT64, nullptr, report, np);
-  }
-
-  // The same, with the tier that is forced in `profile`. Sets `profile` to that of the scene.
-  template <class NT, class Report, class NamedParameters>
-  bool report(const Distance_bound<NT>& bound, Report& report, Scene_profile& profile,
-              const NamedParameters& np)
-  {
-    const double reach = Squared_bound<typename Legs::Exact>(bound).reach();
-    Scene_profile found(scan_legs(legs_, bounds(bound.value()), reach), degree_of_legs(legs_));
-    if(const std::optional<Arithmetic_tier> forced = profile.forced_tier())
-      found.force_tier(*forced);
-    Shared_decision_counts counts;
-    const bool is_complete = report_pairs(
-      bound, found.forced_tier().value_or(Arithmetic_tier::INT64), &counts, report, np);
-    found.set_counts(counts.total());
-    profile = found;
-    return is_complete;
-  }
-
-  // Replaces `lists` by those of the near tracks of each track.
-  template <class NT, class NamedParameters>
-  bool collect(Neighbor_lists& lists, const Distance_bound<NT>& bound, const NamedParameters& np)
-  {
-    const auto search = [&](auto& callback) { return report(bound, callback, np); };
-    return collect_pairs(lists, legs_.track_count(), make_sets(second_track_), search, threads_);
-  }
-
-private:
-  static Sets make_sets([[maybe_unused]] std::size_t first_size)
-  {
-    Sets sets = {};
-    if constexpr(Sets::are_two)
-      sets.first_size = first_size;
-    return sets;
-  }
-
-  template <class NT, class Report, class NamedParameters>
-  bool report_pairs(const Distance_bound<NT>& bound, Arithmetic_tier least_tier,
-                    Shared_decision_counts* counts, Report& report, const NamedParameters& np)
-  {
-    const Are_tracks_near<Legs> boxes(legs_, bound, least_tier, counts, threads_);
-    cut_legs(legs_, boxes, second_leg_);
-    auto progress = make_progress(np, legs_.size());
-    const auto take = [&](std::size_t i, std::size_t j) {
-      const std::size_t a = legs_.track_of(i), b = legs_.track_of(second_leg_ + j);
-      return report((std::min)(a, b), (std::max)(a, b) - second_track_);
-    };
-    return report_meeting_boxes(boxes, make_sets(second_leg_), take, progress, threads_);
-  }
-
-  const Threads threads_;
-  Legs legs_;
-  std::size_t second_track_ = 0; // where the second range begins
-  std::size_t second_leg_ = 0;
+  Legs legs;
+  std::size_t second_track = 0; // where the second range begins, if there is one
+  std::size_t second_leg = 0;
 };
 
-// Reports the near pairs of tracks of one range, or of two. `profile` is a Scene_profile, or left
-// out. Returns false iff the search was stopped.
-template <class NT, class Callback, class NamedParameters, class... Ranges, class... Profile>
-bool search_tracks(const std::tuple<Ranges&...>& ranges, const Distance_bound<NT>& bound,
-                   Callback& callback, const NamedParameters& np, const Threads& threads,
-                   Profile&... profile)
+template <class Tracks, class Sets, class NT, class Report, class NamedParameters>
+bool report_near_legs(Tracks& tracks, Sets sets, const Distance_bound<NT>& bound,
+                      Arithmetic_tier least_tier, Shared_decision_counts* counts, Report& report,
+                      const NamedParameters& np, const Threads& threads)
 {
-  if constexpr(check_track_search<Callback, NamedParameters, Ranges...>()) {
-    const auto search = [&](const auto&... elements) {
-      const auto both = std::tie(elements...);
-      auto&& report = pair_output(std::get<0>(both), std::get<sizeof...(Ranges) - 1>(both),
-                                  callback, threads);
-      return Track_search<std::decay_t<decltype(elements)>...>(threads, elements...)
-        .report(bound, report, profile..., np);
-    };
-    return std::apply([&](auto&... range) { return search(make_elements(range, np)...); }, ranges);
+  const auto& legs = tracks.legs;
+  const Are_tracks_near<typename Tracks::Legs> boxes(legs, bound, least_tier, counts, threads);
+  cut_legs(tracks.legs, boxes, tracks.second_leg);
+  if constexpr(Sets::are_two)
+    sets.first_size = tracks.second_leg;
+  auto progress = make_progress(np, legs.size());
+  const auto take = [&](std::size_t i, std::size_t j) {
+    const std::size_t a = legs.track_of(i), b = legs.track_of(tracks.second_leg + j);
+    return report((std::min)(a, b), (std::max)(a, b) - tracks.second_track);
+  };
+  return report_meeting_boxes(boxes, sets, take, progress, threads);
+}
+
+template <class Elements, class NamedParameters>
+constexpr bool check_track_search()
+{
+  using A = Track_of<decltype(std::declval<const Elements&>().first())>;
+  using B = Track_of<decltype(std::declval<const Elements&>().second())>;
+  if constexpr(check_tracks<A, B>())
+    return check_no_traits<typename Fix_of_t<A>::second_type, NamedParameters>();
+  else
+    return false;
+}
+
+// Reports the near pairs of tracks. Returns false iff the search was stopped.
+template <class Elements, class Sets, class NT, class Report, class NamedParameters>
+bool report_near_tracks(const Elements& elements, const Sets& sets,
+                        const Distance_bound<NT>& bound, Report& report,
+                        const NamedParameters& np, const Threads& threads)
+{
+  if constexpr(check_track_search<Elements, NamedParameters>()) {
+    Track_sets<Elements, Sets> tracks(elements);
+    return report_near_legs(tracks, sets, bound, Arithmetic_tier::INT64, nullptr, report, np,
+                            threads);
   }
   else
     return false;
 }
 
-// Replaces `lists` by those of the near tracks of each track.
-template <class NT, class NamedParameters, class... Ranges>
-bool collect_tracks(Neighbor_lists& lists, const std::tuple<Ranges&...>& ranges,
-                    const Distance_bound<NT>& bound, const NamedParameters& np,
-                    const Threads& threads)
+// The same, with the tier that is forced in `profile`. Sets `profile` to that of the scene.
+template <class Elements, class Sets, class NT, class Report, class NamedParameters>
+bool report_near_tracks(const Elements& elements, const Sets& sets,
+                        const Distance_bound<NT>& bound, Report& report, Scene_profile& profile,
+                        const NamedParameters& np, const Threads& threads)
 {
-  if constexpr(check_tracks<NamedParameters, Ranges...>()) {
-    const auto collect = [&](const auto&... elements) {
-      return Track_search<std::decay_t<decltype(elements)>...>(threads, elements...)
-        .collect(lists, bound, np);
-    };
-    return std::apply([&](auto&... range) { return collect(make_elements(range, np)...); }, ranges);
+  if constexpr(check_track_search<Elements, NamedParameters>()) {
+    Track_sets<Elements, Sets> tracks(elements);
+    using Exact = typename decltype(tracks.legs)::Exact;
+    const double reach = Squared_bound<Exact>(bound).reach();
+    Scene_profile found(scan_legs(tracks.legs, bounds(bound.value()), reach),
+                        degree_of_legs(tracks.legs));
+    if(const std::optional<Arithmetic_tier> forced = profile.forced_tier())
+      found.force_tier(*forced);
+    const Arithmetic_tier least_tier = found.forced_tier().value_or(Arithmetic_tier::INT64);
+    Shared_decision_counts counts;
+    const bool is_complete
+      = report_near_legs(tracks, sets, bound, least_tier, &counts, report, np, threads);
+    found.set_counts(counts.total());
+    profile = found;
+    return is_complete;
   }
   else
     return false;
