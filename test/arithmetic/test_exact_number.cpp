@@ -41,6 +41,24 @@ BOOST_AUTO_TEST_CASE(exact_numbers_hold_doubles)
   BOOST_CHECK(Exact_number_t<CGAL::Exact_integer>(1.5) * 2 == 3);
 }
 
+// CGAL has no interval of some types, and one around zero for others.
+BOOST_AUTO_TEST_CASE(integers_of_64_bits_have_bounds)
+{
+  const auto check = [](auto x, bool is_double) {
+    const std::pair<double, double> bounds = internal::bounds(x);
+    BOOST_CHECK(CGAL::Exact_rational(bounds.first) <= internal::to_exact_rational(x));
+    BOOST_CHECK(CGAL::Exact_rational(bounds.second) >= internal::to_exact_rational(x));
+    BOOST_CHECK_EQUAL(bounds.first == bounds.second, is_double);
+  };
+  check(0l, true);
+  check(0ul, true);
+  check((1ll << 53) - 1, true);
+  check((1ll << 53) + 1, false);
+  check(-(1ll << 53) - 1, false);
+  check((std::numeric_limits<unsigned long>::max)(), false);
+  static_assert(std::is_same_v<internal::Exact_number_t<unsigned>, CGAL::Exact_rational>);
+}
+
 // CGAL's interval of a tiny Mpzf is far from it if rounding goes up.
 BOOST_AUTO_TEST_CASE(bounds_of_tiny_numbers_are_close_in_every_rounding_mode)
 {

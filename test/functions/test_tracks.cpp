@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(tracks_of_rationals)
 
 BOOST_AUTO_TEST_CASE(times_of_other_types_than_coordinates)
 {
-  check_random_tracks<Epick, 2, int>(10, {{}});
+  check_random_tracks<Epick, 2, unsigned>(10, {{}});
   check_random_tracks<Epick, 3, long long>(10, {{}, {near_one, {Scale::ONE, 0x1p+62, 1024}}});
   check_random_tracks<Epick, 2, Exact_rational>(10, {{near_one, thirds}});
   check_random_tracks<CGAL::Simple_cartesian<float>, 3, float>(10, {{}});

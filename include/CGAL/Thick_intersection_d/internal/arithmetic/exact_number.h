@@ -152,17 +152,23 @@ constexpr bool is_integer_type_v
   = std::is_convertible_v<typename Algebraic_structure_traits<NT>::Algebraic_category,
                           Unique_factorization_domain_tag>;
 
+// Whether numbers of a type that is not built in compute without error, and hold doubles. Quotient
+// keeps common divisors, and so grows with each sum.
+template <class FT>
+struct Is_exact_type
+  : std::bool_constant<Algebraic_structure_traits<FT>::Is_exact::value && !Is_quotient<FT>::value
+                       && !is_integer_type_v<FT>>
+{};
+
 // The type that computes squared distances of points with coordinates of type FT without error, and
 // holds every double. It is FT itself if FT is exact and holds doubles. For floats and doubles it
-// is a type without the cost of fractions. It is not Quotient, which keeps common divisors and so
-// grows with each sum.
+// is a type without the cost of fractions. Traits do not know all types that are built in.
 template <class FT>
 struct Exact_number
 {
-  using type = std::conditional_t<Algebraic_structure_traits<FT>::Is_exact::value
-                                    && !std::is_arithmetic_v<FT> && !Is_quotient<FT>::value
-                                    && !is_integer_type_v<FT>,
-                                  FT, Exact_rational>;
+  using type = std::conditional_t<
+    std::conjunction_v<std::negation<std::is_arithmetic<FT>>, Is_exact_type<FT>>, FT,
+    Exact_rational>;
 };
 #ifdef CGAL_HAS_MPZF
 template <>
@@ -250,10 +256,14 @@ std::pair<double, double> bounds(const NT& x)
   else if constexpr(std::is_same_v<NT, Mpzf>)
     return bounds_of_mpzf(x);
 #endif
+  else if constexpr(std::is_integral_v<NT>) { // CGAL does not know all of these types
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const double value = static_cast<double>(x);
+    if(-0x1p53 < value && value < 0x1p53)
+      return {value, value};
+    return {std::nextafter(value, -infinity), std::nextafter(value, infinity)};
+  }
   else {
-    if constexpr(std::is_integral_v<NT>) // those of CGAL do not meet, not even for zero
-      if(const double value = static_cast<double>(x); -0x1p53 <= value && value <= 0x1p53)
-        return {value, value};
     const std::pair<double, double> interval = CGAL::to_interval(x);
     if constexpr(Is_quotient<NT>::value) // infinite if its parts are beyond the doubles
       if(std::isinf(interval.second) || std::isinf(interval.first))

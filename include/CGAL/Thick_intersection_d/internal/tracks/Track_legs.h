@@ -136,16 +136,13 @@ public:
     return whole;
   }
 
-  // Replaces each stretch by a number of shorter ones.
+  // Cuts each leg into a number of stretches. The legs must not be cut.
   void cut(const std::vector<Place>& counts)
   {
     std::vector<Stretch_of_leg> stretches;
     for(std::size_t i = 0; i < counts.size(); ++i)
-      for(Place k = 0; k < counts[i]; ++k) {
-        const Stretch_of_leg& long_one = stretches_[i];
-        stretches.push_back({long_one.track, long_one.fix, long_one.index * counts[i] + k,
-                             long_one.count * counts[i]});
-      }
+      for(Place k = 0; k < counts[i]; ++k)
+        stretches.push_back({stretches_[i].track, stretches_[i].fix, k, counts[i]});
     stretches_ = std::move(stretches);
   }
 
