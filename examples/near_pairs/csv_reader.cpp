@@ -52,7 +52,8 @@ std::string joined(const std::vector<std::string>& texts)
 
 Csv_reader::Csv_reader(const Input& input, const Read_options& options)
   : records_(input, options.separator, options.comma_numbers),
-    comma_numbers_(options.comma_numbers), skip_missing_(options.skip_missing)
+    comma_numbers_(options.comma_numbers), skip_missing_(options.skip_missing),
+    has_times_(!options.time.empty())
 {
   is_table = true;
   if(!records_.next(fields_))
@@ -66,6 +67,7 @@ Csv_reader::Csv_reader(const Input& input, const Read_options& options)
   else
     choose_columns_by_number(options);
   check_columns_differ();
+  choose_more_columns(options);
   dimension = static_cast<int>(columns_.size());
   id_column_ = options.id.empty() ? find_column("id") : named_column(options.id);
   has_ids = id_column_.has_value();
@@ -179,6 +181,26 @@ void Csv_reader::put_latitude_first()
   latitude_axis = 0;
 }
 
+// An altitude is one more coordinate, behind the degrees.
+void Csv_reader::choose_more_columns(const Read_options& options)
+{
+  const auto name_of = [&](std::size_t column) {
+    return header_.empty() ? "column " + std::to_string(column + 1) : header_[column];
+  };
+  if(!options.altitude.empty()) {
+    columns_.push_back(named_column(options.altitude));
+    names[2] = name_of(columns_.back());
+    altitude_unit = options.altitude_unit;
+  }
+  std::vector<std::string> wanted = options.velocity;
+  if(has_times_)
+    wanted.push_back(options.time);
+  for(const std::string& name : wanted) {
+    motion_columns_.push_back(named_column(name));
+    motion_names.push_back(name_of(motion_columns_.back()));
+  }
+}
+
 void Csv_reader::check_columns_differ() const
 {
   for(auto column = columns_.begin(); column != columns_.end(); ++column)
@@ -227,11 +249,12 @@ bool Csv_reader::next(Row& row)
       return false;
     row.position = rows_++;
     row.line = records_.line();
-  } while(skip_missing_ && is_coordinate_missing() && ++skipped);
+  } while(skip_missing_ && is_any_missing() && ++skipped);
   for(int axis = 0; axis < dimension; ++axis)
     row.coordinates[axis] = coordinate(axis);
   if(id_column_)
     row.id = fields_[*id_column_];
+  read_motion(row);
   return true;
 }
 
@@ -288,16 +311,19 @@ void Csv_reader::check_fields()
                 + std::to_string(fields_per_row_));
 }
 
-// A latitude of 91 says that there is none, in messages of ships (ITU-R M.1371).
-bool Csv_reader::is_coordinate_missing() const
+// Whether a row has no place, or no time or track if it needs them. A latitude of 91 says so, in
+// messages of ships (ITU-R M.1371).
+bool Csv_reader::is_any_missing() const
 {
   if(latitude_axis != -1) {
     const auto latitude = parse_decimal(number_text(fields_[columns_[latitude_axis]]));
     if(latitude && latitude->digits == "91" && latitude->exponent == 0 && !latitude->negative)
       return true;
   }
-  return std::any_of(columns_.begin(), columns_.end(),
-                     [&](std::size_t column) { return is_missing(fields_[column]); });
+  const auto is_empty = [&](std::size_t column) { return is_missing(fields_[column]); };
+  const bool has_no_time
+    = has_times_ && (is_empty(motion_columns_.front()) || (id_column_ && is_empty(*id_column_)));
+  return has_no_time || std::any_of(columns_.begin(), columns_.end(), is_empty);
 }
 
 // The text of a number as all formats have it, with a point, a minus of ASCII, and no D before an
@@ -327,6 +353,13 @@ std::string Csv_reader::coordinate(int axis) const
   if(comma_numbers_ && field.find('.') != std::string::npos && parse_decimal(number_text(field)))
     throw error(names[axis] + ": '" + field + "' has a point, and --comma-numbers is for commas");
   return number_text(field);
+}
+
+void Csv_reader::read_motion(Row& row) const
+{
+  row.motion.clear();
+  for(std::size_t column : motion_columns_)
+    row.motion.push_back(number_text(fields_[column]));
 }
 
 } // namespace near_pairs

@@ -40,6 +40,7 @@ private:
   bool has_header_in_comment(const Read_options& options);
   bool are_numbers(const std::vector<std::string>& wanted) const;
   void put_latitude_first();
+  void choose_more_columns(const Read_options& options);
   void check_columns_differ() const;
   std::optional<std::size_t> find_column(const std::string& name) const;
   std::size_t named_column(const std::string& name) const;
@@ -47,20 +48,23 @@ private:
   bool next_row();
   bool next_record();
   bool is_comment() const;
-  bool is_coordinate_missing() const;
+  bool is_any_missing() const;
   void check_fields();
   std::string number_text(const std::string& field) const;
   std::string coordinate(int axis) const;
+  void read_motion(Row& row) const;
 
   Records records_;
   const bool comma_numbers_;
   const bool skip_missing_;
+  const bool has_times_;
   std::vector<std::string> header_; // empty if there is none
   std::vector<std::string> fields_; // of the record in hand
   bool is_first_row_ready_ = false; // in fields_
   std::size_t fields_per_row_ = 0;
   std::size_t rows_ = 0; // up to now, with those that are skipped
   std::vector<std::size_t> columns_;
+  std::vector<std::size_t> motion_columns_;
   std::optional<std::size_t> id_column_;
 };
 

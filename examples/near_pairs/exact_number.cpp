@@ -72,6 +72,7 @@ std::string exact_text(const Exact_number& number)
 
 Exact_numbers::Exact_numbers() : values_(std::make_unique<std::vector<Rational>>()) {}
 Exact_numbers::Exact_numbers(Exact_numbers&& other) noexcept = default;
+Exact_numbers& Exact_numbers::operator=(Exact_numbers&& other) noexcept = default;
 Exact_numbers::~Exact_numbers() = default;
 
 std::size_t Exact_numbers::size() const

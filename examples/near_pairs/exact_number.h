@@ -49,6 +49,7 @@ class Exact_numbers
 public:
   Exact_numbers();
   Exact_numbers(Exact_numbers&& other) noexcept;
+  Exact_numbers& operator=(Exact_numbers&& other) noexcept;
   ~Exact_numbers();
 
   std::size_t size() const;

@@ -21,6 +21,8 @@
 #include "standard_streams.h"
 #include "summary.h"
 #include "tables.h"
+#include "track_pairs.h"
+#include "tracks.h"
 
 #include <exception>
 #include <iomanip>
@@ -274,8 +276,12 @@ int main(int argc, char** argv)
     const near_pairs::Options options = near_pairs::parse_options(argc, argv);
     if(options.help)
       near_pairs::finish(std::cout << near_pairs::help_text(), "the help");
+    else if(options.help_tracks)
+      near_pairs::finish(std::cout << near_pairs::track_help_text(), "the help");
     else if(options.version)
       near_pairs::finish(std::cout << near_pairs::version_text(), "the version");
+    else if(near_pairs::have_tracks(options))
+      near_pairs::run_tracks(options);
     else if(near_pairs::have_features(options))
       near_pairs::run_features(options);
     else if(options.memory != 0)

@@ -5,16 +5,17 @@
 
 #include "options.h"
 
+#include "command_line.h"
 #include "decimal.h"
 #include "error.h"
 #include "exact_number.h"
 #include "feature.h"
+#include "quantity.h"
 #include "row_reader.h"
+#include "track_options.h"
 
 #include <CGAL/Thick_intersection_d/version.h>
 #include <CGAL/version.h>
-
-#include <boost/program_options.hpp>
 
 #include <algorithm>
 #include <cctype>
@@ -28,18 +29,6 @@
 
 namespace near_pairs {
 namespace {
-
-namespace po = boost::program_options;
-
-using Texts = std::vector<std::string>; // of an option that may be given for each file
-
-// Each description has one line, so that the help has one screen.
-constexpr unsigned columns = 80, columns_of_descriptions = 54;
-
-po::options_description group(const char* title)
-{
-  return po::options_description(title, columns, columns_of_descriptions);
-}
 
 void add_scene_options(po::options_description& all, Options& options)
 {
@@ -113,7 +102,8 @@ void add_search_options(po::options_description& all, Options& options)
      "count connected components, and color them")
     ("explain", po::bool_switch(&options.explain), "print what the search found out")
     ("progress", po::bool_switch(&options.progress), "show a percentage")
-    ("help", po::bool_switch(&options.help), "print this text")
+    ("help", po::bool_switch(&options.help),
+     "print this text; --help-tracks: of points that move")
     ("version", po::bool_switch(&options.version), "print the versions of program and CGAL");
   all.add(search).add(output);
 }
@@ -123,7 +113,8 @@ po::variables_map parse(int argc, const char* const* argv, const po::options_des
 {
   using namespace po::command_line_style;
   po::options_description all;
-  all.add(visible).add_options()("file", po::value<std::vector<std::string>>());
+  all.add(visible).add_options()("file", po::value<std::vector<std::string>>())
+    ("help-tracks", po::bool_switch());
   po::positional_options_description positional;
   positional.add("file", -1);
   po::variables_map map;
@@ -143,35 +134,22 @@ void read_files(const po::variables_map& map, Options& options)
     throw Error("the standard input can be read only once");
 }
 
-struct Unit
-{
-  const char* name;
-  const char* meters;
-};
-
-const Unit units[] = {{"m", "1"}, {"km", "1000"}, {"nmi", "1852"}, {"mi", "1609.344"},
-                      {"ft", "0.3048"}};
-
 // Reads a number with letters behind it as a length, and separates the two. Returns its meters, or
 // nothing if there is no number.
 std::optional<Exact_number> parse_with_unit(Options& options)
 {
   const std::string text = options.distance_text;
-  const auto is_letter = [](unsigned char byte) { return std::isalpha(byte) != 0; };
-  const auto end = std::find_if_not(text.rbegin(), text.rend(), is_letter).base();
-  const std::string number(trimmed(text.substr(0, end - text.begin())));
-  const auto value = parse_exact(number);
-  if(!value)
+  const std::optional<Quantity> length = parse_quantity(text);
+  if(!length)
     return std::nullopt;
-  options.distance_text = number;
-  options.distance_unit.assign(end, text.end());
-  for(const Unit& unit : units)
-    if(options.distance_unit == unit.name) {
-      if(!options.geographic)
-        throw Error("--distance: '" + text + "' has a unit, which is for --geographic");
-      return *value * *parse_exact(unit.meters);
-    }
-  throw Error("--distance: '" + text + "': the unit is none of m, km, nmi, mi and ft");
+  const std::optional<Exact_number> meters = meters_in(length->unit);
+  if(!meters)
+    throw Error("--distance: '" + text + "': the unit is none of m, km, nmi, mi and ft");
+  if(!options.geographic)
+    throw Error("--distance: '" + text + "' has a unit, which is for --geographic");
+  options.distance_text = length->number;
+  options.distance_unit = length->unit;
+  return length->value * *meters;
 }
 
 void read_distance(const po::variables_map& map, Options& options)
@@ -200,10 +178,7 @@ void read_distance(const po::variables_map& map, Options& options)
 // Splits the names of columns of coordinates.
 Texts parse_columns(const std::string& text, const Options& options)
 {
-  Texts columns;
-  std::istringstream list(text);
-  for(std::string name; std::getline(list, name, ','); )
-    columns.emplace_back(trimmed(name));
+  const Texts columns = split_at_commas(text);
   const std::size_t most = options.geographic ? 2 : 3;
   if(columns.size() < 2 || columns.size() > most)
     throw Error(options.geographic ? "--columns needs two names with --geographic"
@@ -212,17 +187,6 @@ Texts parse_columns(const std::string& text, const Options& options)
   if(!options.geographic && options.dimension != 0 && options.dimension != given)
     throw Error("--columns and --dimension disagree");
   return columns;
-}
-
-// The text of an option for file `file`: that of all files if it was given once. An empty text
-// stands for the default.
-std::string text_for_file(const po::variables_map& map, const std::string& option,
-                          std::size_t file)
-{
-  if(!map.count(option))
-    return "";
-  const Texts& texts = map[option].as<Texts>();
-  return texts.size() == 1 ? texts.front() : texts[file];
 }
 
 // The number of the frame of file `file`. It is for the files that may have frames.
@@ -252,7 +216,7 @@ void check_solids(const po::variables_map& map, const Options& options)
 // them.
 void read_readings(const po::variables_map& map, Options& options)
 {
-  for(const char* option : {"columns", "id", "frame"})
+  for(const char* option : {"columns", "id", "frame", "altitude", "time", "track", "velocity"})
     if(map.count(option) && map[option].as<Texts>().size() > options.files.size())
       throw Error(std::string("--") + option + " is given once, or once for each file");
   const auto is_one = [&](const std::string& file) { return is_table(file, options); };
@@ -261,6 +225,7 @@ void read_readings(const po::variables_map& map, Options& options)
     Read_options reading = options;
     reading.id = text_for_file(map, "id", file);
     reading.frame = frame_for_file(map, options, file);
+    read_track_reading(map, file, reading);
     const std::string columns = text_for_file(map, "columns", file);
     if(!columns.empty())
       reading.columns = parse_columns(columns, options);
@@ -311,6 +276,8 @@ void check_choices(const po::variables_map& map, const Options& options)
     throw Error("--geographic is always in dimension 3");
   if(options.geographic && options.decimal)
     throw Error("--decimal is for coordinates in the file; those of --geographic are computed");
+  if(map.count("altitude") && !options.geographic)
+    throw Error("--altitude is for --geographic; --columns takes a third coordinate");
 #ifndef CGAL_LINKED_WITH_TBB
   if(options.parallel)
     throw Error("--parallel: this program was built without TBB");
@@ -421,12 +388,14 @@ void read_memory(const po::variables_map& map, Options& options)
 Options parse_and_check(int argc, const char* const* argv)
 {
   Options options;
-  po::options_description visible(columns, columns_of_descriptions);
+  po::options_description visible(columns_of_help, columns_of_descriptions);
   add_scene_options(visible, options);
   add_reading_options(visible, options);
+  add_track_options(visible);
   add_search_options(visible, options);
   const po::variables_map map = parse(argc, argv, visible);
-  if(options.help || options.version)
+  options.help_tracks = map["help-tracks"].as<bool>();
+  if(options.help || options.help_tracks || options.version)
     return options;
   read_files(map, options);
   read_distance(map, options);
@@ -436,6 +405,7 @@ Options parse_and_check(int argc, const char* const* argv)
   read_outputs(map, options);
   read_periodic(map, options);
   read_memory(map, options);
+  read_track_options(map, options);
   check_solids(map, options);
   read_readings(map, options);
   check_overlap(options);
@@ -460,7 +430,7 @@ std::string help_text()
     = "\n(1) Once, or once for each file. (2) 0.1 is a tenth, not the double beside it.\n"
       "(3) Or vectors of four or nine numbers; or file: the cell of .xyz, .pdb or .cif\n";
   Options ignored;
-  po::options_description visible(columns, columns_of_descriptions);
+  po::options_description visible(columns_of_help, columns_of_descriptions);
   add_scene_options(visible, ignored);
   add_reading_options(visible, ignored);
   add_search_options(visible, ignored);

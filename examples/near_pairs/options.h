@@ -29,6 +29,10 @@ struct Options : Search_options, Read_options
   std::string distance_unit; // as typed; empty: that of the scene
   bool closest = false;      // the closest pair instead; there is no distance then
 
+  Exact_number until;                  // seconds, with --velocity
+  std::string until_text;              // as typed
+  std::optional<Exact_number> max_gap; // seconds, of tracks
+
   bool is_periodic = false;
   std::optional<Cell> cell; // if it is periodic; none: the file tells it
 
@@ -44,14 +48,16 @@ struct Options : Search_options, Read_options
   bool components = false;  // counted, and in the picture
   bool explain = false;
   bool help = false;
+  bool help_tracks = false;
   bool version = false;
 };
 
-// Throws Error if the command line cannot be used. With --help or --version, nothing else is
-// checked.
+// Throws Error if the command line cannot be used. With --help, --help-tracks or --version, nothing
+// else is checked.
 Options parse_options(int argc, const char* const* argv);
 
 std::string help_text();
+std::string track_help_text(); // of the options for points that move
 std::string version_text();
 
 } // namespace near_pairs

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -25,8 +26,8 @@ namespace {
 class Scene_maker
 {
 public:
-  explicit Scene_maker(const Options& options)
-    : options_(options)
+  Scene_maker(const Options& options, const std::function<void(const Place&)>& and_then)
+    : options_(options), and_then_(and_then)
   {
     for(const std::string& file : options.files)
       inputs_.emplace_back(file, options.progress);
@@ -95,7 +96,9 @@ private:
       = options_.closest || !options_.pairs.empty() || !options_.points.empty();
     const bool keeps_ids = reader->has_ids && names_points;
     for(Row row; reader->next(row); ) {
-      add_point({input, *reader, row});
+      const Place place = {input, *reader, row};
+      add_point(place);
+      and_then_(place);
       if(reading.skip_missing)
         scene_.rows.push_back(row.position);
       if(keeps_ids) {
@@ -148,7 +151,7 @@ private:
 
   void begin(const Input& input, int dimension)
   {
-    if(scene_.first_size && dimension != inputs_dimension_)
+    if(scene_.first_size && dimension != inputs_dimension_ && !options_.geographic)
       throw Error(input.name(), "has " + std::to_string(dimension) + " coordinates, and "
                   + inputs_.front().name() + " has " + std::to_string(inputs_dimension_)
                   + "; choose with --dimension or --columns");
@@ -211,6 +214,7 @@ private:
   }
 
   const Options& options_;
+  const std::function<void(const Place&)>& and_then_;
   std::vector<Input> inputs_;
   int inputs_dimension_ = 0; // coordinates per row
   bool has_rounded_decimals_ = false;
@@ -221,7 +225,12 @@ private:
 
 Scene read_scene(const Options& options)
 {
-  return Scene_maker(options).make();
+  return read_scene(options, [](const Place&) {});
+}
+
+Scene read_scene(const Options& options, const std::function<void(const Place&)>& and_then)
+{
+  return Scene_maker(options, and_then).make();
 }
 
 } // namespace near_pairs

@@ -26,6 +26,10 @@ struct Read_options
   std::string id;                 // the column of names; empty: the one that is called so
   bool decimal = false;
   std::size_t frame = 1;          // which one is read, if the file may have several
+  std::string altitude;           // the column of heights above the sphere, or empty
+  double altitude_unit = 1;       // in meters
+  std::string time;               // the column of times, if rows are places of tracks
+  std::vector<std::string> velocity; // the columns of speed, course and perhaps climb, or none
 
   // Forgets what is for tables only.
   void take_no_table()
@@ -34,6 +38,7 @@ struct Read_options
     no_header = comma_numbers = skip_missing = false;
     columns.clear();
     id.clear();
+    altitude.clear();
   }
 };
 

@@ -102,9 +102,14 @@ std::array<double, 3> place_on_sphere(const Place& place)
   const double radian = std::acos(-1.) / 180;
   const double latitude = read_number(place, 0).value;
   const double longitude = read_number(place, 1).value;
-  const double ring = earth_radius * std::cos(latitude * radian);
+  const double altitude
+    = place.reader.dimension == 3 ? read_number(place, 2).value * place.reader.altitude_unit : 0;
+  const double radius = earth_radius + altitude;
+  if(!std::isfinite(radius))
+    throw bad_coordinate(place, 2, ": " + place.row.coordinates[2] + " is too high");
+  const double ring = radius * std::cos(latitude * radian);
   return {ring * std::cos(longitude * radian), ring * std::sin(longitude * radian),
-          earth_radius * std::sin(latitude * radian)};
+          radius * std::sin(latitude * radian)};
 }
 
 } // namespace near_pairs

@@ -38,7 +38,8 @@ struct Number
 // Throws Error if the text is no finite number, or if it is no degree where degrees are to be.
 Number read_number(const Place& place, int axis);
 
-// The place in space that latitude and longitude name. Throws Error if they are none.
+// The place in space that latitude, longitude and perhaps altitude name. Throws Error if they are
+// none.
 std::array<double, 3> place_on_sphere(const Place& place);
 
 } // namespace near_pairs

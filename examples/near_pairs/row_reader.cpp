@@ -52,7 +52,8 @@ std::string option_for_tables(const Read_options& options)
          : !options.id.empty() ? "--id"
          : options.no_header ? "--no-header"
          : options.comma_numbers ? "--comma-numbers"
-         : options.separator != 0 ? "--separator" : "";
+         : options.separator != 0 ? "--separator"
+         : !options.altitude.empty() ? "--altitude" : "";
 }
 
 // Returns nothing if the format is unknown. The vertices of .stl files are no list of points, since
@@ -109,7 +110,8 @@ std::string guessed_columns(const Row_reader& reader)
 {
   const std::size_t longest = 30; // letters
   std::string list;
-  for(int axis = 0; reader.are_guessed && axis < reader.dimension; ++axis)
+  const int guessed = reader.latitude_axis == 0 ? 2 : reader.dimension; // no altitude
+  for(int axis = 0; reader.are_guessed && axis < guessed; ++axis)
     list += (axis == 0 ? "" : ", ") + shortened(readable(reader.names[axis]), longest);
   return list;
 }

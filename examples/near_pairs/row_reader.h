@@ -26,6 +26,7 @@ struct Row
   std::size_t line = 0;
   std::array<std::string, 3> coordinates; // as many as the reader's dimension
   std::string id;                         // empty if the file has no ids
+  std::vector<std::string> motion = {};   // the time, or speed, course and climb, if wanted
   std::size_t position = 0; // among the rows of the file, with those that are skipped
 };
 
@@ -50,6 +51,10 @@ public:
 
   // If the coordinates are degrees, the axis of the latitude, and otherwise -1.
   int latitude_axis = -1;
+
+  // Of what Row::motion has, and the meters in a unit of the third coordinate behind degrees.
+  std::vector<std::string> motion_names;
+  double altitude_unit = 1;
 
   bool has_ids = false;
   bool is_table = false;

@@ -77,16 +77,23 @@ double Scene::column(std::size_t point, int axis) const
 {
   if(!is_geographic)
     return coordinate(point, axis);
-  const double x = coordinate(point, 0), y = coordinate(point, 1), z = coordinate(point, 2);
-  const double radians = axis == 0 ? std::atan2(z, std::hypot(x, y)) : std::atan2(y, x);
-  const double digits = 1e9; // a tenth of a millimeter; the errors of the sphere are behind it
-  return std::round(radians * 180 / std::acos(-1.) * digits) / digits;
+  return degrees_of({coordinate(point, 0), coordinate(point, 1), coordinate(point, 2)})[axis];
 }
 
 std::array<double, 2> Scene::degrees(std::size_t point) const
 {
   return is_geographic ? std::array<double, 2>{column(point, 1), column(point, 0)}
                        : std::array<double, 2>{coordinate(point, 0), coordinate(point, 1)};
+}
+
+std::array<double, 2> degrees_of(const std::array<double, 3>& place)
+{
+  const auto in_degrees = [](double radians) {
+    const double digits = 1e9; // a tenth of a millimeter; the errors of the sphere are behind it
+    return std::round(radians * 180 / std::acos(-1.) * digits) / digits;
+  };
+  const auto [x, y, z] = place;
+  return {in_degrees(std::atan2(z, std::hypot(x, y))), in_degrees(std::atan2(y, x))};
 }
 
 } // namespace near_pairs

@@ -76,6 +76,9 @@ struct Scene
   std::array<double, 2> degrees(std::size_t point) const;
 };
 
+// The latitude and the longitude of a place in meters from the center of a sphere, rounded.
+std::array<double, 2> degrees_of(const std::array<double, 3>& place);
+
 // What the distance of two points, with coordinates of up to this one, may be wrong by if the
 // decimals of their coordinates and of the distance are rounded to doubles: each by half a unit in
 // the last place, so that a distance of up to three dimensions is wrong by less than two units.
