@@ -1,12 +1,13 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Gives any bytes to the parser of decimals, and compares its answers with each other: exact
-// number, integer at a scale, nearest double, and text.
+// Gives any bytes to the parsers of decimals and times, and compares their answers with each other:
+// exact number, integer at a scale, nearest double, and text.
 
 #include "decimal.h"
 #include "exact_number.h"
 #include "rational.h"
+#include "time_text.h"
 
 #include <CGAL/number_utils.h> // to_double
 
@@ -60,6 +61,20 @@ void check_quotient(const std::string& text)
   }
 }
 
+void check_time(const std::string& text)
+{
+  const std::optional<near_pairs::Time> time = near_pairs::parse_time(text);
+  if(!time)
+    return;
+  const auto seconds_of = [](const near_pairs::Time& one) {
+    return static_cast<double>(one.digits) * std::pow(10., one.exponent);
+  };
+  const double seconds = seconds_of(*time);
+  const auto again = near_pairs::parse_time(near_pairs::time_text(seconds, time->form));
+  require(again && near_pairs::are_comparable(again->form, time->form));
+  require(std::abs(seconds_of(*again) - seconds) <= 0.0006 + 1e-12 * std::abs(seconds));
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
@@ -67,5 +82,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string text(reinterpret_cast<const char*>(data), size);
   check_decimal(text);
   check_quotient(text);
+  check_time(text);
   return 0;
 }

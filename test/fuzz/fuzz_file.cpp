@@ -7,6 +7,8 @@
 #include "error.h"
 #include "feature.h"
 #include "point_file.h"
+#include "row_reader.h"
+#include "tracks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,6 +76,51 @@ void check(const std::vector<near_pairs::Feature>& features)
   }
 }
 
+void check(const near_pairs::Tracks& tracks)
+{
+  const near_pairs::Scene& scene = tracks.scene;
+  require(scene.doubles.empty() || scene.exact.empty());
+  require(std::all_of(scene.doubles.begin(), scene.doubles.end(),
+                      [](double coordinate) { return std::isfinite(coordinate); }));
+  for(const near_pairs::Track& track : tracks.tracks)
+    for(const near_pairs::Piece& piece : track.pieces)
+      for(std::size_t i = 0; i < piece.size(); ++i) {
+        require(piece[i].point < scene.size());
+        require(piece[i].tick >= 0 && (i == 0 || piece[i - 1].tick < piece[i].tick));
+      }
+}
+
+void read_as_tracks(near_pairs::Options options)
+{
+  options.readings.assign(1, options);
+  try {
+    check(near_pairs::read_tracks(options));
+  }
+  catch(const near_pairs::Error&) {
+  }
+}
+
+// Times or velocities in the first columns.
+void read_motion(near_pairs::Options options)
+{
+  if(!near_pairs::is_table(options.files.front(), options))
+    return;
+  options.time = "1";
+  read_as_tracks(options);
+  options.max_gap = near_pairs::parse_exact("0.5");
+  options.columns = {"2", "3"};
+  options.id = "4";
+  read_as_tracks(options);
+  options.time.clear();
+  options.velocity = {"4", "5"};
+  options.until = *near_pairs::parse_exact("720");
+  read_as_tracks(options);
+  options.geographic = true;
+  options.altitude = "1";
+  options.velocity.emplace_back("6");
+  read_as_tracks(options);
+}
+
 void read(near_pairs::Options options, std::size_t most_points)
 {
   options.readings.assign(1, options);
@@ -97,6 +144,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::size_t most_points = is_compressed ? 1100 * size : size; // deflate makes 1032 of one
   near_pairs::Options options;
   options.files = {file.path()};
+  read_motion(options);
   options.closest = true; // so that ids are kept
   read(options, most_points);
   options.solids = true;
