@@ -28,7 +28,8 @@ constexpr bool can_scale(Scale scale)
 {
   return scale == Scale::ONE ? true
          : scale == Scale::THIRD || scale == Scale::CLOSE
-           ? CGAL::Algebraic_structure_traits<FT>::Is_exact::value && !std::is_integral_v<FT>
+           ? std::conjunction_v<std::negation<std::is_arithmetic<FT>>,
+                                typename CGAL::Algebraic_structure_traits<FT>::Is_exact>
          : scale == Scale::DENORMAL ? !std::is_same_v<FT, float> && !std::is_integral_v<FT>
                                     : !std::is_same_v<FT, float>;
 }
