@@ -95,6 +95,7 @@ BOOST_AUTO_TEST_CASE(tracks_across_the_whole_scene)
     BOOST_CHECK_GT(expected.size(), 50u);
     check_placed_tracks<Epick, 2, double>(scene, expected, {});
     check_placed_tracks<Epeck, 2, double>(scene, expected, {thirds, {}});
+    check_placed_tracks<Epick, 2, double>(scene, expected, {{Scale::ONE, -0x1p1020, 0x1p1011}, {}});
   }
 }
 

@@ -52,14 +52,14 @@ public:
   std::size_t size() const { return legs_.size(); }
   int dimension() const { return static_dimension; }
 
-  // How much longer boxes are than legs.
-  double reach(int axis) const { return axis == time_axis ? 0 : exact_bound_.reach(); }
+  // How much longer boxes are than legs along the axes of space.
+  double reach() const { return exact_bound_.reach(); }
 
   auto intervals(std::size_t position) const
   {
     return [this, position](int axis) -> Interval {
       const Interval interval = legs_.interval(position, axis);
-      return axis == time_axis ? interval : longer(interval, exact_bound_.reach());
+      return axis == time_axis ? interval : longer(interval, reach());
     };
   }
 

@@ -27,36 +27,31 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// A sample of legs, which are spread evenly over the space of their boxes. All lengths are shares
-// of this space.
-template <int Axes>
+// A sample of legs, which are spread evenly over the space and time that they are in. All lengths
+// are shares of these.
+template <class Legs>
 class Leg_sample
 {
-  using Lengths = std::array<double, Axes>;
+  static constexpr int axes = Legs::dimension + 1;
+  using Lengths = std::array<double, axes>;
 
 public:
-  // `Boxes` is like Are_tracks_near.
-  template <class Boxes>
-  explicit Leg_sample(const Boxes& boxes) : size_(static_cast<double>(boxes.size()))
+  Leg_sample(const Legs& legs, double reach) : size_(static_cast<double>(legs.size()))
   {
     constexpr std::size_t legs_to_look_at = 200;
-    std::array<Interval, Axes> space;
     Random_numbers random;
-    for(std::size_t k = 0; k < legs_to_look_at; ++k) {
-      const auto intervals = boxes.intervals(random.below(boxes.size()));
-      legs_.emplace_back();
-      for(int axis = 0; axis < Axes; ++axis) {
-        space[axis].add(intervals(axis));
-        legs_.back()[axis] = intervals(axis).length() - boxes.reach(axis);
-      }
+    std::vector<std::size_t> sample(legs_to_look_at);
+    for(std::size_t& i : sample)
+      i = random.below(legs.size());
+    for(int axis = 0; axis < axes; ++axis) {
+      Interval space;
+      for(const std::size_t i : sample)
+        space.add(legs.interval(i, axis));
+      half_space_[axis] = space.half_length();
+      reaches_[axis] = axis < Legs::dimension ? share(reach / 2, axis) : 0;
     }
-    for(int axis = 0; axis < Axes; ++axis) {
-      per_length_[axis] = 1 / space[axis].length();
-      reaches_[axis] = boxes.reach(axis) * per_length_[axis];
-    }
-    for(Lengths& leg : legs_)
-      for(int axis = 0; axis < Axes; ++axis)
-        leg[axis] *= per_length_[axis];
+    for(const std::size_t i : sample)
+      legs_.push_back(shares_of(legs, i));
   }
 
   // Returns the width of stretches with which the search is expected to cost least. Of those that
@@ -73,16 +68,26 @@ public:
     return best;
   }
 
-  // Returns how many stretches of a leg are at most so wide, a power of two. The leg is given by
-  // the sides of its box, without the reach.
-  Place stretch_count(Lengths lengths, double width) const
+  // Returns how many stretches of a leg are at most so wide, a power of two.
+  Place stretch_count(const Legs& legs, std::size_t i, double width) const
   {
-    for(int axis = 0; axis < Axes; ++axis)
-      lengths[axis] *= per_length_[axis];
-    return count_of(lengths, width);
+    return count_of(shares_of(legs, i), width);
   }
 
 private:
+  double share(double half_length, int axis) const
+  {
+    return half_space_[axis] > 0 ? half_length / half_space_[axis] : 0;
+  }
+
+  Lengths shares_of(const Legs& legs, std::size_t i) const
+  {
+    Lengths shares;
+    for(int axis = 0; axis < axes; ++axis)
+      shares[axis] = share(legs.interval(i, axis).half_length(), axis);
+    return shares;
+  }
+
   static Place count_of(Lengths leg, double width)
   {
     constexpr Place most_stretches = 64;
@@ -103,11 +108,11 @@ private:
     double stretches = 0, pairs = 0;
     for(Lengths leg : legs_) {
       const Place count = count_of(leg, width);
-      for(int axis = 0; axis < Axes; ++axis)
+      for(int axis = 0; axis < axes; ++axis)
         leg[axis] = (std::min)(1., leg[axis] / count + reaches_[axis]);
       for(const auto& [other, other_count] : boxes) {
         double share = other_count * count;
-        for(int axis = 0; axis < Axes; ++axis)
+        for(int axis = 0; axis < axes; ++axis)
           share *= leg[axis] + other[axis] - leg[axis] * other[axis];
         pairs += share;
       }
@@ -120,31 +125,26 @@ private:
     return 2 * stretches / looked_at + pairs * size_ / (looked_at * looked_at);
   }
 
+  double size_; // of all legs
   std::vector<Lengths> legs_;
-  double size_;        // of all legs
-  Lengths per_length_; // the share of the space that a length of 1 takes
+  Lengths half_space_; // half of the lengths of space and time, which do not overflow
   Lengths reaches_;
 };
 
-// Cuts the legs that are in boxes. Those of a second range begin at `second`, which moves with
-// them.
-template <class Legs, class Boxes>
-void cut_legs(Legs& legs, const Boxes& boxes, std::size_t& second)
+// Cuts the legs, for a search with a reach. Those of a second range begin at `second`, which moves
+// with them.
+template <class Legs>
+void cut_legs(Legs& legs, double reach, std::size_t& second)
 {
-  constexpr int axes = Boxes::static_dimension;
   if(legs.size() == 0)
     return;
-  const Leg_sample<axes> sample(boxes);
+  const Leg_sample<Legs> sample(legs, reach);
   const double width = sample.best_width();
   if(width == 1)
     return;
   std::vector<Place> counts;
-  for(std::size_t i = 0; i < legs.size(); ++i) {
-    std::array<double, axes> lengths;
-    for(int axis = 0; axis < axes; ++axis)
-      lengths[axis] = legs.interval(i, axis).length();
-    counts.push_back(sample.stretch_count(lengths, width));
-  }
+  for(std::size_t i = 0; i < legs.size(); ++i)
+    counts.push_back(sample.stretch_count(legs, i, width));
   const auto sum_until = [&](std::size_t end) {
     return std::accumulate(counts.begin(), counts.begin() + std::ptrdiff_t(end), std::size_t(0));
   };

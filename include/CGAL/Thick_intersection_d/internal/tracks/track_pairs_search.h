@@ -68,7 +68,7 @@ bool report_near_legs(Tracks& tracks, Sets sets, const Distance_bound<NT>& bound
 {
   const auto& legs = tracks.legs;
   const Are_tracks_near<typename Tracks::Legs> boxes(legs, bound, least_tier, counts, threads);
-  cut_legs(tracks.legs, boxes, tracks.second_leg);
+  cut_legs(tracks.legs, boxes.reach(), tracks.second_leg);
   if constexpr(Sets::are_two)
     sets.first_size = tracks.second_leg;
   auto progress = make_progress(np, legs.size());
