@@ -46,11 +46,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/vertices.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Kernel_orientation.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Staged_orientation.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_kernel_objects_intersect.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/do_shapes_intersect.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/planar_objects.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Known_pairs.h>
 
 #include <algorithm>
@@ -62,85 +58,21 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// How two edges meet: at the source of one of them, or of both, or inside of both. It is nothing if
-// they only meet at the target of one, where another edge begins, or a polyline ends.
-struct Edge_contact
-{
-  bool is_source_a = false;
-  bool is_source_b = false;
-  bool is_crossing = false;
-};
-
-// The ends of two edges, a and then b, decide about their contact. Edges that touch often have
-// vertices in common, which make no turn.
-template <class Orientation>
-class Contact_of_ends
-{
-  using Point = typename Orientation::Point;
-
-public:
-  explicit Contact_of_ends(typename Orientation::template Vertices<4>& vertices)
-    : orientation_(vertices), plane_(orientation_, 0, 1),
-      a_{Point(vertices[0]), Point(vertices[1])}, b_{Point(vertices[2]), Point(vertices[3])}
-  {}
-
-  Edge_contact operator()() const
-  {
-    const Sign b0 = side(a_, b_[0]), b1 = side(a_, b_[1]);
-    if(b0 == b1 && b0 != ZERO)
-      return {};
-    const Sign a0 = side(b_, a_[0]), a1 = side(b_, a_[1]);
-    if(a0 == a1)
-      return a0 == ZERO ? on_line() : Edge_contact();
-    if(a1 == ZERO || b1 == ZERO)
-      return {};
-    return {a0 == ZERO && b0 != ZERO, b0 == ZERO, a0 != ZERO && b0 != ZERO};
-  }
-
-private:
-  using Edge = Simplex<Orientation, 2>;
-
-  static bool are_equal(const Point& p, const Point& q)
-  {
-    return are_points_equal<Orientation>(p, q);
-  }
-
-  Sign side(const Edge& edge, const Point& p) const
-  {
-    return are_equal(edge[0], p) || are_equal(edge[1], p)
-             ? ZERO : plane_.orientation(edge[0], edge[1], p);
-  }
-
-  // Sources that are equal count once.
-  Edge_contact on_line() const
-  {
-    if(are_equal(a_[0], a_[1]) || are_equal(b_[0], b_[1]))
-      return {};
-    const auto is_on = [this](const Point& source, const Edge& edge) {
-      return plane_.do_boxes_meet(source, source, edge[0], edge[1]) && !are_equal(source, edge[1]);
-    };
-    const bool is_source_a = is_on(a_[0], b_);
-    return {is_source_a, is_on(b_[0], a_) && !(is_source_a && are_equal(a_[0], b_[0])), false};
-  }
-
-  Orientation orientation_;
-  Projection<Orientation> plane_;
-  Edge a_, b_;
-};
-
+// Whether the vertices of an edge are on different sides of the line of another one, strictly: then
+// the product of these sides is negative. It is positive if they are on one side.
 template <class Segment>
-Edge_contact contact_of(const Segment& a, const Segment& b)
+int product_of_sides(const Segment& line, const Segment& edge)
 {
-  Staged_orientation<2>::Vertices<4> vertices;
-  if(read_vertex(a, 0, vertices[0]) && read_vertex(a, 1, vertices[1])
-     && read_vertex(b, 0, vertices[2]) && read_vertex(b, 1, vertices[3]))
-    return Contact_of_ends<Staged_orientation<2>>(vertices)();
-  using Orientation
-    = Kernel_orientation<typename Common_exact_kernel<Segment, Segment>::type, 2>;
-  typename Orientation::template Vertices<4> exact_vertices
-    = {exact_end<Segment>(a, 0), exact_end<Segment>(a, 1), exact_end<Segment>(b, 0),
-       exact_end<Segment>(b, 1)};
-  return Contact_of_ends<Orientation>(exact_vertices)();
+  const Sign side = orientation_of_ends(line, 0, line, 1, edge, 0);
+  return side == ZERO ? 0 : side * orientation_of_ends(line, 0, line, 1, edge, 1);
+}
+
+// Whether an edge has the source of another one. It does not count as the target of the edge, where
+// the next edge begins, or a polyline ends.
+template <class Segment>
+bool has_source(const Segment& edge, const Segment& other)
+{
+  return is_point_on(other, edge) && !is_vertex_at(edge, 1, other);
 }
 
 // A kernel that holds the points where segments cross.
@@ -160,15 +92,12 @@ auto crossing_of(const Segment& a, const Segment& b)
   using Kernel = typename Crossing_kernel<Segment>::type;
   using FT = typename Kernel::FT;
   using Point = typename Kernel::Point_2;
-  const auto difference = [](const Segment& p, int i, const Segment& q, int j, int axis) {
-    return FT(exact_end<Point>(q, j).cartesian(axis) - exact_end<Point>(p, i).cartesian(axis));
-  };
-  const FT ax = difference(a, 0, a, 1, 0), ay = difference(a, 0, a, 1, 1);
-  const FT bx = difference(b, 0, b, 1, 0), by = difference(b, 0, b, 1, 1);
-  const FT cx = difference(a, 0, b, 0, 0), cy = difference(a, 0, b, 0, 1);
-  const FT part(FT(cx * by - cy * bx) / FT(ax * by - ay * bx));
-  return Point(FT(exact_end<Point>(a, 0).cartesian(0) + part * ax),
-               FT(exact_end<Point>(a, 0).cartesian(1) + part * ay));
+  using Vector = typename Kernel::Vector_2;
+  const auto end = [](const Segment& s, int v) { return Point(exact_end<Point>(s, v)); };
+  const Vector along_a(end(a, 0), end(a, 1)), along_b(end(b, 0), end(b, 1));
+  const Vector between(end(a, 0), end(b, 0));
+  const FT part(FT(CGAL::determinant(between, along_b)) / FT(CGAL::determinant(along_a, along_b)));
+  return Point(end(a, 0) + along_a * part);
 }
 
 // The second part is open as well, or closed. The test of segments, as Feature_boundaries asks it,
@@ -189,34 +118,38 @@ public:
   bool do_meet(const Pieces& pieces, std::size_t i, std::size_t j) const
   {
     const auto [a, b] = open_first(i, j);
-    const Place part_a = pieces.part_of(a), part_b = pieces.part_of(b);
-    const Edge_contact contact = contact_of(pieces[a], pieces[b]);
-    const auto do_overlap = [&](const auto& point, bool is_vertex) {
-      return do_overlap_at(pieces, point, {part_a, a, is_vertex}, {part_b, b, is_vertex});
+    const Segment &edge_a = pieces[a], &edge_b = pieces[b];
+    const int along_a = product_of_sides(edge_a, edge_b);
+    const int along_b = along_a > 0 ? 1 : product_of_sides(edge_b, edge_a);
+    if(along_a > 0 || along_b > 0)
+      return false;
+    const auto at = [&](Place segment, bool is_vertex) {
+      return Part_at_point{pieces.part_of(segment), segment, is_vertex};
     };
-    if(contact.is_crossing)
-      return are_plain(pieces, {part_a, a, false}, {part_b, b, false})
-             || do_overlap(crossing_of(pieces[a], pieces[b]), false);
-    return (contact.is_source_a && do_overlap(pieces[a], true))
-           || (contact.is_source_b && do_overlap(pieces[b], true));
+    const auto do_overlap = [&, a = a, b = b](const auto& point, bool is_vertex) {
+      return do_overlap_at(pieces, point, at(a, is_vertex), at(b, is_vertex));
+    };
+    if(along_a < 0 && along_b < 0)
+      return are_plain(pieces, at(a, false), at(b, false))
+             || do_overlap(crossing_of(edge_a, edge_b), false);
+    const bool begins_on_b = has_source(edge_b, edge_a);
+    return (begins_on_b && do_overlap(edge_a, true))
+           || (has_source(edge_a, edge_b) && !(begins_on_b && is_vertex_at(edge_a, 0, edge_b))
+               && do_overlap(edge_b, true));
   }
 
-  // Whether the first vertex of a part is inside of a polygon and shows that they are a pair.
+  // Whether the first vertex of a part is inside of a polygon and shows that they are a pair. Edges
+  // ask if it is on the boundary.
   bool is_inside(const Pieces& pieces, std::size_t part, const Pieces&, std::size_t filled) const
   {
-    const Place polygon = pieces.filled(filled).part;
-    const auto at = [&](std::size_t position) {
-      return Part_at_point{static_cast<Place>(position), pieces.part(position).piece,
-                           false};
-    };
-    const Segment& point = pieces[pieces.part(part).piece];
+    const Place polygon = pieces.filled(filled).part, first = pieces.part(part).piece;
     Arms<Segment> arms;
-    const Part_at_point place = at(polygon);
-    const Part_near_point<Pieces, Segment> near(pieces, point, place, true, arms);
+    const Part_at_point place = {polygon, first, false};
+    const Part_near_point<Pieces, Segment> near(pieces, pieces[first], place, true, arms);
     if(!near.is_inside() || near.has_point())
       return false;
     const auto [a, b] = open_first(part, polygon);
-    return do_overlap_at(pieces, point, at(a), at(b));
+    return do_overlap_at(pieces, pieces[first], {a, first, false}, {b, first, false});
   }
 
 private:
@@ -271,21 +204,17 @@ private:
   }
 
   // Whether an edge may have the point where two others cross. It has not if its ends are on one
-  // side of one of them, or if it meets their lines at a vertex that is not on both.
+  // side of one of them, or if it meets the line of one at a vertex, and that of the other between
+  // its vertices.
   static bool may_cross_both(const Segment& edge, const Segment& a, const Segment& b)
   {
-    const auto side
-      = [&](const Segment& line, int v) { return orientation_of_ends(line, 0, line, 1, edge, v); };
-    const Sign a0 = side(a, 0), a1 = side(a, 1);
-    if(a0 == a1 && a0 != ZERO)
-      return false;
-    const Sign b0 = side(b, 0), b1 = side(b, 1);
-    if(b0 == b1 && b0 != ZERO)
-      return false;
-    if(a0 == a1 || b0 == b1) // on one of the lines
-      return true;
-    const bool has_vertex = a0 == ZERO || a1 == ZERO || b0 == ZERO || b1 == ZERO;
-    return !has_vertex || (a0 == ZERO && b0 == ZERO) || (a1 == ZERO && b1 == ZERO);
+    const int along_a = product_of_sides(a, edge), along_b = product_of_sides(b, edge);
+    const auto is_on_line = [&](const Segment& line) {
+      return orientation_of_ends(line, 0, line, 1, edge, 0) == ZERO
+             && orientation_of_ends(line, 0, line, 1, edge, 1) == ZERO;
+    };
+    return along_a <= 0 && along_b <= 0
+           && ((along_a == 0) == (along_b == 0) || is_on_line(along_a == 0 ? a : b));
   }
 
   mutable Known_pairs searched_; // parts whose vertices were all asked about

@@ -17,12 +17,8 @@
 
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/features/Ring_trees.h>
-#include <CGAL/Thick_intersection_d/internal/input/vertices.h>
-#include <CGAL/Thick_intersection_d/internal/machine/hints.h>
 #include <CGAL/enum.h>
-#include <CGAL/number_utils.h>
 
-#include <boost/config.hpp> // BOOST_FORCEINLINE
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
@@ -34,31 +30,6 @@ namespace Thick_intersection_d {
 namespace internal {
 
 // A point is the first vertex of an object: of a segment, or of a point.
-
-template <class Segment, class Object>
-CGAL_THICK_INTERSECTION_D_RARELY_CALLED
-Sign compare_exactly(const Segment& edge, int v, const Object& point, int axis)
-{
-  return CGAL::compare(exact_end<Object>(edge, v).cartesian(axis),
-                       exact_end<Segment>(point, 0).cartesian(axis));
-}
-
-// Compares the coordinates of a vertex of an edge and of a point.
-template <class Segment, class Object>
-BOOST_FORCEINLINE
-Sign compare_with_point(const Segment& edge, int v, const Object& point, int axis)
-{
-  const auto x = vertex_bounds(edge, v, axis);
-  const auto y = vertex_bounds(point, 0, axis);
-  constexpr bool are_doubles = has_double_vertices_v<Segment> && has_double_vertices_v<Object>;
-  if(x.first > y.second)
-    return LARGER;
-  if(x.second < y.first)
-    return SMALLER;
-  if(are_doubles || (x.first == x.second && y.first == y.second))
-    return EQUAL;
-  return compare_exactly(edge, v, point, axis);
-}
 
 // Whether a vertex of an edge is a point.
 template <class Segment, class Object>
@@ -139,7 +110,7 @@ public:
       is_inside_ = pieces.is_inside_beside(
         point, place.part, [this](Place segment) { return does_cross(segment); },
         [this] { return is_asked_by_other_; });
-    else
+    else if(!is_vertex_at(pieces[place.segment], 1, point))
       for(int side = 0; side < 2; ++side) // a polyline goes on, and both sides are outside of it
         add_arm(pieces[place.segment], 1);
   }

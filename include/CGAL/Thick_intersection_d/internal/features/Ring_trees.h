@@ -19,11 +19,14 @@
 #include <CGAL/Thick_intersection_d/internal/features/Halved_range.h>
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/vertices.h>
+#include <CGAL/Thick_intersection_d/internal/machine/hints.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Kernel_orientation.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Staged_orientation.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_kernel_objects_intersect.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
+
+#include <boost/config.hpp> // BOOST_FORCEINLINE
 
 #include <algorithm>
 #include <cstddef>
@@ -45,19 +48,37 @@ auto exact_end(const Object& object, int v)
   return exact_vertex<Kernel, corner_count_v<Object>>(object, static_cast<std::size_t>(v));
 }
 
-// Whether a vertex of an edge is above the source of `ray`. Doubles decide nearly always.
+template <class Segment, class Object>
+CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+Sign compare_exactly(const Segment& edge, int v, const Object& point, int axis)
+{
+  return CGAL::compare(exact_end<Object>(edge, v).cartesian(axis),
+                       exact_end<Segment>(point, 0).cartesian(axis));
+}
+
+// Compares the coordinates of a vertex of an edge and of the first vertex of an object. Doubles
+// decide nearly always.
+template <class Segment, class Object>
+BOOST_FORCEINLINE
+Sign compare_with_point(const Segment& edge, int v, const Object& point, int axis)
+{
+  const auto x = vertex_bounds(edge, v, axis);
+  const auto y = vertex_bounds(point, 0, axis);
+  constexpr bool are_doubles = has_double_vertices_v<Segment> && has_double_vertices_v<Object>;
+  if(x.first > y.second)
+    return LARGER;
+  if(x.second < y.first)
+    return SMALLER;
+  if(are_doubles || (x.first == x.second && y.first == y.second))
+    return EQUAL;
+  return compare_exactly(edge, v, point, axis);
+}
+
+// Whether a vertex of an edge is above the source of `ray`.
 template <class Segment, class Ray>
 bool is_above_ray(const Segment& edge, int v, const Ray& ray)
 {
-  const auto y = vertex_bounds(edge, v, 1);
-  const auto height = vertex_bounds(ray, 0, 1);
-  if(y.first > height.second)
-    return true;
-  if(y.second <= height.first)
-    return false;
-  const auto end = exact_end<Ray>(edge, v);
-  const auto source = exact_end<Segment>(ray, 0);
-  return CGAL::compare(end.cartesian(1), source.cartesian(1)) == LARGER;
+  return compare_with_point(edge, v, ray, 1) == LARGER;
 }
 
 template <class Orientation>
