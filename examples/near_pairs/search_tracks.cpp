@@ -37,7 +37,8 @@ FT time_as(std::int64_t tick)
     return to_rational(*parse_decimal(std::to_string(tick)));
 }
 
-// The tracks for the library, which knows nothing of gaps: each piece is a track of its own.
+// The tracks for the library, which knows nothing of gaps: each piece is a track of its own. Pieces
+// of one track are there at different times, and so never near.
 template <class Kernel>
 class Track_search
 {
@@ -98,8 +99,7 @@ private:
     const auto add = [&](std::size_t i, std::size_t j) {
       const std::size_t a = track_of_path_[i], b = track_of_path_[offset + j];
       const std::lock_guard<std::mutex> lock(mutex);
-      if(a != b) // pieces of one track are no pair
-        pairs.emplace_back(a, b);
+      pairs.emplace_back(a, b);
     };
     CGAL::Scene_profile profile;
     if(!report(bound, add, profile))
