@@ -74,10 +74,12 @@ polygon if its first vertex is, which is asked if this vertex is in the box of t
 of one feature are not compared, whatever its shape: a track that stays at a place and nested rings
 of a multipolygon take no more time than others.
 
-Faces of meshes are searched as segments are, if they are where the box of their feature meets that
-of another one. One vertex of each connected component of the faces is asked whether it is inside a
-solid. A solid of which this is asked gets a tree of its faces, and the ray upwards from the vertex
-is followed.
+If there are meshes, the features are searched by their boxes. The segments and faces of a feature
+get a tree of boxes, if they are where its box meets that of another feature. Two features whose
+boxes meet are compared at once, by their trees, until a pair of their segments or faces meets. If
+none does, one vertex of each connected component of one feature is asked whether it is inside a
+solid of the other. A solid of which this is asked gets a tree of all of its faces, and the ray
+upwards from the vertex is followed.
 
 Let there be \f$ n \f$ segments and \f$ k \f$ reported pairs. Let \f$ K \f$ be the number of pairs
 of segments of different features whose boxes meet, before the features are known to be a pair. Let
@@ -87,10 +89,15 @@ the number of boxes that meet. Let \f$ K_v \f$ be the number of first vertices i
 polygons that their features do not meet. Then the search takes \f$ O((n + K_f) \log n + K) \f$ time
 in the plane and \f$ O((n + K_f) \log^2 n + K) \f$ in space, and for each of the \f$ K_v \f$
 vertices \f$ O(\log n) \f$ time for most shapes. It is \f$ O(c \log n) \f$ at most, where \f$ c \f$
-is the number of edges at the height of the vertex: a spiral takes that much. In space, \f$ n \f$
-counts the faces too, parts of meshes are their connected components, and a question takes \f$
-O(\sqrt{n} + c) \f$ time for most shapes, where \f$ c \f$ is the number of boxes of faces that are
-above the vertex. The search takes \f$ O(n + k) \f$ space.
+is the number of edges at the height of the vertex: a spiral takes that much. The search takes \f$
+O(n + k) \f$ space.
+
+If there are meshes, let \f$ n \f$ be the number of features, and \f$ m \f$ that of their points,
+segments and faces. Let \f$ K \f$ be the number of pairs of features whose boxes meet, and \f$ K_t
+\f$ that of pairs of boxes that meet in two trees of such features, until two features are known to
+be a pair. Then the search takes \f$ O(n \log^2 n + m \log m + K + K_t) \f$ time, and for each
+vertex that is asked \f$ O(\sqrt{m} + c) \f$ time for most shapes, where \f$ c \f$ is the number of
+boxes of faces that are above the vertex. It takes \f$ O(m) \f$ space.
 
 Interiors are asked about where boundaries meet, as long as features are not known to be a pair.
 Let \f$ K_c \f$ be the number of pairs of edges that meet where one of them begins, and none ends.

@@ -63,8 +63,8 @@ std::size_t count_pairs(const Pieces& pieces, const Test& test)
   internal::report_meeting_boxes(boundaries, internal::One_set(), take, progress, one);
   const internal::Part_range parts = {0, pieces.part_count()};
   const internal::Part_range filled = {0, pieces.filled_count()};
-  using Insides = internal::Feature_insides<Pieces, Pieces, Test>;
-  const Counted<Insides> insides(pieces, parts, pieces, filled, test, known);
+  using Insides = internal::Feature_insides<Pieces, Test>;
+  const Counted<Insides> insides(pieces, parts, filled, test, known);
   internal::report_meeting_boxes(insides, internal::Two_sets{insides.point_count()}, take, progress,
                                  one);
   return pairs;

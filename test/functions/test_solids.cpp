@@ -162,6 +162,10 @@ BOOST_AUTO_TEST_CASE(errors_name_the_feature_and_the_face)
                     "Coordinate 1 of vertex of face 1 of feature 0 is NaN or infinite.");
 
   std::vector<Surface> meshes = three_cubes<Surface>();
+  meshes[2].point(*vertices(meshes[2]).begin()) = points[3];
+  const std::string other = refusal([&] { pairs_of(meshes); });
+  BOOST_CHECK(contains(other, "Coordinate 1 of vertex of face ")
+              && contains(other, " of feature 2 is NaN or infinite."));
   CGAL::Euler::join_face(*std::next(halfedges(meshes[1]).begin()), meshes[1]);
   const std::string text = refusal([&] { pairs_of(meshes); });
   BOOST_CHECK(contains(text, "Face ") && contains(text, " of feature 1 is no triangle."));

@@ -155,13 +155,13 @@ inline Solid_scene onion_scene()
 }
 
 // A comb whose teeth are above each other, and a staircase that winds around an axis, with small
-// things in and between.
+// things in and between. The faces of each are so many that their tree is sorted.
 inline Solid_scene overhang_scene()
 {
   Solid_scene scene = {"overhangs", {}};
   Random random(2);
-  Lattice_mesh comb = box_mesh({0, 0, 0}, {2, 9, 60}), stairs;
-  for(std::int64_t i = 0; i < 20; ++i) {
+  Lattice_mesh comb = box_mesh({0, 0, 0}, {2, 9, 75}), stairs;
+  for(std::int64_t i = 0; i < 25; ++i) {
     comb = joined(comb, box_mesh({2, 0, 3 * i}, {20, 9, 3 * i + 1}));
     const std::int64_t x = i % 4 == 1 || i % 4 == 2 ? 10 : 0, y = i % 4 < 2 ? 0 : 10;
     stairs = joined(stairs, box_mesh({30 + x, y, 3 * i}, {40 + x, 10 + y, 3 * i + 4}));

@@ -5,20 +5,12 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_FEATURE_INSIDES_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_FEATURE_INSIDES_H
 
-// The first vertices of parts, and filled features, as the box route reads them: polygons, and
-// closed meshes, which are solids. They are a pair if the vertex is inside, and their features are
-// none yet.
+// The first vertices of parts, and polygons, as the box route reads them. They are a pair if the
+// vertex is inside, and their features are none yet.
 //
 // This finds all pairs of parts of features whose boundaries do not meet.
 //
-// In space, let a solid and a mesh or a polyline have a point in common. The mesh is its faces, and
-// all points inside if it is closed. Each component of the boundary of one is inside the other
-// altogether, or outside, because it is connected and meets no face of the other: one vertex tells.
-// Assume that all are outside. Then the common point is on neither boundary, so it is inside both.
-// A ray from there leaves both. Up to the first face that it reaches, it is inside both. So this
-// face is inside the other one, which cannot be.
-//
-// In the plane, a polygon has one outer boundary, and its holes need not be asked. Let two parts
+// A polygon has one outer boundary, and its holes need not be asked. Let two parts
 // have a point in common. They are connected, and so is the outer boundary of each. Assume that no
 // vertex of an outer boundary is in the other part. Then neither outer boundary meets the other
 // part, because it would have to cross the boundary of that part. So each part, which is connected
@@ -46,18 +38,17 @@ struct Part_range
   std::size_t last;
 };
 
-// `Filled` has those that are filled: `Pieces`, or Asked_features. `Test` is like Pieces_intersect.
-template <class Pieces, class Filled, class Test>
+// `Test` is like Pieces_intersect.
+template <class Pieces, class Test>
 class Feature_insides : public Objects_in_boxes
 {
 public:
-  static constexpr int static_dimension = Pieces::dimension;
+  static constexpr int static_dimension = 2;
 
-  // The vertices of some parts, and some that are filled.
-  Feature_insides(const Pieces& pieces, const Part_range& parts, const Filled& all_filled,
-                  const Part_range& filled, const Test& test, Known_pairs& known)
-    : pieces_(pieces), parts_(parts), all_filled_(all_filled), filled_(filled), test_(test),
-      known_(known)
+  // The vertices of some parts, and some polygons.
+  Feature_insides(const Pieces& pieces, const Part_range& parts, const Part_range& filled,
+                  const Test& test, Known_pairs& known)
+    : pieces_(pieces), parts_(parts), filled_(filled), test_(test), known_(known)
   {}
 
   std::size_t point_count() const { return parts_.last - parts_.first; }
@@ -67,13 +58,13 @@ public:
   Place feature_of(std::size_t position) const
   {
     return position < point_count() ? pieces_.part(part_of(position)).feature
-                                    : all_filled_.filled(filled_of(position)).feature;
+                                    : pieces_.filled(filled_of(position)).feature;
   }
 
   auto intervals(std::size_t position) const
   {
     return [box = position < point_count() ? pieces_.box_of_part(part_of(position))
-                                           : all_filled_.box_of_filled(filled_of(position))](
+                                           : pieces_.box_of_filled(filled_of(position))](
              int axis) {
       return Interval{(box.min)(axis), (box.max)(axis)};
     };
@@ -92,7 +83,7 @@ public:
   bool do_intersect(std::size_t i, std::size_t j) const
   {
     const std::size_t point = (std::min)(i, j), filled = (std::max)(i, j);
-    return test_.is_inside(pieces_, part_of(point), all_filled_, filled_of(filled))
+    return test_.is_inside(pieces_, part_of(point), filled_of(filled))
            && known_.add(feature_of(point), feature_of(filled));
   }
 
@@ -105,7 +96,6 @@ private:
 
   const Pieces& pieces_;
   const Part_range parts_;
-  const Filled& all_filled_;
   const Part_range filled_;
   const Test& test_;
   Known_pairs& known_;

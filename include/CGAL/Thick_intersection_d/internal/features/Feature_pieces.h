@@ -5,119 +5,90 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_FEATURE_PIECES_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_FEATURE_PIECES_H
 
-// The pieces of the boundaries of features: the segments of polylines, the edges of polygons, and
-// the faces of meshes. A feature has parts, each of which is a polyline, a polygon, or a connected
-// component of the faces of a mesh.
+// The pieces of the boundaries of features without meshes: the segments of polylines, and the edges
+// of polygons. A feature has parts, each of which is a polyline or a polygon.
 
 #include <CGAL/Bbox_2.h>
-#include <CGAL/Kernel_traits.h>
 
-#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
-#include <CGAL/Thick_intersection_d/internal/features/Everywhere.h>
 #include <CGAL/Thick_intersection_d/internal/features/Feature_reader.h>
 #include <CGAL/Thick_intersection_d/internal/features/Ring_trees.h>
-#include <CGAL/Thick_intersection_d/internal/features/Solid_trees.h>
 #include <CGAL/Thick_intersection_d/internal/features/check_features.h>
 #include <CGAL/Thick_intersection_d/internal/features/feature_kinds.h>
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
-#include <CGAL/Thick_intersection_d/internal/input/kinds.h>
 #include <CGAL/Thick_intersection_d/internal/input/vertices.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_kernel_objects_intersect.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
-#include <stdexcept>
-#include <string>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// `Object` is that of a feature, or the common one of several. `Radius` is the type of the radii by
-// which features are thickened, or void if none has a radius.
-template <class Object, class Radius = void>
+// `Segment` is that of the points. `Radius` is the type of the radii by which features are
+// thickened, or void if none has a radius.
+template <class Segment_, class Radius = void>
 class Feature_pieces
 {
-  using Point = Piece_point<Object>;
-  using Kernel = typename Kernel_traits<Point>::Kernel;
   using Any_radius = std::conditional_t<std::is_void_v<Radius>, int, Radius>;
 
 public:
-  using value_type = Object;
-  static constexpr int dimension = vertex_dimension_v<Point>;
-  using Segment = std::conditional_t<dimension == 2, typename Kernel::Segment_2,
-                                     typename Kernel::Segment_3>;
+  using Segment = Segment_;
+  using Point = Vertex_t<Segment>;
+  static constexpr int dimension = vertex_dimension_v<Segment>;
   using Box = Bbox_of_dimension<dimension>;
 
-  // A piece with its radius, as a search sees it.
-  using Thick = typename Thick_piece<Object, Radius>::type;
+  // A segment with its radius, as a search sees it.
+  using Thick = typename Thick_piece<Segment, Radius>::type;
   static constexpr bool have_radii = !std::is_void_v<Radius>;
-
-  // Whether there may be meshes.
-  static constexpr bool have_faces = !std::is_same_v<Object, Segment>;
 
   struct Part
   {
     Place feature;
     Place piece;  // begins at the first vertex
-    Place filled; // the polygon or closed mesh that the part bounds, or `none`
+    Place filled; // the polygon that the part is, or `none`
   };
 
-  // A polygon, or the faces of a closed mesh.
   struct Filled
   {
     Place feature;
-    Place part; // the first one
+    Place part;
     Place first_piece, last_piece; // the one behind the last
     Place root; // of its tree
   };
 
-  // Takes less than `limit` features and pieces, and parts and filled ones together, which places
+  // Takes less than `limit` features and segments, and parts and polygons together, which places
   // must number.
   explicit Feature_pieces(std::size_t limit = max_place / 2) : limit_(limit), trees_(pieces_) {}
   Feature_pieces(const Feature_pieces&) = delete; // the trees refer to the pieces
   Feature_pieces& operator=(const Feature_pieces&) = delete;
 
-  // Reads the features of a range. Throws if a coordinate is NaN or infinite, if a polygon has no
-  // outer boundary, if a face is no triangle, or if there are too many of them.
+  // Reads features. Throws as Feature_reader does, or if there are too many.
   template <class Elements>
   void add_features(const Elements& features)
   {
-    add_features(features, Everywhere());
-  }
-
-  // Takes pieces where features may meet others. `Where` is like Everywhere.
-  template <class Elements, class Where>
-  void add_features(const Elements& features, const Where& where)
-  {
     for(std::size_t position = 0; position < features.size(); ++position) {
-      check_count("features", feature_count_ + 1);
+      check_feature_count("features", first_parts_.size() + 1, limit_);
       first_parts_.push_back(static_cast<Place>(parts_.size()));
-      Feature_reader<Feature_pieces, Where> reader(*this, where);
-      if(where.takes(feature_count_))
-        add_parts(features[position], reader);
-      ++feature_count_;
+      Feature_reader<Feature_pieces> reader(*this, first_parts_.size() - 1);
+      add_parts(features[position], reader);
     }
   }
 
-  std::size_t feature_count() const { return feature_count_; }
+  std::size_t feature_count() const { return first_parts_.size(); }
   std::size_t size() const { return pieces_.size(); }
-  const Object& operator[](std::size_t position) const { return pieces_[position]; }
+  const Segment& operator[](std::size_t position) const { return pieces_[position]; }
 
-  // Returns a piece with its radius, if features have radii.
+  // Returns a segment with its radius, if features have radii.
   decltype(auto) thick(std::size_t position) const
   {
     if constexpr(!have_radii)
       return (pieces_[position]);
     else
-      return with_type(pieces_[position], [&](const auto& piece) {
-        return Thick(std::pair(piece, radii_[position]));
-      });
+      return Thick(pieces_[position], radii_[position]);
   }
 
   Place feature_of(std::size_t position) const { return features_of_pieces_[position]; }
@@ -130,12 +101,28 @@ public:
   std::size_t filled_count() const { return filled_.size(); }
   const Filled& filled(std::size_t position) const { return filled_[position]; }
 
+  // How many pieces, parts and polygons the features before a position have.
+  std::size_t first_piece_from(std::size_t feature) const
+  {
+    return static_cast<std::size_t>(
+      std::lower_bound(features_of_pieces_.begin(), features_of_pieces_.end(), feature)
+      - features_of_pieces_.begin());
+  }
+  std::size_t first_part_from(std::size_t feature) const
+  {
+    return feature == feature_count() ? part_count() : first_parts_[feature];
+  }
+  std::size_t first_filled_from(std::size_t feature) const
+  {
+    return static_cast<std::size_t>(
+      std::count_if(filled_.begin(), filled_.end(),
+                    [=](const Filled& filled) { return filled.feature < feature; }));
+  }
+
   // The box of the first vertex of a part.
   Box box_of_part(std::size_t part) const
   {
-    return with_kind(pieces_[parts_[part].piece], [](const auto& piece) {
-      return bounding_box_of_vertex<Box>(piece, 0);
-    });
+    return bounding_box_of_vertex<Box>(first_piece(part), 0);
   }
 
   const Box& box_of_filled(std::size_t position) const
@@ -144,11 +131,10 @@ public:
   }
 
   // The piece that begins at the first vertex of a part.
-  const Object& first_piece(std::size_t part) const { return pieces_[parts_[part].piece]; }
+  const Segment& first_piece(std::size_t part) const { return pieces_[parts_[part].piece]; }
 
-  // Returns whether the first vertex of a piece is inside a filled feature, or part of one. It is
-  // not on its boundary.
-  bool is_inside(const Object& piece, std::size_t position) const
+  // Returns whether the first vertex of a piece is inside a polygon. It is not on its boundary.
+  bool is_inside(const Segment& piece, std::size_t position) const
   {
     const Filled& filled = filled_[position];
     return trees_.is_inside(piece, filled.root, filled.first_piece, filled.last_piece);
@@ -161,8 +147,7 @@ public:
   {
     const std::size_t feature = feature_of(segment);
     auto first = parts_.begin() + first_parts_[feature];
-    const auto last = feature + 1 == first_parts_.size()
-                        ? parts_.end() : parts_.begin() + first_parts_[feature + 1];
+    const auto last = parts_.begin() + first_part_from(feature + 1);
     if(last - first > 1)
       first = std::upper_bound(first, last, segment, [](std::size_t position, const Part& part) {
                 return position < part.piece;
@@ -196,41 +181,31 @@ public:
 
   // ---- for Feature_reader -----------------------------------------------------------------------
 
-  Place piece_count() const { return static_cast<Place>(pieces_.size()); }
-
-  // Throws if there are too many.
-  void check_count(const char* what, std::size_t count) const
-  {
-    if(count >= limit_)
-      throw_too_many_features(what, limit_);
-  }
-
   void begin_ring() { trees_.begin_ring(piece_count()); }
 
-  void begin_part(Place piece)
+  void begin_part()
   {
-    check_count(parts_and_filled, parts_.size() + 1 + filled_.size());
-    parts_.push_back({static_cast<Place>(feature_count_), piece, none});
+    check_feature_count(parts_and_polygons, parts_.size() + 1 + filled_.size(), limit_);
+    parts_.push_back({last_feature(), piece_count(), none});
   }
 
-  // The parts and pieces from these on bound what is filled.
-  void end_filled(std::size_t first_part, Place first)
+  // The last part is a polygon.
+  void end_polygon()
   {
-    for(std::size_t part = first_part; part != parts_.size(); ++part)
-      parts_[part].filled = static_cast<Place>(filled_.size());
+    Part& part = parts_.back();
+    part.filled = static_cast<Place>(filled_.size());
     const Place last = piece_count();
-    filled_.push_back({static_cast<Place>(feature_count_), static_cast<Place>(first_part), first,
-                       last, trees_.add_tree(first, last)});
-    check_count(parts_and_filled, parts_.size() + filled_.size());
+    filled_.push_back({part.feature, static_cast<Place>(parts_.size() - 1), part.piece, last,
+                       trees_.add_tree(part.piece, last)});
+    check_feature_count(parts_and_polygons, parts_.size() + filled_.size(), limit_);
   }
 
-  template <class Kind>
-  void add_piece(const Kind& piece)
+  void add_segment(const Segment& segment)
   {
-    check_count("segments and faces of features", pieces_.size() + 1);
-    pieces_.emplace_back(piece);
+    check_feature_count("segments and faces of features", pieces_.size() + 1, limit_);
+    pieces_.push_back(segment);
     settle(pieces_.back());
-    features_of_pieces_.push_back(static_cast<Place>(feature_count_));
+    features_of_pieces_.push_back(last_feature());
     if constexpr(have_radii)
       radii_.push_back(radius_);
   }
@@ -244,18 +219,20 @@ public:
 
 private:
   static constexpr Place none = max_place;
-  static constexpr const char* parts_and_filled
+  static constexpr const char* parts_and_polygons
     = "parts of features, polygons and closed meshes";
 
+  Place piece_count() const { return static_cast<Place>(pieces_.size()); }
+  Place last_feature() const { return static_cast<Place>(first_parts_.size() - 1); }
+
   const std::size_t limit_;
-  std::vector<Object> pieces_;
+  std::vector<Segment> pieces_;
   std::vector<Any_radius> radii_; // of pieces, if features have radii
   std::vector<Place> features_of_pieces_;
   std::vector<Part> parts_;
   std::vector<Place> first_parts_; // of features
   std::vector<Filled> filled_;
-  std::conditional_t<dimension == 2, Ring_trees<Object>, Solid_trees<Object>> trees_;
-  std::size_t feature_count_ = 0;
+  Ring_trees<Segment> trees_; // of polygons
   Any_radius radius_ = Any_radius(0);
 };
 

@@ -7,15 +7,9 @@
 
 // Reads a feature of the user into pieces, as add_parts() hands over its parts.
 
-#include <CGAL/Kernel_traits.h>
-
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
-#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
-#include <CGAL/Thick_intersection_d/internal/features/Mesh_shape.h>
 #include <CGAL/Thick_intersection_d/internal/features/check_features.h>
-#include <CGAL/Thick_intersection_d/internal/features/feature_kinds.h>
 #include <CGAL/Thick_intersection_d/internal/features/mesh_faces.h>
-#include <CGAL/Thick_intersection_d/internal/input/Ball_centers.h>
 
 #include <cstddef>
 #include <stdexcept>
@@ -25,24 +19,23 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// `Pieces` are Feature_pieces, and `Where` is like Everywhere. Throws if a coordinate is NaN or
-// infinite, if a polygon has no outer boundary, if a face is no triangle, or if there are too many
-// pieces.
-template <class Pieces, class Where>
+// `Pieces` are Feature_pieces or Solid_pieces. Throws if a coordinate is NaN or infinite, if a
+// polygon has no outer boundary, or if a face is no triangle.
+template <class Pieces>
 class Feature_reader
 {
-  using Point = Piece_point<typename Pieces::value_type>;
+  using Point = typename Pieces::Point;
   using Segment = typename Pieces::Segment;
 
 public:
-  // Reads the next feature.
-  Feature_reader(Pieces& pieces, const Where& where) : pieces_(pieces), where_(where) {}
+  // Reads the feature at a position.
+  Feature_reader(Pieces& pieces, std::size_t feature) : pieces_(pieces), feature_(feature) {}
 
   template <class Iterator, class Sentinel>
   void add_polyline(Iterator first, Sentinel last)
   {
     if(first != last) {
-      pieces_.begin_part(pieces_.piece_count());
+      pieces_.begin_part();
       add_chain(first, last, false);
     }
   }
@@ -52,58 +45,39 @@ public:
   {
     if(polygon.is_empty())
       return;
-    const Place first = pieces_.piece_count();
-    pieces_.begin_part(first);
+    pieces_.begin_part();
     add_ring(polygon);
-    pieces_.end_filled(pieces_.part_count() - 1, first);
+    pieces_.end_polygon();
   }
 
   template <class Polygon>
   void add_polygon_with_holes(const Polygon& polygon)
   {
     if(polygon.is_unbounded())
-      throw std::invalid_argument("Feature " + std::to_string(pieces_.feature_count())
+      throw std::invalid_argument("Feature " + std::to_string(feature_)
                                   + " has no outer boundary.");
-    const Place first = pieces_.piece_count();
-    pieces_.begin_part(first);
+    pieces_.begin_part();
     add_ring(polygon.outer_boundary());
     for(auto hole = polygon.holes_begin(); hole != polygon.holes_end(); ++hole)
       if(!hole->is_empty())
         add_ring(*hole);
-    pieces_.end_filled(pieces_.part_count() - 1, first);
+    pieces_.end_polygon();
   }
 
-  // A component of the faces has a part unless it goes on where it is not inside another feature.
-  // If all faces are taken, closed ones are filled.
+  // Does not check the faces.
   template <class Mesh>
   void add_mesh(const Mesh& mesh)
   {
-    const std::size_t feature = pieces_.feature_count();
-    const Place first = pieces_.piece_count();
-    add_faces(mesh, feature);
-    const std::size_t count = pieces_.size() - first;
-    if(count == 0)
-      return;
-    pieces_.check_count("vertices of the faces of a mesh", 3 * count);
-    const auto face_at
-      = [&](std::size_t i) -> const auto& { return as_face(pieces_[first + i]); };
-    const std::size_t first_part = pieces_.part_count();
-    const Mesh_shape shape(count, face_at);
-    shape.for_each_component(
-      [&](std::size_t i) { return where_.is_beyond(feature, face_at(i)); },
-      [&](std::size_t i) { pieces_.begin_part(static_cast<Place>(first + i)); });
-    if(Where::takes_all && shape.is_closed())
-      pieces_.end_filled(first_part, first);
+    for_each_face(mesh, feature_, [&](const Point& p, const Point& q, const Point& r) {
+      pieces_.add_face(p, q, r);
+    });
   }
 
   // Throws if the radius is negative, NaN or infinite.
   template <class NT>
   void begin_thick(const NT& radius)
   {
-    if(!is_radius(radius))
-      throw std::invalid_argument("The radius of feature "
-                                  + std::to_string(pieces_.feature_count())
-                                  + " is negative, NaN or infinite.");
+    check_feature_radius(radius, feature_);
     if constexpr(Is_lazy<NT>::value)
       CGAL::exact(radius);
     pieces_.set_radius(radius);
@@ -129,32 +103,21 @@ private:
       is_closed = true;
     for(; point != last; ++point) {
       const Point next = checked(*point);
-      pieces_.add_piece(Segment(previous, next));
+      pieces_.add_segment(Segment(previous, next));
       previous = next;
     }
     if(is_closed)
-      pieces_.add_piece(Segment(previous, first));
-  }
-
-  template <class Mesh>
-  void add_faces(const Mesh& mesh, std::size_t feature)
-  {
-    std::size_t face = 0;
-    for_each_face(mesh, feature, [&](const Point& p, const Point& q, const Point& r) {
-      check_face(face++, feature, p, q, r);
-      if(where_.takes_face(feature, p, q, r))
-        pieces_.add_piece(typename Kernel_traits<Point>::Kernel::Triangle_3(p, q, r));
-    });
+      pieces_.add_segment(Segment(previous, first));
   }
 
   const Point& checked(const Point& point) const
   {
-    check_vertex(point, pieces_.feature_count());
+    check_vertex(point, feature_);
     return point;
   }
 
   Pieces& pieces_;
-  const Where& where_;
+  const std::size_t feature_;
 };
 
 } // namespace internal

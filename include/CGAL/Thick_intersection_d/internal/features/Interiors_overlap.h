@@ -140,7 +140,7 @@ public:
 
   // Whether the first vertex of a part is inside of a polygon and shows that they are a pair. Edges
   // ask if it is on the boundary.
-  bool is_inside(const Pieces& pieces, std::size_t part, const Pieces&, std::size_t filled) const
+  bool is_inside(const Pieces& pieces, std::size_t part, std::size_t filled) const
   {
     const Place polygon = pieces.filled(filled).part, first = pieces.part(part).piece;
     Arms<Segment> arms;

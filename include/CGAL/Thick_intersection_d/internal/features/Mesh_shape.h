@@ -12,22 +12,20 @@
 // of length zero do not count. The faces are a cycle modulo 2 then. So two rays from a point, which
 // pass no edge, cross the faces equally often, modulo 2.
 
-#include <CGAL/Kernel_traits.h>
+#include <CGAL/Exact_rational.h>
 
-#include <CGAL/Thick_intersection_d/internal/arrays/Hash_table.h>
-#include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
-#include <CGAL/Thick_intersection_d/internal/arrays/prefix_sums.h>
-#include <CGAL/Thick_intersection_d/internal/arrays/radix_sort.h>
+#include <CGAL/Thick_intersection_d/internal/features/check_features.h>
+#include <CGAL/Thick_intersection_d/internal/features/feature_kinds.h>
+#include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/vertices.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/do_kernel_objects_intersect.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <map>
 #include <numeric>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -35,71 +33,29 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Numbers points in space by their coordinates, in the order in which they come.
-class Numbered_points
-{
-public:
-  using Point = std::array<double, 3>;
-
-  std::size_t size() const { return points_.size(); }
-
-  // Returns the number of a point. Equal points have one number.
-  Place number_of(const Point& p)
-  {
-    if(table_.slot_count() < 2 * (points_.size() + 1))
-      grow();
-    Place& slot = table_[slot_of(p)];
-    if(slot == no_point) {
-      slot = static_cast<Place>(points_.size());
-      points_.push_back(p);
-    }
-    return slot;
-  }
-
-private:
-  static constexpr Place no_point = max_place;
-
-  std::size_t slot_of(const Point& p) const
-  {
-    std::uint64_t sum = 0;
-    for(std::size_t axis = 0; axis < 3; ++axis)
-      sum = hash_.add(sum, static_cast<int>(axis), radix_key(p[axis]));
-    return table_.find(hash_.finish(sum), [&](Place other) { return points_[other] == p; });
-  }
-
-  void grow()
-  {
-    table_ = Hash_table<Place, no_point>(2 * (points_.size() + 16));
-    for(std::size_t i = 0; i < points_.size(); ++i)
-      table_[slot_of(points_[i])] = static_cast<Place>(i);
-  }
-
-  const Sequence_hash<3> hash_{3, seed_of_process()};
-  Hash_table<Place, no_point> table_;
-  std::vector<Point> points_;
-};
-
 class Mesh_shape
 {
 public:
-  // `face_at(i)` is one of `count` triangles.
-  template <class Face_at>
-  Mesh_shape(std::size_t count, const Face_at& face_at) : faces_(count)
+  // `piece_at(i)` is one of `count` pieces. A segment is a face with two vertices.
+  template <class Piece_at>
+  Mesh_shape(std::size_t count, const Piece_at& piece_at) : faces_(count)
   {
-    if(!number_doubles(face_at))
-      number_exactly(face_at);
+    check_feature_count("vertices of the faces of a mesh", 3 * count);
+    if(!number_vertices<double>(piece_at))
+      number_vertices<Exact_rational>(piece_at);
   }
 
   bool is_closed() const
   {
-    std::vector<Place> ends(vertex_count_ + 1), others;
-    for_each_edge([&](Place low, Place) { ++ends[low]; });
-    others.resize(replace_by_prefix_sums(ends.data(), ends.data() + ends.size()));
-    for_each_edge([&](Place low, Place high) { others[ends[low]++] = high; });
-    // Invariant: the edges of the vertices up to this one occur an even number of times each.
-    Place first = 0;
-    for(std::size_t vertex = 0; vertex < vertex_count_; first = ends[vertex++])
-      if(!are_pairs(others.begin() + first, others.begin() + ends[vertex]))
+    std::vector<std::pair<Place, Place>> edges;
+    edges.reserve(3 * faces_.size());
+    for(const std::array<Place, 3>& face : faces_)
+      for(std::size_t k = 0; k < 3; ++k)
+        if(const auto [low, high] = std::minmax(face[k], face[(k + 1) % 3]); low != high)
+          edges.emplace_back(low, high);
+    std::sort(edges.begin(), edges.end());
+    for(auto edge = edges.begin(); edge != edges.end(); edge += 2)
+      if(edge + 1 == edges.end() || edge[0] != edge[1])
         return false;
     return true;
   }
@@ -132,60 +88,48 @@ public:
   }
 
 private:
-  // Returns false if a coordinate is no double.
-  template <class Face_at>
-  bool number_doubles(const Face_at& face_at)
+  // Equal vertices get one number. Returns false if a coordinate is no NT.
+  template <class NT, class Piece_at>
+  bool number_vertices(const Piece_at& piece_at)
   {
-    Numbered_points points;
-    for(std::size_t i = 0; i < faces_.size(); ++i) {
-      std::array<Numbered_points::Point, 3> vertices;
-      if(!read_vertices(face_at(i), [&](std::size_t k, int axis, double x) {
-           vertices[k][static_cast<std::size_t>(axis)] = x;
-         }))
-        return false;
-      for(std::size_t k = 0; k < 3; ++k)
-        faces_[i][k] = points.number_of(vertices[k]);
-    }
-    vertex_count_ = points.size();
-    return true;
-  }
-
-  template <class Face_at>
-  void number_exactly(const Face_at& face_at)
-  {
-    const auto vertex = [&](std::size_t i, int k) {
-      return with_exact_predicates(face_at(i).vertex(k));
+    std::vector<std::pair<std::array<NT, 3>, std::size_t>> corners;
+    corners.reserve(3 * faces_.size());
+    bool are_numbers = true;
+    const auto add_corners = [&](const auto& object) {
+      constexpr int last = Vertex_count<std::decay_t<decltype(object)>>::value - 1;
+      for(int k = 0; k < 3; ++k) {
+        const auto x = [&](int axis) {
+          return coordinate_of<NT>(object, (std::min)(k, last), axis, are_numbers);
+        };
+        corners.push_back({{x(0), x(1), x(2)}, corners.size()});
+      }
     };
-    using Point = decltype(vertex(0, 0));
-    std::map<Point, Place, typename Kernel_traits<Point>::Kernel::Less_xyz_3> numbers;
     for(std::size_t i = 0; i < faces_.size(); ++i)
-      for(std::size_t k = 0; k < 3; ++k)
-        faces_[i][k] = numbers.emplace(vertex(i, static_cast<int>(k)),
-                                       static_cast<Place>(numbers.size())).first->second;
-    vertex_count_ = numbers.size();
+      with_points_of(piece_at(i), add_corners);
+    std::sort(corners.begin(), corners.end());
+    vertex_count_ = 0;
+    for(auto corner = corners.begin(); corner != corners.end(); ++corner) {
+      vertex_count_ += corner == corners.begin() || corner[-1].first != corner->first;
+      faces_[corner->second / 3][corner->second % 3] = static_cast<Place>(vertex_count_ - 1);
+    }
+    return are_numbers;
   }
 
-  template <class Take>
-  void for_each_edge(const Take& take) const
+  template <class NT, class Object>
+  static NT coordinate_of(const Object& object, int v, int axis,
+                          [[maybe_unused]] bool& are_numbers)
   {
-    for(const std::array<Place, 3>& face : faces_)
-      for(std::size_t k = 0; k < 3; ++k)
-        if(const auto [low, high] = std::minmax(face[k], face[(k + 1) % 3]); low != high)
-          take(low, high);
-  }
-
-  // Whether each number occurs an even number of times. Sorts the numbers.
-  static bool are_pairs(std::vector<Place>::iterator first, std::vector<Place>::iterator last)
-  {
-    std::sort(first, last);
-    for(; first != last; first += 2)
-      if(first + 1 == last || first[0] != first[1])
-        return false;
-    return true;
+    if constexpr(std::is_same_v<NT, Exact_rational>)
+      return to_exact_rational(coordinate(vertex_of(object, v), axis));
+    else {
+      const auto x = vertex_bounds(object, v, axis);
+      are_numbers &= x.first == x.second;
+      return x.first;
+    }
   }
 
   std::vector<std::array<Place, 3>> faces_; // their vertices
-  std::size_t vertex_count_;
+  std::size_t vertex_count_ = 0;
 };
 
 } // namespace internal

@@ -5,21 +5,20 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_SOLID_TREES_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_SOLID_TREES_H
 
-// Is a point inside closed faces? It is if the ray upwards from it crosses them an odd number of
-// times.
+// Do pieces of two features meet, and is a point inside closed faces? It is if the ray upwards from
+// it crosses them an odd number of times.
 //
-// Each tree halves the faces of a solid along axes, and has the boxes of the parts. A ray meets
-// only faces in boxes that it meets.
+// Each tree halves the pieces of a feature along axes, and has the boxes of the parts. Pieces meet,
+// and a ray crosses faces, only in parts whose boxes do.
 
-#include <CGAL/Bbox_3.h>
 #include <CGAL/enum.h>
 
+#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/features/Halved_range.h>
-#include <CGAL/Thick_intersection_d/internal/features/feature_kinds.h>
-#include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
-#include <CGAL/Thick_intersection_d/internal/input/kinds.h>
+#include <CGAL/Thick_intersection_d/internal/features/Space_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/vertices.h>
+#include <CGAL/Thick_intersection_d/internal/machine/hints.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Kernel_orientation.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Staged_orientation.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_kernel_objects_intersect.h>
@@ -27,6 +26,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -94,105 +94,185 @@ bool does_ray_cross_face(const Source& source, const Face& face)
   return does_ray_cross_face<Exact_orientation>(exact_vertices);
 }
 
-// `Object` is the type of faces, or a variant of it and others.
+// An `Object` is a segment or a triangle, or a variant of both, with a radius or without.
 template <class Object>
 class Solid_trees
 {
 public:
-  // Refers to the pieces, some of which are faces.
-  explicit Solid_trees(const std::vector<Object>& pieces) : pieces_(pieces) {}
+  // Takes memory for so many pieces.
+  void reserve(std::size_t count) { pieces_.reserve(count); }
 
-  // Makes a tree of the faces [first, last). Returns its root.
-  Place add_tree(Place first, Place last)
+  Place size() const { return static_cast<Place>(pieces_.size()); }
+  const Object& piece(std::size_t position) const { return pieces_[position].piece; }
+
+  void add_piece(const Object& piece, const Space_box& box) { pieces_.push_back({box, piece}); }
+
+  // Makes a tree of the pieces from this one on, and puts them into its order.
+  Halved_range add_tree(Place first)
   {
-    std::vector<Boxed_face> faces;
-    faces.reserve(last - first);
-    for(Place piece = first; piece != last; ++piece)
-      faces.push_back({bounding_box(pieces_[piece]), piece});
-    const Place root = add_nodes(faces, 0, last - first);
-    order_.resize(last);
-    std::transform(faces.begin(), faces.end(), order_.begin() + first,
-                   [](const Boxed_face& face) { return face.piece; });
-    return root;
+    const Halved_range tree = {static_cast<Place>(nodes_.size()), first, size()};
+    if(tree.last - tree.first >= sorted_size)
+      sort(tree);
+    add_nodes(tree);
+    return tree;
   }
 
-  // The box of a tree.
-  const Bbox_3& box(Place root) const { return boxes_[root]; }
+  // Takes the pieces from this one on away.
+  void remove_pieces(Place first) { pieces_.erase(pieces_.begin() + first, pieces_.end()); }
 
-  // Returns whether the first vertex of a piece is inside the tree of the faces [first, last). It
-  // is not on them.
-  bool is_inside(const Object& piece, Place root, Place first, Place last) const
+  // Prefetches the pieces that is_any_pair() is likely to read first.
+  void prefetch(const Halved_range& tree) const
   {
-    return with_kind(piece, [&](const auto& source) {
-      return is_crossed_odd(source, {root, first, last});
-    });
-  }
-
-private:
-  struct Boxed_face
-  {
-    Bbox_3 box;
-    Place piece;
-
-    double center(int axis) const { return (box.min)(axis) / 2 + (box.max)(axis) / 2; }
-  };
-
-  Place add_nodes(std::vector<Boxed_face>& faces, Place first, Place last)
-  {
-    const std::size_t root = boxes_.size();
-    const Halved_range range = {static_cast<Place>(root), first, last};
-    boxes_.emplace_back();
-    if(range.is_leaf())
-      for(Place i = first; i != last; ++i)
-        boxes_[root] += faces[i].box;
-    else {
-      const int axis = longest_axis(faces, first, last);
-      std::nth_element(faces.begin() + first, faces.begin() + range.middle(), faces.begin() + last,
-                       [=](const Boxed_face& a, const Boxed_face& b) {
-                         return a.center(axis) < b.center(axis);
-                       });
-      add_nodes(faces, first, range.middle());
-      const Place second = add_nodes(faces, range.middle(), last);
-      boxes_[root] = boxes_[root + 1] + boxes_[second];
+    prefetch_to_read(&nodes_[tree.node]);
+    const Place last = (std::min)(tree.last, tree.first + Halved_range::leaf_size);
+    for(Place piece = tree.first; piece != last; ++piece) {
+      prefetch_to_read(&pieces_[piece]);
+      prefetch_to_read(&pieces_[piece], 1);
     }
-    return range.node;
   }
 
-  // The axis along which the centers of the boxes are farthest apart.
-  static int longest_axis(const std::vector<Boxed_face>& faces, Place first, Place last)
+  // Whether test(i, j) holds for a piece of each of two trees, among those whose boxes meet.
+  template <class Test>
+  bool is_any_pair(const Halved_range& a, const Halved_range& b, const Test& test) const
   {
-    std::array<double, 3> lengths;
-    for(int axis = 0; axis < 3; ++axis) {
-      const auto [least, most] = std::minmax_element(
-        faces.begin() + first, faces.begin() + last,
-        [=](const Boxed_face& a, const Boxed_face& b) { return a.center(axis) < b.center(axis); });
-      lengths[static_cast<std::size_t>(axis)] = most->center(axis) - least->center(axis);
-    }
-    return static_cast<int>(std::max_element(lengths.begin(), lengths.end()) - lengths.begin());
+    if(!do_boxes_meet(nodes_[a.node], nodes_[b.node]))
+      return false;
+    if(a.is_leaf() && b.is_leaf())
+      return is_any_pair_of_leaves(a, b, test);
+    if(b.is_leaf() || (!a.is_leaf() && a.last - a.first >= b.last - b.first))
+      return is_any_pair(a.first_half(), b, test) || is_any_pair(a.second_half(), b, test);
+    return is_any_pair(a, b.first_half(), test) || is_any_pair(a, b.second_half(), test);
   }
 
+  // Calls take(i) for the pieces of a tree whose boxes meet a box.
+  template <class Take>
+  void for_each_in_box(const Halved_range& tree, const Space_box& box, const Take& take) const
+  {
+    if(!do_boxes_meet(nodes_[tree.node], box))
+      return;
+    if(!tree.is_leaf())
+      for(const Halved_range& half : {tree.first_half(), tree.second_half()})
+        for_each_in_box(half, box, take);
+    else
+      for(Place piece = tree.first; piece != tree.last; ++piece)
+        if(do_boxes_meet(pieces_[piece].box, box))
+          take(piece);
+  }
+
+  // Whether the first vertex of a piece is inside a tree of closed faces. It is not on them.
   template <class Source>
-  bool is_crossed_odd(const Source& source, const Halved_range& faces) const
+  bool is_inside(const Source& source, const Halved_range& faces) const
   {
-    const Bbox_3& box = boxes_[faces.node];
+    const Space_box& box = nodes_[faces.node];
     for(int axis = 0; axis < 3; ++axis) {
       const auto x = vertex_bounds(source, 0, axis);
-      if(x.first > (box.max)(axis) || (axis < 2 && x.second < (box.min)(axis)))
+      const Interval& interval = box[static_cast<std::size_t>(axis)];
+      if(x.first > interval.high || (axis < 2 && x.second < interval.low))
         return false;
     }
     if(!faces.is_leaf())
-      return is_crossed_odd(source, faces.first_half())
-             != is_crossed_odd(source, faces.second_half());
-    return std::count_if(order_.begin() + faces.first, order_.begin() + faces.last,
-                         [&](Place face) {
-                           return does_ray_cross_face(source, as_face(pieces_[face]));
+      return is_inside(source, faces.first_half()) != is_inside(source, faces.second_half());
+    return std::count_if(pieces_.begin() + faces.first, pieces_.begin() + faces.last,
+                         [&](const Boxed_piece& face) {
+                           return does_ray_cross_face(source, face.piece);
                          })
              % 2 != 0;
   }
 
-  const std::vector<Object>& pieces_;
-  std::vector<Place> order_; // of the faces of each tree
-  std::vector<Bbox_3> boxes_;
+private:
+  // Fewer pieces are left as they come. To sort them takes longer than what a sorted tree saves, as
+  // most meshes have neighbors near each other.
+  static constexpr Place sorted_size = 256;
+
+  struct Boxed_piece
+  {
+    Space_box box;
+    Object piece;
+  };
+
+  // Where a piece is, for sorting.
+  struct Centered_piece
+  {
+    std::array<double, 3> center;
+    Place piece;
+  };
+
+  void sort(const Halved_range& tree)
+  {
+    std::vector<Centered_piece> centers;
+    centers.reserve(tree.last - tree.first);
+    for(Place piece = tree.first; piece != tree.last; ++piece) {
+      const Space_box& box = pieces_[piece].box;
+      const auto center = [&](std::size_t axis) { return box[axis].low / 2 + box[axis].high / 2; };
+      centers.push_back({{center(0), center(1), center(2)}, piece});
+    }
+    sort_by_halves(centers.data(), {0, 0, tree.last - tree.first});
+    std::vector<Boxed_piece> sorted;
+    sorted.reserve(centers.size());
+    for(const Centered_piece& center : centers)
+      sorted.push_back(std::move(pieces_[center.piece]));
+    std::move(sorted.begin(), sorted.end(), pieces_.begin() + tree.first);
+  }
+
+  // Halves the range along the axis along which the centers are farthest apart, and so on.
+  static void sort_by_halves(Centered_piece* centers, const Halved_range& range)
+  {
+    if(range.is_leaf())
+      return;
+    Space_box box;
+    for(Place i = range.first; i != range.last; ++i)
+      for(std::size_t axis = 0; axis < 3; ++axis)
+        box[axis].add(centers[i].center[axis]);
+    const auto longest = std::max_element(box.begin(), box.end(), [](const auto& a, const auto& b) {
+      return a.half_length() < b.half_length();
+    });
+    const std::size_t axis = static_cast<std::size_t>(longest - box.begin());
+    std::nth_element(centers + range.first, centers + range.middle(), centers + range.last,
+                     [=](const Centered_piece& a, const Centered_piece& b) {
+                       return a.center[axis] < b.center[axis];
+                     });
+    sort_by_halves(centers, range.first_half());
+    sort_by_halves(centers, range.second_half());
+  }
+
+  void add_nodes(const Halved_range& range)
+  {
+    nodes_.emplace_back();
+    Space_box box;
+    if(range.is_leaf())
+      for(Place piece = range.first; piece != range.last; ++piece)
+        box.add_box(pieces_[piece].box);
+    else
+      for(const Halved_range& half : {range.first_half(), range.second_half()}) {
+        add_nodes(half);
+        box.add_box(nodes_[half.node]);
+      }
+    nodes_[range.node] = box;
+  }
+
+  // Pieces that follow each other are alike: if two do not meet, their neighbors may not either. So
+  // each step takes another piece of both, in opposite orders, as meshes may have one pattern.
+  template <class Test>
+  bool is_any_pair_of_leaves(const Halved_range& a, const Halved_range& b, const Test& test) const
+  {
+    std::array<Place, Halved_range::leaf_size> near; // of the first tree
+    std::size_t count = 0;
+    for(Place i = a.first; i != a.last; ++i)
+      if(do_boxes_meet(pieces_[i].box, nodes_[b.node]))
+        near[count++] = i;
+    for(Place first = b.first; first != b.last; ++first) {
+      Place j = first;
+      for(std::size_t k = 0; k != count; ++k) {
+        if(do_boxes_meet(pieces_[near[k]].box, pieces_[j].box) && test(near[k], j))
+          return true;
+        j = j == b.first ? b.last - 1 : j - 1;
+      }
+    }
+    return false;
+  }
+
+  std::vector<Boxed_piece> pieces_;
+  std::vector<Space_box> nodes_;
 };
 
 } // namespace internal

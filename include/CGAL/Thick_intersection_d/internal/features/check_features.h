@@ -8,6 +8,8 @@
 // What is wrong with features.
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
+#include <CGAL/Thick_intersection_d/internal/input/Ball_centers.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 
@@ -19,8 +21,12 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-[[noreturn]] inline void throw_too_many_features(const char* what, std::size_t limit)
+// Throws if there are `limit` of something or more. By default, places must number them.
+inline void check_feature_count(const char* what, std::size_t count,
+                                std::size_t limit = max_place / 2)
 {
+  if(count < limit)
+    return;
   std::string message("There are too many ");
   message.append(what).append(": ").append(std::to_string(limit)).append(" or more.");
   throw std::length_error(message);
@@ -34,13 +40,6 @@ namespace internal {
   throw std::invalid_argument(message.append(what));
 }
 
-// Throws for a vertex of a face: "Coordinate 0 of vertex of face 1 of feature 2 is ..."
-[[noreturn]] inline void throw_not_finite_face(std::size_t face, std::size_t feature, int axis)
-{
-  const std::string name = "vertex of face " + std::to_string(face) + " of feature";
-  throw_not_finite(name.c_str(), feature, axis);
-}
-
 // Throws if a coordinate is NaN or infinite.
 template <class Point>
 void check_vertex(const Point& point, std::size_t feature)
@@ -50,14 +49,26 @@ void check_vertex(const Point& point, std::size_t feature)
       throw_not_finite("vertex of feature", feature, i);
 }
 
+// The same of a face: "Coordinate 0 of vertex of face 1 of feature 2 is ..."
 template <class Point>
 void check_face(std::size_t face, std::size_t feature, const Point& p, const Point& q,
                 const Point& r)
 {
   for(const Point* vertex : {&p, &q, &r})
     for(int i = 0; i < 3; ++i)
-      if(!are_bounds_of_finite(coordinate_bounds(*vertex, i)))
-        throw_not_finite_face(face, feature, i);
+      if(!are_bounds_of_finite(coordinate_bounds(*vertex, i))) {
+        const std::string name = "vertex of face " + std::to_string(face) + " of feature";
+        throw_not_finite(name.c_str(), feature, i);
+      }
+}
+
+// Throws if the radius is negative, NaN or infinite.
+template <class NT>
+void check_feature_radius(const NT& radius, std::size_t feature)
+{
+  if(!is_radius(radius))
+    throw std::invalid_argument("The radius of feature " + std::to_string(feature)
+                                + " is negative, NaN or infinite.");
 }
 
 } // namespace internal

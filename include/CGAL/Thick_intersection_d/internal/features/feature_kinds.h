@@ -135,14 +135,11 @@ constexpr auto common_piece()
 template <class A, class B>
 using Common_piece = typename decltype(common_piece<A, B>())::type;
 
-// Returns a piece that is a face as such.
-template <class Object>
-const auto& as_face(const Object& piece)
+// Returns task(piece) for the segment or triangle that a piece is, without its radius.
+template <class Object, class Task>
+auto with_points_of(const Object& piece, const Task& task)
 {
-  if constexpr(is_variant_v<Object>)
-    return *std::get_if<1>(&piece);
-  else
-    return piece;
+  return with_kind(piece, [&](const auto& kind) { return task(hull_points(kind)); });
 }
 
 // The type of the pieces of the boundary of a feature, or void for what is no feature.
@@ -258,7 +255,9 @@ template <class Feature, class Parts>
 void add_parts(const Feature& feature, Parts& parts)
 {
   using Kind = Feature_kind_t<Feature>;
-  if constexpr(Vertex_count<Kind>::value == 1)
+  if constexpr(Is_one_of_two<Feature>::value)
+    of_range(feature, [&](const auto& one) { add_parts(one, parts); });
+  else if constexpr(Vertex_count<Kind>::value == 1)
     parts.add_polyline(&feature, &feature + 1);
   else if constexpr(is_polygon_v<Kind>)
     parts.add_polygon(feature);

@@ -13,6 +13,7 @@
 #include <CGAL/Thick_intersection_d/internal/features/check_features.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 
+#include <boost/config.hpp> // BOOST_FORCEINLINE
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
@@ -27,7 +28,7 @@ namespace internal {
 
 // Calls take(p) for each point, even if no face has it.
 template <class Mesh, class Take>
-void for_each_point(const Mesh& mesh, const Take& take)
+BOOST_FORCEINLINE void for_each_point(const Mesh& mesh, const Take& take)
 {
   const auto points = get(boost::vertex_point, mesh);
   const auto range = vertices(mesh);
@@ -35,7 +36,7 @@ void for_each_point(const Mesh& mesh, const Take& take)
     take(get(points, *vertex));
 }
 template <class Points, class Triples, class Take>
-void for_each_point(const std::pair<Points, Triples>& soup, const Take& take)
+BOOST_FORCEINLINE void for_each_point(const std::pair<Points, Triples>& soup, const Take& take)
 {
   for(const auto& point : soup.first)
     take(point);
@@ -90,6 +91,32 @@ void for_each_face(const std::pair<Points, Triples>& soup, std::size_t feature, 
     take(points[p], points[q], points[r]);
     ++position;
   }
+}
+
+// Throws if a face is no triangle, or has a coordinate that is NaN or infinite.
+template <class Mesh>
+void check_faces(const Mesh& mesh, std::size_t feature)
+{
+  std::size_t face = 0;
+  for_each_face(mesh, feature, [&](const auto& p, const auto& q, const auto& r) {
+    check_face(face++, feature, p, q, r);
+  });
+}
+
+// Whether a mesh is known to have no borders and no faces but triangles: if there are three
+// halfedges for each face, because no face has less.
+template <class Mesh>
+bool is_closed_by_count(const Mesh& mesh)
+{
+  const auto all_faces = faces(mesh);
+  const auto all_edges = halfedges(mesh);
+  return std::distance(all_edges.first, all_edges.second)
+         == 3 * std::distance(all_faces.first, all_faces.second);
+}
+template <class Points, class Triples>
+bool is_closed_by_count(const std::pair<Points, Triples>&)
+{
+  return false;
 }
 
 } // namespace internal

@@ -33,12 +33,11 @@ struct Pieces_intersect
     return do_objects_intersect(pieces.thick(i), pieces.thick(j), tier);
   }
 
-  // Whether the first vertex of a part is inside what is filled, where boundaries do not meet.
-  template <class Pieces, class Filled>
-  static bool is_inside(const Pieces& pieces, std::size_t part, const Filled& all_filled,
-                        std::size_t filled)
+  // Whether the first vertex of a part is inside a polygon, where boundaries do not meet.
+  template <class Pieces>
+  static bool is_inside(const Pieces& pieces, std::size_t part, std::size_t filled)
   {
-    return all_filled.is_inside(pieces.first_piece(part), filled);
+    return pieces.is_inside(pieces.first_piece(part), filled);
   }
 
   static Interval grown(const Interval& interval) { return interval; }
@@ -75,21 +74,21 @@ private:
 };
 
 // The test of pieces for features that intersect, or that are within a bound, or whose interiors do
-// in one range or in both.
-template <class Pieces, class Relation, bool is_first_open, bool is_second_open>
+// in one range or in both. `Thick` is the type of pieces with their radii.
+template <class Pieces, class Thick, class Relation, bool is_first_open, bool is_second_open>
 struct Piece_test
 {
   using type = Interiors_overlap<Pieces, is_first_open, is_second_open>;
 };
-template <class Pieces, class Relation>
-struct Piece_test<Pieces, Relation, false, false>
+template <class Pieces, class Thick, class Relation>
+struct Piece_test<Pieces, Thick, Relation, false, false>
 {
   using type = Relation;
 };
-template <class Pieces, class NT>
-struct Piece_test<Pieces, Distance_bound<NT>, false, false>
+template <class Pieces, class Thick, class NT>
+struct Piece_test<Pieces, Thick, Distance_bound<NT>, false, false>
 {
-  using type = Pieces_near<typename Pieces::Thick>;
+  using type = Pieces_near<Thick>;
 };
 
 template <class Test, class Relation>

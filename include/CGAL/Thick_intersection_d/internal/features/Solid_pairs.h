@@ -1,0 +1,124 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_SOLID_PAIRS_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_SOLID_PAIRS_H
+
+// Features in space, as the box route reads them: two of them are a pair if pieces of them meet, or
+// if one has a vertex of the other inside.
+//
+// This finds all pairs. Let a solid and a mesh or a polyline have a point in common, but no pieces
+// that meet. The mesh is its faces, and all points inside if it is closed. Each component of the
+// boundary of one is inside the other altogether, or outside, because it is connected and meets no
+// face of the other: one vertex tells. Assume that all are outside. Then the common point is on
+// neither boundary, so it is inside both. A ray from there leaves both. Up to the first face that
+// it reaches, it is inside both. So this face is inside the other one, which cannot be.
+
+#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
+#include <CGAL/Thick_intersection_d/internal/features/Closed_meshes.h>
+#include <CGAL/Thick_intersection_d/internal/features/Feature_regions.h>
+#include <CGAL/Thick_intersection_d/internal/features/Mesh_shape.h>
+#include <CGAL/Thick_intersection_d/internal/features/Space_box.h>
+#include <CGAL/Thick_intersection_d/internal/features/Values_on_demand.h>
+#include <CGAL/Thick_intersection_d/internal/features/feature_kinds.h>
+#include <CGAL/Thick_intersection_d/internal/input/kinds.h>
+#include <CGAL/Thick_intersection_d/internal/input/vertices.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
+
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Thick_intersection_d {
+namespace internal {
+
+// Whether all vertices of a piece may be in a box.
+template <class Object>
+bool is_within(const Object& piece, const Space_box& box)
+{
+  return with_points_of(piece, [&](const auto& points) {
+    for(int v = 0; v < Vertex_count<std::decay_t<decltype(points)>>::value; ++v)
+      for(int axis = 0; axis < 3; ++axis) {
+        const auto x = vertex_bounds(points, v, axis);
+        if(!do_meet({x.first, x.second}, box[static_cast<std::size_t>(axis)]))
+          return false;
+      }
+    return true;
+  });
+}
+
+// `Pieces` are Solid_pieces, and `Test` is like Pieces_intersect.
+template <class Features, class Pieces, class Test>
+class Solid_pairs : public Objects_in_boxes
+{
+  using Solids = Closed_meshes<typename Pieces::Triangle>;
+
+public:
+  static constexpr int static_dimension = 3;
+
+  Solid_pairs(const Features& features, const Feature_regions& regions, const Pieces& pieces,
+              const Test& test, const Threads& threads)
+    : features_(features), regions_(regions), pieces_(pieces), test_(test),
+      solids_(features.size(), threads)
+  {}
+
+  std::size_t size() const { return regions_.size(); }
+  int dimension() const { return static_dimension; }
+  auto intervals(std::size_t position) const { return regions_.intervals(position); }
+
+  void prefetch(std::size_t position) const
+  {
+    pieces_.trees().prefetch(pieces_.tree(position));
+  }
+
+  bool do_intersect(std::size_t i, std::size_t j) const
+  {
+    const auto do_meet = [&](Place a, Place b) { return test_.do_meet(pieces_, a, b); };
+    return pieces_.trees().is_any_pair(pieces_.tree(i), pieces_.tree(j), do_meet)
+           || (test_.takes_insides() && (is_part_inside(i, j) || is_part_inside(j, i)));
+  }
+
+private:
+  // Whether a part of feature i is inside a solid of feature j: one of those that common vertices
+  // connect. Then all of its vertices are in the box of that.
+  bool is_part_inside(std::size_t i, std::size_t j) const
+  {
+    const Space_box& box = regions_.box(j);
+    std::vector<Place> near;
+    bool is_any_within = false;
+    pieces_.trees().for_each_in_box(pieces_.tree(i), box, [&](Place piece) {
+      near.push_back(piece);
+      is_any_within = is_any_within || is_within(pieces_.thick(piece), box);
+    });
+    if(!is_any_within)
+      return false;
+    const auto piece_at = [&](std::size_t k) -> const auto& { return pieces_.thick(near[k]); };
+    bool is_inside = false;
+    Mesh_shape(near.size(), piece_at).for_each_component(
+      [&](std::size_t k) { return !is_within(piece_at(k), box); },
+      [&](std::size_t k) { is_inside = is_inside || is_vertex_inside(piece_at(k), j); });
+    return is_inside;
+  }
+
+  bool is_vertex_inside(const typename Pieces::Thick& piece, std::size_t j) const
+  {
+    const Solids& solids = solids_.get(j, [&] { return Solids(features_[j], j); });
+    return with_points_of(piece, [&](const auto& source) { return solids.is_inside(source); });
+  }
+
+  const Features& features_;
+  const Feature_regions& regions_;
+  const Pieces& pieces_;
+  const Test& test_;
+  Values_on_demand<Solids> solids_;
+};
+
+} // namespace internal
+} // namespace Thick_intersection_d
+} // namespace CGAL
+
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_SOLID_PAIRS_H
