@@ -21,6 +21,7 @@
 #include <CGAL/Thick_object_traits_d.h>
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
+#include <CGAL/fixed_radius_near_tracks.h>
 #include <CGAL/interiors.h>
 #include <CGAL/intersections.h>
 #include <CGAL/thick_feature_intersection_d.h>
@@ -236,6 +237,21 @@ void run_solids(int bits)
   CGAL::thick_feature_intersection_d(degree_points<Point_3, 3>(n, bits, 2), solids, ignore_pair);
 }
 
+// Tracks of one leg each, during the same time or times of their own.
+template <class Point, int Dimension, bool HaveCommonTimes>
+void run_tracks(int bits)
+{
+  const auto points = degree_points<Point, Dimension>(n, bits, 1);
+  const auto times = degree_points<Point_2, 2>(n / 2, bits, 2);
+  std::vector<std::vector<std::pair<Degree_number, Point>>> tracks;
+  for(std::size_t i = 0; i < times.size(); ++i) {
+    const Degree_number& begin = times[HaveCommonTimes ? 0 : i].x();
+    const Degree_number end = begin + Degree_number::input(std::ldexp(1., bits - 2));
+    tracks.push_back({{begin, points[2 * i]}, {end, points[2 * i + 1]}});
+  }
+  CGAL::fixed_radius_near_tracks(tracks, CGAL::within_distance(radius(bits)), ignore_pair);
+}
+
 template <class Maker>
 void run_do_intersect(int bits)
 {
@@ -300,6 +316,10 @@ std::vector<Algorithm> algorithms()
     {"interiors(Tetrahedron_3)", true, run_interiors<Tetrahedra_3>},
     {"interiors(Polygon_2)", true, run_polygons},
     {"solids", true, run_solids},
+    {"legs of common times 2D", true, run_tracks<Point_2, 2, true>},
+    {"legs of common times 3D", true, run_tracks<Point_3, 3, true>},
+    {"legs 2D", true, run_tracks<Point_2, 2, false>},
+    {"legs 3D", true, run_tracks<Point_3, 3, false>},
     {"do_intersect(Segment_2, Segment_2)", false, run_do_intersect<Segments_2>},
     {"do_intersect(Triangle_2, Triangle_2)", false, run_do_intersect<Triangles_2>},
     {"do_intersect(Segment_3, Segment_3)", false, run_do_intersect<Segments_3>},

@@ -170,7 +170,7 @@ def draw_degree(rows):
         labels.append(row["algorithm"] + site)
     axes.set_yticks(range(len(rows)), labels, fontsize=8)
     axes.set_ylim(-0.6, len(rows) - 0.4)
-    axes.set_xlim(0, 8)
+    axes.set_xlim(0, max(int(row["degree"]) for row in rows) + 1.5)
     axes.set_xlabel("highest degree of a sign; beside it, the longest number from 24-bit input",
                     fontsize=9)
     hide_sides(axes, "top", "right")
