@@ -4,13 +4,14 @@
 // All families of segments, triangles and tetrahedra by all predicates: wrong answers about the
 // pairs whose boxes meet, and the time of one answer. And which arithmetic decides these pairs, and
 // which one would be enough for all determinants of the scene. The same of objects with radii, of
-// open objects and of solids, but for the arithmetic.
+// open objects, of solids and of points that move, but for the arithmetic.
 //
-//   object_predicates <folder for object_families.csv, object_stages.csv and thick_families.csv>
-//                     <milliseconds per measurement>
+//   object_predicates <folder for object_families.csv, object_stages.csv, thick_families.csv and
+//                      track_families.csv> <milliseconds per measurement>
 
 #include "predicate_columns.h"
 #include "thick_families.h"
+#include "track_families.h"
 
 #include "measuring/Csv_file.h"
 
@@ -30,7 +31,7 @@ Predicate_columns all_predicates()
   Predicate_columns all;
   for(const auto& make :
       {plain_predicates, library_predicates, cgal_predicates, package_predicates, thick_rivals,
-       thick_predicates})
+       thick_predicates, track_predicates})
     for(Predicate_column& column : make())
       all.push_back(std::move(column));
   return all;
@@ -139,6 +140,17 @@ void measure_thick_objects(const std::string& folder, double milliseconds)
       write_rows(questions_about(set), milliseconds, csv);
 }
 
+void measure_tracks(const std::string& folder, double milliseconds)
+{
+  thick_benchmark::Csv_file csv(
+    folder, "track_families.csv",
+    "hulls of differences, in GMP integers and fractions (test/support/distance_oracle.h)",
+    columns);
+  for(const Kind& kind : moving_kinds())
+    for(const Object_set& set : track_families(kind))
+      write_rows(questions_about(set), milliseconds, csv);
+}
+
 } // namespace
 
 int main(int, char** arguments)
@@ -146,4 +158,5 @@ int main(int, char** arguments)
   const double milliseconds = std::stod(arguments[2]);
   measure_thick_objects(arguments[1], milliseconds);
   measure_objects(arguments[1], milliseconds);
+  measure_tracks(arguments[1], milliseconds);
 }

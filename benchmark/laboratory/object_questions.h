@@ -65,12 +65,16 @@ public:
         for(std::size_t axis = 0; axis < dimension; ++axis)
           vertex[axis] = in_units(*x++, units[axis]);
     }
+    for(double time : objects.times)
+        times_.push_back(in_units(time, unit_exponents(objects.times, 1)[0]));
   }
 
   bool do_intersect(std::size_t i, std::size_t j) const
   {
     if(kind_.meaning == Meaning::OPEN)
       return do_open_hulls_intersect(vertices_[i], vertices_[j], kind_.dimension);
+    if(kind_.meaning == Meaning::MOVING)
+      return come_within(i, j, radii_[i] + radii_[j]);
     if(kind_.meaning != Meaning::THICK)
       return test_support::do_hulls_intersect(vertices_[i], vertices_[j]);
     const Integer sum = radii_[i] + radii_[j], square = sum * sum;
@@ -79,6 +83,36 @@ public:
   }
 
 private:
+  // One point sees the other one go along a segment. Its ends are multiplied by both durations; a
+  // leg that lasts for no time has no way either.
+  bool come_within(std::size_t i, std::size_t j, const Integer& bound) const
+  {
+    using Vector = test_support::Hull_vector<Integer>;
+    const Integer first = std::max(times_[2 * i], times_[2 * j]);
+    const Integer last = std::min(times_[2 * i + 1], times_[2 * j + 1]);
+    if(first > last)
+      return false;
+    const auto duration = [&](std::size_t k) {
+      return std::max(Integer(times_[2 * k + 1] - times_[2 * k]), Integer(1));
+    };
+    const auto place_at = [&](const Integer& time, std::size_t k) {
+      Vector place = difference(vertices_[k][1], vertices_[k][0]);
+      for(std::size_t axis = 0; axis < 3; ++axis)
+        place[axis] = duration(k) * vertices_[k][0][axis] + (time - times_[2 * k]) * place[axis];
+      return place;
+    };
+    test_support::Hull_vectors<Integer> ends;
+    for(const Integer& time : {first, last}) {
+      const Vector a = place_at(time, i), b = place_at(time, j);
+      ends.emplace_back();
+      for(std::size_t axis = 0; axis < 3; ++axis)
+        ends.back()[axis] = duration(j) * a[axis] - duration(i) * b[axis];
+    }
+    const Integer limit = bound * duration(i) * duration(j), square = limit * limit;
+    return test_support::squared_distance_of_hulls(ends, {Vector{}})
+           <= test_support::Rational(boost::multiprecision::mpz_int(square));
+  }
+
   // All numbers along an axis have their last bits at its unit or above it.
   static std::vector<int> unit_exponents(const std::vector<double>& numbers, std::size_t dimension)
   {
@@ -100,7 +134,7 @@ private:
 
   Kind kind_;
   std::vector<test_support::Hull_vectors<Integer>> vertices_;
-  std::vector<Integer> radii_;
+  std::vector<Integer> radii_, times_;
 };
 
 struct Object_questions

@@ -17,7 +17,8 @@ enum class Meaning {
   CLOSED, // closed sets
   THICK,  // closed sets with a radius each
   OPEN,   // sets without their boundaries
-  SOLID   // closed meshes
+  SOLID,  // closed meshes
+  MOVING  // points that go from one vertex to another, within a bound: the sum of their radii
 };
 
 struct Kind
@@ -54,6 +55,7 @@ struct Object_set
   std::string family;
   std::vector<double> numbers;
   std::vector<double> radii = {}; // of the objects, if they have some
+  std::vector<double> times = {}; // of the vertices, if objects move
 
   std::size_t numbers_of_object() const
   {

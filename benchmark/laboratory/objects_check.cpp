@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 // What the laboratory must find about segments, triangles and tetrahedra: no wrong answer in our
-// columns, and some in those of plain doubles. The same with radii, open, and as solids.
+// columns, and some in those of plain doubles. The same with radii, open, as solids, and for points
+// that move.
 
 #include <boost/test/unit_test.hpp>
 
 #include "predicate_columns.h"
 #include "thick_families.h"
+#include "track_families.h"
 
 #include <vector>
 
@@ -60,6 +62,18 @@ BOOST_AUTO_TEST_CASE(our_answers_are_right_in_all_families_of_thick_objects)
         wrong += lab::ask_in_child(lab::thick_predicates()[0], questions, 0).values[0].count();
     }
   BOOST_TEST(wrong > 0u); // by rounded distances
+}
+
+BOOST_AUTO_TEST_CASE(our_answers_are_right_in_all_families_of_points_that_move)
+{
+  std::size_t wrong = 0;
+  for(const lab::Kind& kind : lab::moving_kinds())
+    for(const lab::Object_set& set : lab::track_families(kind)) {
+      const lab::Object_questions questions = lab::questions_about(set);
+      check_our_answers(questions, lab::track_predicates());
+      wrong += lab::ask_in_child(lab::track_predicates()[0], questions, 0).values[0].count();
+    }
+  BOOST_TEST(wrong > 0u); // by doubles
 }
 
 BOOST_AUTO_TEST_CASE(plain_doubles_are_wrong_where_objects_touch)

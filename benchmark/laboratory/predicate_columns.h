@@ -55,6 +55,7 @@ Predicate_columns package_predicates(); // ours
 // About objects with radii, open objects and solids.
 Predicate_columns thick_predicates(); // ours, and CGAL's distances
 Predicate_columns thick_rivals();     // doubles, Polygon_mesh_processing, Boolean sets, GEOS, FCL
+Predicate_columns track_predicates(); // of points that move: ours, and formulas
 
 // ---- to make them -------------------------------------------------------------------------------
 

@@ -22,6 +22,32 @@ namespace lab {
 
 // ---- capsules -----------------------------------------------------------------------------------
 
+inline Place moved(const Place& p, const Place& direction, std::int64_t steps)
+{
+  return {p[0] + steps * direction[0], p[1] + steps * direction[1], p[2] + steps * direction[2]};
+}
+
+// The columns of the rotation of a quaternion of integers, times its square. A rotation of the
+// plane has two of its numbers.
+struct Orthogonal_vectors
+{
+  std::array<Place, 3> axes;
+  std::int64_t length;
+
+  // The numbers are not zero, and at most `largest`.
+  Orthogonal_vectors(const Kind& kind, std::size_t largest, Random& random)
+  {
+    const bool is_plane = kind.dimension == 2;
+    const auto number = [&] { return 1 + static_cast<std::int64_t>(random.below(largest)); };
+    const std::int64_t a = number(), b = is_plane ? 0 : number(), c = is_plane ? 0 : number(),
+                       d = number();
+    length = a * a + b * b + c * c + d * d;
+    axes = {{{a * a + b * b - c * c - d * d, 2 * (b * c + a * d), 2 * (b * d - a * c)},
+             {2 * (b * c - a * d), a * a - b * b + c * c - d * d, 2 * (c * d + a * b)},
+             {2 * (b * d + a * c), 2 * (c * d - a * b), a * a - b * b - c * c + d * d}}};
+  }
+};
+
 // Pairs of segments whose distance is an integer that is known.
 class Segment_pairs
 {
@@ -41,7 +67,8 @@ public:
   // are parallel, their distance is that of many of their points.
   Pair pair(bool are_parallel)
   {
-    const std::array<Place, 3> axes = make_axes();
+    const Orthogonal_vectors vectors(kind_, bits_ < 16 ? 2 : 8, random_);
+    const std::array<Place, 3>& axes = vectors.axes;
     const std::int64_t height = 2 + below(4);
     Place corner = {};
     for(int axis = 0; axis < kind_.dimension; ++axis)
@@ -52,36 +79,15 @@ public:
     const std::int64_t back = kind_.dimension == 2 && !are_parallel ? 0 : 1 + below(3);
     return {{moved(corner, axes[0], -1 - below(3)), moved(corner, axes[0], 1 + below(3))},
             {moved(foot, along, -back), moved(foot, along, 1 + below(3))},
-            height * length_};
+            height * vectors.length};
   }
 
 private:
   std::int64_t below(std::size_t count) { return static_cast<std::int64_t>(random_.below(count)); }
 
-  static Place moved(const Place& p, const Place& direction, std::int64_t steps)
-  {
-    return {p[0] + steps * direction[0], p[1] + steps * direction[1],
-            p[2] + steps * direction[2]};
-  }
-
-  // The columns of the rotation of a quaternion, times its square. A rotation of the plane has two
-  // of its numbers.
-  std::array<Place, 3> make_axes()
-  {
-    const bool is_plane = kind_.dimension == 2;
-    const auto number = [this] { return 1 + below(bits_ < 16 ? 2 : 8); };
-    const std::int64_t a = number(), b = is_plane ? 0 : number(), c = is_plane ? 0 : number(),
-                       d = number();
-    length_ = a * a + b * b + c * c + d * d;
-    return {{{a * a + b * b - c * c - d * d, 2 * (b * c + a * d), 2 * (b * d - a * c)},
-             {2 * (b * c - a * d), a * a - b * b + c * c - d * d, 2 * (c * d + a * b)},
-             {2 * (b * d + a * c), 2 * (c * d - a * b), a * a - b * b - c * c + d * d}}};
-  }
-
   Kind kind_;
   int bits_;
   Random random_;
-  std::int64_t length_ = 0; // of the vectors
 };
 
 // The radii of a pair at a distance, in steps of a unit.
@@ -147,15 +153,20 @@ inline Object_set general_capsules(const Kind& kind)
   return set;
 }
 
-// Each number of touching capsules stays, or goes to the next double up or down.
-inline Object_set shifted_capsules(Object_set set)
+// Each number stays, or goes to the next double up or down.
+inline void shift_by_an_ulp(std::vector<double>& numbers, Random& random)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
+  for(double& x : numbers)
+    if(const std::size_t choice = random.below(3); choice != 0)
+      x = std::nextafter(x, choice == 1 ? infinity : -infinity);
+}
+
+inline Object_set shifted_capsules(Object_set set)
+{
   Random random(2);
-  for(std::vector<double>* numbers : {&set.numbers, &set.radii})
-    for(double& x : *numbers)
-      if(const std::size_t choice = random.below(3); choice != 0)
-        x = std::nextafter(x, choice == 1 ? infinity : -infinity);
+  shift_by_an_ulp(set.numbers, random);
+  shift_by_an_ulp(set.radii, random);
   return set;
 }
 

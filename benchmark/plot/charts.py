@@ -552,17 +552,31 @@ draws_object_families("object_families.csv", "2", 8.6, "ours, EPICK", "lab_objec
 draws_object_families("object_families.csv", "3", 11, "ours, EPICK", "lab_object_families")
 draws_object_families("thick_families.csv", "2", 6.2, "ours, search", "lab_thick_families")
 draws_object_families("thick_families.csv", "3", 8, "ours, search", "lab_thick_families")
+draws_object_families("track_families.csv", "2", 4.6, "ours, search", "lab_track_families")
+draws_object_families("track_families.csv", "3", 4.6, "ours, search", "lab_track_families")
+
+
+def draw_chart_of_families(rows, kind, families, name):
+    some = [{**r, "set": f"{kind}, {r['family']}",
+             "wrong": sum(int(r[name]) for name in ("missing", "extra", "undecided"))}
+            for family in families for r in where(rows, kind=kind, family=family)]
+    return draw_chart(some, lambda r: float(r["ns"]), "time of one answer, ns", name)
 
 
 @figure_of("object_families.csv")
 def draw_object_chart(rows):
     """Of triangles in space: one family where nothing touches, and two where much does."""
-    some = [{**r, "set": f"Triangle_3, {r['family']}",
-             "wrong": sum(int(r[name]) for name in ("missing", "extra", "undecided"))}
-            for family in ("general", "shared vertices", "tilted plane, 50 bits")
-            for r in where(rows, kind="Triangle_3", family=family)]
-    return draw_chart(some, lambda r: float(r["ns"]), "time of one answer, ns",
-                      "lab_object_chart.png")
+    return draw_chart_of_families(rows, "Triangle_3",
+                                  ("general", "shared vertices", "tilted plane, 50 bits"),
+                                  "lab_object_chart.png")
+
+
+@figure_of("track_families.csv")
+def draw_track_chart(rows):
+    """Of points that move in space: one family without ties, and two of ties."""
+    return draw_chart_of_families(rows, "legs, space",
+                                  ("general", "in between, tenths", "shifted by an ulp"),
+                                  "lab_track_chart.png")
 
 
 @figure_of("object_stages.csv")
