@@ -3,8 +3,8 @@
 
     charts.py <source> <folder for the charts>
 
-The source is a folder of the laboratory's tables, or one file: methods.csv, closest_pair.csv or
-near.md of scripts/benchmark.
+The source is a folder of the laboratory's tables, or one file: methods.csv, closest_pair.csv,
+near.md or tracks.md of scripts/benchmark.
 
 Nothing is computed here but shares, quotients, their means and medians, and the Pareto fronts.
 Needs matplotlib 3.6. Colours are those of Okabe and Ito, which the colour-blind can tell apart.
@@ -1003,6 +1003,37 @@ def draw_near_objects(times, wrong, *_):
     bars = [grid[0, 1].barh(0, 0, color=colour) for colour in (ORANGE, SKY)]
     grid[0, 1].legend(bars, ("missing", "extra"), fontsize=8, frameon=False, loc="center right")
     return figure, "near_objects.svg"
+
+
+TRACK_STYLES = {"boxes of legs alone": (GREY, "s", "none"),
+                "sweep in doubles": (ORANGE, "^", "none"),
+                "positions each minute": (PINK, "D", "none"), "PostGIS": (BLUE, "o", "none")}
+
+
+@figure_of("tracks.md")
+def draw_near_tracks(times, *_):
+    """A row for each scene; above a marker, the pairs that the method misses."""
+    scenes = in_order(times, "scene")
+    figure, ((axes,),) = panels(1, 1, (9, 0.42 * len(scenes) + 1.3))
+    for method, style in TRACK_STYLES.items():
+        points = [(float(row["time / ours"]), -scenes.index(row["scene"]))
+                  for row in where(times, method=method)]
+        if points:
+            draw_line(axes, points, style, method, markersize=7)
+    for row in times:
+        missing = int(row["missing, extra"].split(",")[0] or 0)
+        if missing:
+            axes.annotate(f"−{100 * missing / (int(row['pairs']) + missing):.2g} %",
+                          (float(row["time / ours"]), -scenes.index(row["scene"])), xytext=(0, 6),
+                          textcoords="offset points", ha="center", fontsize=7.5)
+    prepare(axes, x="time / ours; above a marker, the share of pairs that are missing",
+            scales=("log", "linear"))
+    show_plainly(axes.xaxis)
+    axes.axvline(1, color=BLACK, linewidth=1)
+    axes.set_yticks([-y for y in range(len(scenes))], scenes)
+    legend_below(figure, 4)
+    return figure, "near_tracks.svg"
+
 
 def main():
     if len(sys.argv) != 3:

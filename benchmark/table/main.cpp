@@ -3,13 +3,14 @@
 
 // The program of each table, which it prints in Markdown.
 //
-//   <table>_table [--quick] [--large] [--chart] [--only=<word>] [--data=<folder>]
+//   <table>_table [--quick] [--large] [--chart] [--only=<word>] [--data=<folder>] [--postgis]
 //
 //   --quick      few elements: does it work? The figures mean nothing
 //   --large      larger scenes as well
 //   --chart      what the chart of the table is drawn from, as CSV
 //   --only       only rows with this in their names
-//   --data       where pba38478.tsp lies, for the row that needs it
+//   --data       where pba38478.tsp and aircraft_ch_2018-08-01_am.csv lie, for rows of them
+//   --postgis    psql finds a server with PostGIS
 //
 // It ends with status 1 if two methods disagree about the pairs.
 
@@ -31,6 +32,8 @@ void read_option(const std::string& option, Settings& settings)
     settings.is_large = true;
   else if(option == "--chart")
     settings.is_chart = true;
+  else if(option == "--postgis")
+    settings.has_postgis = true;
   else if(begins_with("--only="))
     settings.only = value;
   else if(begins_with("--data="))

@@ -16,6 +16,7 @@ struct Settings
   bool is_quick = false;
   bool is_large = false;
   bool is_chart = false;
+  bool has_postgis = false;
   std::string only;
   std::string data;
 };
