@@ -70,16 +70,23 @@ public:
   bool is_wanted(std::size_t i, std::size_t j) const
   {
     const Place a = legs_.track_of(i), b = legs_.track_of(j);
-    return a != b && !known_.has(a, b);
+    return a != b && (is_only_pair(i, j) || !known_.has(a, b));
   }
 
   // Several threads ask at once. What is known grows by the answers.
   bool do_intersect(std::size_t i, std::size_t j) const
   {
-    return are_near(i, j) && known_.add(legs_.track_of(i), legs_.track_of(j));
+    return are_near(i, j)
+           && (is_only_pair(i, j) || known_.add(legs_.track_of(i), legs_.track_of(j)));
   }
 
 private:
+  // Whether no other stretches are of the same two tracks. Then nobody asks for the pair again.
+  bool is_only_pair(std::size_t i, std::size_t j) const
+  {
+    return legs_.is_alone(i) && legs_.is_alone(j);
+  }
+
   void count(Arithmetic_tier tier) const
   {
     if(counts_ != nullptr)

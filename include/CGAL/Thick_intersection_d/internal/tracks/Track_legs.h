@@ -79,6 +79,14 @@ public:
   std::size_t track_count() const { return track_count_; }
   Place track_of(std::size_t stretch) const { return stretches_[stretch].track; }
 
+  // Whether a stretch is all of its track.
+  bool is_alone(std::size_t stretch) const
+  {
+    const Place track = track_of(stretch);
+    return (stretch == 0 || track_of(stretch - 1) != track)
+           && (stretch + 1 == size() || track_of(stretch + 1) != track);
+  }
+
   void prefetch(std::size_t stretch) const { prefetch_to_read(&fix(stretch, 0)); }
 
   // Returns the whole leg that a stretch is of.

@@ -38,9 +38,9 @@ class Leg_sample
 public:
   Leg_sample(const Legs& legs, double reach) : size_(static_cast<double>(legs.size()))
   {
-    constexpr std::size_t legs_to_look_at = 200;
+    constexpr std::size_t least_size = 20, largest_size = 200;
     Random_numbers random;
-    std::vector<std::size_t> sample(legs_to_look_at);
+    std::vector<std::size_t> sample((std::clamp)(legs.size() / 10, least_size, largest_size));
     for(std::size_t& i : sample)
       i = random.below(legs.size());
     for(int axis = 0; axis < axes; ++axis) {
