@@ -107,7 +107,7 @@ Predicate_columns track_predicates()
     {"formula, double", "form", knows_moving, ask_form<double>},
     {"formula, long double", "form", knows_moving, ask_form<long double>},
     {"formula, rational", "kernel", knows_moving, ask_form<Exact_rational>},
-    {"closest_approach", "ours", knows_moving, ask_closest_approach},
+    {"ours, closest_approach", "ours", knows_moving, ask_closest_approach},
     {"ours, search", "ours", knows_moving, search_tracks<Epick>},
     {"ours, EPECK", "ours", knows_moving, search_tracks<Epeck>},
     {"ours, rational", "ours", knows_moving,

@@ -54,8 +54,8 @@ and exact numbers elsewhere.
 Let there be \f$ n \f$ legs and \f$ k \f$ reported pairs. Let \f$ K \f$ be the number of pairs of
 legs, or of their stretches, of different tracks whose boxes meet, before the tracks are known to be
 a pair. Let \f$ K_f \f$ be the number of pairs of a leg or stretch and a track that form a reported
-pair of tracks, if the box of the leg meets one of the track. The search takes \f$ O((n + K_f) \log^d n + K) \f$ time, where \f$ d \f$ is
-the dimension of space, and \f$ O(n + k) \f$ space.
+pair of tracks, if the box of the leg meets one of the track. The search takes \f$ O((n + K_f)
+\log^d n + K) \f$ time, where \f$ d \f$ is the dimension of space, and \f$ O(n + k) \f$ space.
 
 \tparam ConcurrencyTag is `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. In
 sequence, the order of reports depends on the input alone. In parallel, the same pairs are reported
