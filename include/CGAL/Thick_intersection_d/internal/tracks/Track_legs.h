@@ -120,12 +120,9 @@ public:
     return fix(i, 0).first == fix(j, 0).first && fix(i, 1).first == fix(j, 1).first;
   }
 
-  // Returns whether a leg ends before another one (-1), after it (1) or at the same time.
-  int compare_ends(std::size_t i, std::size_t j) const
+  bool ends_before(std::size_t i, std::size_t j) const
   {
-    const Time& a = fix(i, 1).first;
-    const Time& b = fix(j, 1).first;
-    return a < b ? -1 : b < a ? 1 : 0;
+    return fix(i, 1).first < fix(j, 1).first;
   }
 
   // Returns what a stretch covers along an axis of space, or in time, which is the last axis.

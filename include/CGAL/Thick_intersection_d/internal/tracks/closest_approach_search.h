@@ -25,17 +25,15 @@ namespace Thick_intersection_d {
 namespace internal {
 
 // Calls task(i, j) for the legs of two tracks that have a time in common, and a few others. The
-// legs of the second track begin at `second`. Of two legs, the one that ends first has no time in
-// common with those that come next.
+// legs of the second track begin at `second`. Of two legs, the one that ends first has at most this
+// time in common with those that come next.
 template <class Legs, class Task>
 void for_common_times(const Legs& legs, std::size_t second, const Task& task)
 {
   std::size_t i = 0, j = second;
   while(i < second && j < legs.size()) {
     task(i, j);
-    const int order = legs.compare_ends(i, j);
-    i += order <= 0;
-    j += order >= 0;
+    ++(legs.ends_before(i, j) ? i : j);
   }
 }
 

@@ -26,7 +26,6 @@
 #include <CGAL/Thick_intersection_d/internal/tracks/cut_legs.h>
 #include <CGAL/Thick_intersection_d/internal/tracks/scan_legs.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <type_traits>
@@ -73,8 +72,8 @@ bool report_near_legs(Tracks& tracks, Sets sets, const Distance_bound<NT>& bound
     sets.first_size = tracks.second_leg;
   auto progress = make_progress(np, legs.size());
   const auto take = [&](std::size_t i, std::size_t j) {
-    const std::size_t a = legs.track_of(i), b = legs.track_of(tracks.second_leg + j);
-    return report((std::min)(a, b), (std::max)(a, b) - tracks.second_track);
+    const std::size_t a = legs.track_of(i);
+    return report(a, legs.track_of(tracks.second_leg + j) - tracks.second_track);
   };
   return report_meeting_boxes(boxes, sets, take, progress, threads);
 }
