@@ -148,7 +148,8 @@ void cut_legs(Legs& legs, double reach, std::size_t& second)
   const auto sum_until = [&](std::size_t end) {
     return std::accumulate(counts.begin(), counts.begin() + std::ptrdiff_t(end), std::size_t(0));
   };
-  if(sum_until(legs.size()) == legs.size() || !fits_box_route(sum_until(legs.size())))
+  const std::size_t size = sum_until(legs.size());
+  if(size == legs.size() || !fits_box_route(size))
     return;
   second = sum_until(second);
   legs.cut(counts);
