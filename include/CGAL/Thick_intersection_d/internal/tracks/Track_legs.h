@@ -128,14 +128,19 @@ public:
   // Returns what a stretch covers along an axis of space, or in time, which is the last axis.
   Interval interval(std::size_t stretch, int axis) const
   {
+    return interval(stretch, axis, stretches_[stretch].index, stretches_[stretch].count);
+  }
+
+  // The same for a stretch of a leg that is not cut, or would be one of `count`.
+  Interval interval(std::size_t leg, int axis, Place index, Place count) const
+  {
     const auto end = [&](std::size_t k) -> Interval {
-      const std::pair<double, double> bounds = finite_interval(
-        axis == dimension ? time_bounds(stretch, k) : place_bounds(stretch, k, axis));
+      const std::pair<double, double> bounds
+        = finite_interval(axis == dimension ? time_bounds(leg, k) : place_bounds(leg, k, axis));
       return {bounds.first, bounds.second};
     };
-    const Stretch_of_leg& which = stretches_[stretch];
-    if(which.count != 1)
-      return interval_of_stretch(end(0), end(1), which.index, which.count);
+    if(count != 1)
+      return interval_of_stretch(end(0), end(1), index, count);
     Interval whole = end(0);
     whole.add(end(1));
     return whole;

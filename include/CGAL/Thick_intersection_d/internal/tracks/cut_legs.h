@@ -13,11 +13,11 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/Random_numbers.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/box_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/objects/Stretches.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -27,108 +27,132 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// A sample of legs, which are spread evenly over the space and time that they are in. All lengths
-// are shares of these.
+// A sample of legs. All lengths are shares of the space and time that they are in.
 template <class Legs>
 class Leg_sample
 {
   static constexpr int axes = Legs::dimension + 1;
-  using Lengths = std::array<double, axes>;
+  using Boxes = std::vector<Interval_box<axes>>;
 
 public:
-  Leg_sample(const Legs& legs, double reach) : size_(static_cast<double>(legs.size()))
+  Leg_sample(const Legs& legs, double reach)
+    : legs_(legs), reach_(reach), sample_((std::clamp<std::size_t>)(legs.size() / 20, 20, 500))
   {
-    constexpr std::size_t least_size = 20, largest_size = 200;
     Random_numbers random;
-    std::vector<std::size_t> sample((std::clamp)(legs.size() / 10, least_size, largest_size));
-    for(std::size_t& i : sample)
+    for(std::size_t& i : sample_)
       i = random.below(legs.size());
     for(int axis = 0; axis < axes; ++axis) {
       Interval space;
-      for(const std::size_t i : sample)
+      for(const std::size_t i : sample_)
         space.add(legs.interval(i, axis));
       half_space_[axis] = space.half_length();
-      reaches_[axis] = axis < Legs::dimension ? share(reach / 2, axis) : 0;
     }
-    for(const std::size_t i : sample)
-      legs_.push_back(shares_of(legs, i));
+    find_meeting_legs();
   }
 
   // Returns the width of stretches with which the search is expected to cost least. Of those that
   // cost the same, as the sample has no longer legs, it is the least one: it cuts a few legs that
-  // are much longer than all others.
+  // are much longer than all others. Narrower stretches never cost less than there are of them.
   double best_width() const
   {
-    double best = 1, least = cost(1);
-    for(double width = 1. / 2; width >= 1. / 256; width /= 2)
-      if(const double sum = cost(width); sum <= least) {
-        least = sum;
+    constexpr double most_per_leg = 16, cost_of_stretch = 2; // a pair of boxes that meet costs 1
+    double best = 1, least = std::numeric_limits<double>::infinity();
+    for(double width = 1; width >= 1. / 256; width /= 2) {
+      double count = 0;
+      for(const std::size_t i : sample_)
+        count += stretch_count(i, width);
+      count /= static_cast<double>(sample_.size());
+      if(count > most_per_leg || cost_of_stretch * count > least)
+        break;
+      if(const double cost = cost_of_stretch * count + meeting_stretches(width); cost <= least) {
+        least = cost;
         best = width;
       }
+    }
     return best;
   }
 
   // Returns how many stretches of a leg are at most so wide, a power of two.
-  Place stretch_count(const Legs& legs, std::size_t i, double width) const
-  {
-    return count_of(shares_of(legs, i), width);
-  }
-
-private:
-  double share(double half_length, int axis) const
-  {
-    return half_space_[axis] > 0 ? half_length / half_space_[axis] : 0;
-  }
-
-  Lengths shares_of(const Legs& legs, std::size_t i) const
-  {
-    Lengths shares;
-    for(int axis = 0; axis < axes; ++axis)
-      shares[axis] = share(legs.interval(i, axis).half_length(), axis);
-    return shares;
-  }
-
-  static Place count_of(Lengths leg, double width)
+  Place stretch_count(std::size_t leg, double width) const
   {
     constexpr Place most_stretches = 64;
-    std::nth_element(leg.begin(), leg.begin() + 1, leg.end(), std::greater<double>());
+    double longest = 0, second = 0; // the longest sides of the box
+    for(int axis = 0; axis < axes; ++axis) {
+      const double half_length = legs_.interval(leg, axis).half_length();
+      const double length = half_space_[axis] > 0 ? half_length / half_space_[axis] : 0;
+      second = (std::max)(second, (std::min)(longest, length));
+      longest = (std::max)(longest, length);
+    }
     Place count = 1;
-    while(count < most_stretches && leg[1] > width * count)
+    while(count < most_stretches && second > width * count)
       count *= 2;
     return count;
   }
 
-  // Returns what a search costs for each leg, in pairs of boxes that meet, or infinity if it takes
-  // too much memory. A stretch costs as much as two of them. Two boxes with the shares s and t of
-  // the space along an axis meet along it with about the probability s + t - s t.
-  double cost(double width) const
+private:
+  // Looks at pairs of the sample until enough of them have boxes that meet.
+  void find_meeting_legs()
   {
-    constexpr double most_per_leg = 16;
-    std::vector<std::pair<Lengths, double>> boxes; // with the numbers of stretches
-    double stretches = 0, pairs = 0;
-    for(Lengths leg : legs_) {
-      const Place count = count_of(leg, width);
-      for(int axis = 0; axis < axes; ++axis)
-        leg[axis] = (std::min)(1., leg[axis] / count + reaches_[axis]);
-      for(const auto& [other, other_count] : boxes) {
-        double share = other_count * count;
-        for(int axis = 0; axis < axes; ++axis)
-          share *= leg[axis] + other[axis] - leg[axis] * other[axis];
-        pairs += share;
+    constexpr std::size_t enough = 100;
+    Boxes whole;
+    for(const std::size_t i : sample_)
+      whole.push_back(boxes(i, 1).front());
+    for(std::size_t step = 1; step < sample_.size(); ++step)
+      for(std::size_t i = step; i < sample_.size() && meeting_legs_.size() < enough; ++i) {
+        const std::size_t a = sample_[i - step], b = sample_[i];
+        ++looked_at_;
+        if(do_boxes_meet(whole[i - step], whole[i]) && legs_.track_of(a) != legs_.track_of(b))
+          meeting_legs_.emplace_back(a, b);
       }
-      boxes.emplace_back(leg, count);
-      stretches += count;
-    }
-    const auto looked_at = static_cast<double>(legs_.size());
-    if(stretches > most_per_leg * looked_at)
-      return std::numeric_limits<double>::infinity();
-    return 2 * stretches / looked_at + pairs * size_ / (looked_at * looked_at);
   }
 
-  double size_; // of all legs
-  std::vector<Lengths> legs_;
-  Lengths half_space_; // half of the lengths of space and time, which do not overflow
-  Lengths reaches_;
+  // Returns how many pairs of stretches, for each leg, are expected to have boxes that meet.
+  double meeting_stretches(double width) const
+  {
+    double count = 0;
+    for(const auto& [a, b] : meeting_legs_)
+      count += meeting_pairs(boxes(a, stretch_count(a, width)), boxes(b, stretch_count(b, width)));
+    return count / looked_at_ * static_cast<double>(legs_.size()) / 2;
+  }
+
+  // Returns the boxes of the stretches of a leg, in the order of time.
+  Boxes boxes(std::size_t leg, Place count) const
+  {
+    Boxes boxes(count);
+    for(Place k = 0; k < count; ++k)
+      for(int axis = 0; axis < axes; ++axis) {
+        const Interval interval = legs_.interval(leg, axis, k, count);
+        boxes[k][axis] = axis < Legs::dimension ? longer(interval, reach_) : interval;
+      }
+    return boxes;
+  }
+
+  // Returns how many boxes of two legs meet.
+  static double meeting_pairs(const Boxes& boxes_a, const Boxes& boxes_b)
+  {
+    constexpr int time = Legs::dimension;
+    double count = 0;
+    auto first = boxes_b.begin(); // none before it lasts until a box of the first leg
+    for(const Interval_box<axes>& a : boxes_a) {
+      while(first != boxes_b.end() && (*first)[time].high < a[time].low)
+        ++first;
+      for(auto b = first; b != boxes_b.end() && (*b)[time].low <= a[time].high; ++b)
+        count += do_boxes_meet(a, *b);
+    }
+    return count;
+  }
+
+  static bool do_boxes_meet(const Interval_box<axes>& a, const Interval_box<axes>& b)
+  {
+    return std::equal(a.begin(), a.end(), b.begin(), do_meet);
+  }
+
+  const Legs& legs_;
+  const double reach_;
+  std::vector<std::size_t> sample_;
+  std::array<double, axes> half_space_; // half of the lengths, which do not overflow
+  std::vector<std::pair<std::size_t, std::size_t>> meeting_legs_; // of different tracks
+  double looked_at_ = 0; // pairs of the sample
 };
 
 // Cuts the legs, for a search with a reach. Those of a second range begin at `second`, which moves
@@ -144,7 +168,7 @@ void cut_legs(Legs& legs, double reach, std::size_t& second)
     return;
   std::vector<Place> counts;
   for(std::size_t i = 0; i < legs.size(); ++i)
-    counts.push_back(sample.stretch_count(legs, i, width));
+    counts.push_back(sample.stretch_count(i, width));
   const auto sum_until = [&](std::size_t end) {
     return std::accumulate(counts.begin(), counts.begin() + std::ptrdiff_t(end), std::size_t(0));
   };
