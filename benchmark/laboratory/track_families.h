@@ -28,7 +28,10 @@ constexpr std::int64_t bound_of_meetings = 7280;
 class Meetings
 {
 public:
-  Meetings(const Kind& kind, std::uint64_t seed) : kind_(kind), random_(seed) {}
+  // One of the points is at a place below 2^bits then.
+  Meetings(const Kind& kind, std::uint64_t seed, int bits = 20)
+    : kind_(kind), bits_(bits), random_(seed)
+  {}
 
   // How the two points move at the time.
   enum Motion {
@@ -43,13 +46,18 @@ public:
     std::array<std::int64_t, 2> times;
   };
 
-  // One leg ends at the time at which the other one begins, if their times only touch.
-  std::array<Leg, 2> meeting(Motion motion, bool do_times_touch = false)
+  enum Times {
+    OWN,
+    TOUCHING, // one leg ends when the other one begins
+    COMMON
+  };
+
+  std::array<Leg, 2> meeting(Motion motion, Times times = OWN)
   {
     const Orthogonal_vectors vectors(kind_, 2, random_);
     Place place = {}, velocity = {};
     for(int axis = 0; axis < kind_.dimension; ++axis) {
-      place[axis] = below(1 << 20);
+      place[axis] = below(std::size_t(1) << bits_);
       velocity[axis] = motion == STANDING ? 0 : below(17) - 8;
     }
     const Place& across = vectors.axes[kind_.dimension == 2 ? 1 : 2];
@@ -60,10 +68,13 @@ public:
     if(motion == APPROACHING)
       other_velocity = moved(other_velocity, across, -1 - below(3));
     const std::int64_t time = 100 + below(1000);
-    const bool is_last = motion == APPROACHING || do_times_touch;
-    return {leg(place, velocity, time, 1 + below(10), is_last ? 0 : 1 + below(10)),
-            leg(other_place, other_velocity, time, do_times_touch ? 0 : 1 + below(10),
-                1 + below(10))};
+    const bool is_last = motion == APPROACHING || times == TOUCHING;
+    const std::int64_t before = 1 + below(10), after = is_last ? 0 : 1 + below(10);
+    const Leg first = leg(place, velocity, time, before, after);
+    if(times == COMMON)
+      return {first, leg(other_place, other_velocity, time, before, after)};
+    const std::int64_t other_before = times == TOUCHING ? 0 : 1 + below(10);
+    return {first, leg(other_place, other_velocity, time, other_before, 1 + below(10))};
   }
 
 private:
@@ -78,6 +89,7 @@ private:
   }
 
   Kind kind_;
+  int bits_;
   Random random_;
 };
 
@@ -149,7 +161,7 @@ inline std::vector<Object_set> track_families(const Kind& kind)
     legs_of(kind, "standing still, 53 bits", unit, 1, standing),
     legs_of(kind, "standing still, tenths", .1, .1, standing),
     legs_of(kind, "times that touch", .1, .1,
-            [](Meetings& m) { return m.meeting(Meetings::PASSING, true); }),
+            [](Meetings& m) { return m.meeting(Meetings::PASSING, Meetings::TOUCHING); }),
     legs_of(kind, "long durations", unit, time_unit, passing),
     legs_of(kind, "off by a step", unit, 1,
             [&](Meetings& m) { return off_by_a_step(m.meeting(Meetings::PASSING), random); }),

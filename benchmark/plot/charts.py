@@ -204,6 +204,13 @@ THICK_STAIR_STYLES = {"capsules, plane": (ORANGE, "^", "degree 4: capsules in th
                       "capsules, space": (RED, "P", "degree 6: capsules in space")}
 
 
+TRACK_STAIR_STYLES = {
+    "legs, plane, common times": (GREEN, "s", "degree 4: legs in the plane, common times"),
+    "legs, space, common times": (BLUE, "o", "degree 4: legs in space, common times"),
+    "legs, plane, own times": (ORANGE, "^", "degree 10: legs in the plane"),
+    "legs, space, own times": (RED, "P", "degree 10: legs in space")}
+
+
 def draw_stairs(axes, some_rows, styles, marks_theory):
     """A line for each predicate of the styles, whose rows are given by its name."""
     for predicate, (colour, marker, label) in styles.items():
@@ -252,6 +259,12 @@ def draw_object_staircase(rows):
 def draw_thick_staircase(rows):
     return (draw_all_stairs(rows, "kind", THICK_STAIR_STYLES, (52, 1)),
             "lab_thick_staircase.png")
+
+
+@figure_of("track_staircase.csv")
+def draw_track_staircase(rows):
+    return (draw_all_stairs(rows, "kind", TRACK_STAIR_STYLES, (52, 1)),
+            "lab_track_staircase.png")
 
 
 @figure_of("staircase_runs.csv")
