@@ -114,9 +114,7 @@ bool fixed_radius_near_tracks(TrackRange&& tracks, const Distance_bound<NT>& bou
 {
   namespace internal = Thick_intersection_d::internal;
   const internal::Threads threads{ConcurrencyTag()};
-  const auto search = [&](const auto& elements, const auto& sets, auto& report) {
-    return internal::report_near_tracks(elements, sets, bound, report, np, threads);
-  };
+  const auto search = internal::track_search(bound, nullptr, np, threads);
   return internal::search_ranges(callback, np, threads, search, tracks);
 }
 
@@ -148,9 +146,7 @@ bool fixed_radius_near_tracks(TrackRange&& tracks, const Distance_bound<NT>& bou
 {
   namespace internal = Thick_intersection_d::internal;
   const internal::Threads threads{ConcurrencyTag()};
-  const auto search = [&](const auto& elements, const auto& sets, auto& report) {
-    return internal::report_near_tracks(elements, sets, bound, report, profile, np, threads);
-  };
+  const auto search = internal::track_search(bound, &profile, np, threads);
   return internal::search_ranges(callback, np, threads, search, tracks);
 }
 
@@ -182,9 +178,7 @@ bool fixed_radius_near_tracks(TrackRangeA&& tracks_a, TrackRangeB&& tracks_b,
 {
   namespace internal = Thick_intersection_d::internal;
   const internal::Threads threads{ConcurrencyTag()};
-  const auto search = [&](const auto& elements, const auto& sets, auto& report) {
-    return internal::report_near_tracks(elements, sets, bound, report, np, threads);
-  };
+  const auto search = internal::track_search(bound, nullptr, np, threads);
   return internal::search_ranges(callback, np, threads, search, tracks_a, tracks_b);
 }
 
@@ -204,9 +198,7 @@ bool fixed_radius_near_tracks(TrackRangeA&& tracks_a, TrackRangeB&& tracks_b,
 {
   namespace internal = Thick_intersection_d::internal;
   const internal::Threads threads{ConcurrencyTag()};
-  const auto search = [&](const auto& elements, const auto& sets, auto& report) {
-    return internal::report_near_tracks(elements, sets, bound, report, profile, np, threads);
-  };
+  const auto search = internal::track_search(bound, &profile, np, threads);
   return internal::search_ranges(callback, np, threads, search, tracks_a, tracks_b);
 }
 
@@ -232,9 +224,7 @@ Neighbor_lists fixed_radius_track_lists(TrackRange&& tracks, const Distance_boun
 {
   namespace internal = Thick_intersection_d::internal;
   const internal::Threads threads{ConcurrencyTag()};
-  const auto search = [&](const auto& elements, const auto& sets, auto& add) {
-    return internal::report_near_tracks(elements, sets, bound, add, np, threads);
-  };
+  const auto search = internal::track_search(bound, nullptr, np, threads);
   Neighbor_lists lists;
   internal::collect_lists(lists, np, threads, search, tracks);
   return lists;
@@ -257,9 +247,7 @@ Neighbor_lists fixed_radius_track_lists(TrackRangeA&& tracks_a, TrackRangeB&& tr
 {
   namespace internal = Thick_intersection_d::internal;
   const internal::Threads threads{ConcurrencyTag()};
-  const auto search = [&](const auto& elements, const auto& sets, auto& add) {
-    return internal::report_near_tracks(elements, sets, bound, add, np, threads);
-  };
+  const auto search = internal::track_search(bound, nullptr, np, threads);
   Neighbor_lists lists;
   internal::collect_lists(lists, np, threads, search, tracks_a, tracks_b);
   return lists;

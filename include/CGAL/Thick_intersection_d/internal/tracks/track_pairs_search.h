@@ -60,6 +60,17 @@ struct Track_sets
   std::size_t second_leg = 0;
 };
 
+template <class Elements, class NamedParameters>
+constexpr bool check_track_search()
+{
+  using A = Track_of<decltype(std::declval<const Elements&>().first())>;
+  using B = Track_of<decltype(std::declval<const Elements&>().second())>;
+  if constexpr(check_tracks<A, B>())
+    return check_no_traits<typename Fix_of_t<A>::second_type, NamedParameters>();
+  else
+    return false;
+}
+
 template <class Tracks, class Sets, class NT, class Report, class NamedParameters>
 bool report_near_legs(Tracks& tracks, Sets sets, const Distance_bound<NT>& bound,
                       Arithmetic_tier least_tier, Shared_decision_counts* counts, Report& report,
@@ -78,56 +89,43 @@ bool report_near_legs(Tracks& tracks, Sets sets, const Distance_bound<NT>& bound
   return report_meeting_boxes(boxes, sets, take, progress, threads);
 }
 
-template <class Elements, class NamedParameters>
-constexpr bool check_track_search()
-{
-  using A = Track_of<decltype(std::declval<const Elements&>().first())>;
-  using B = Track_of<decltype(std::declval<const Elements&>().second())>;
-  if constexpr(check_tracks<A, B>())
-    return check_no_traits<typename Fix_of_t<A>::second_type, NamedParameters>();
-  else
-    return false;
-}
-
-// Reports the near pairs of tracks. Returns false iff the search was stopped.
+// Reports the near pairs of tracks. Returns false iff the search was stopped. Takes the tier that
+// is forced in `profile`, and sets `profile` to that of the scene, unless it is null.
 template <class Elements, class Sets, class NT, class Report, class NamedParameters>
 bool report_near_tracks(const Elements& elements, const Sets& sets,
-                        const Distance_bound<NT>& bound, Report& report,
+                        const Distance_bound<NT>& bound, Report& report, Scene_profile* profile,
                         const NamedParameters& np, const Threads& threads)
 {
-  if constexpr(check_track_search<Elements, NamedParameters>()) {
-    Track_sets<Elements, Sets> tracks(elements);
+  Track_sets<Elements, Sets> tracks(elements);
+  if(profile == nullptr)
     return report_near_legs(tracks, sets, bound, Arithmetic_tier::INT64, nullptr, report, np,
                             threads);
-  }
-  else
-    return false;
+  using Exact = typename decltype(tracks.legs)::Exact;
+  const double reach = Squared_bound<Exact>(bound).reach();
+  Scene_profile found(scan_legs(tracks.legs, bounds(bound.value()), reach),
+                      degree_of_legs(tracks.legs));
+  if(const std::optional<Arithmetic_tier> forced = profile->forced_tier())
+    found.force_tier(*forced);
+  const Arithmetic_tier least_tier = found.forced_tier().value_or(Arithmetic_tier::INT64);
+  Shared_decision_counts counts;
+  const bool is_complete
+    = report_near_legs(tracks, sets, bound, least_tier, &counts, report, np, threads);
+  found.set_counts(counts.total());
+  *profile = found;
+  return is_complete;
 }
 
-// The same, with the tier that is forced in `profile`. Sets `profile` to that of the scene.
-template <class Elements, class Sets, class NT, class Report, class NamedParameters>
-bool report_near_tracks(const Elements& elements, const Sets& sets,
-                        const Distance_bound<NT>& bound, Report& report, Scene_profile& profile,
-                        const NamedParameters& np, const Threads& threads)
+// Returns search(elements, sets, report) for the near pairs of tracks.
+template <class NT, class NamedParameters>
+auto track_search(const Distance_bound<NT>& bound, Scene_profile* profile,
+                  const NamedParameters& np, const Threads& threads)
 {
-  if constexpr(check_track_search<Elements, NamedParameters>()) {
-    Track_sets<Elements, Sets> tracks(elements);
-    using Exact = typename decltype(tracks.legs)::Exact;
-    const double reach = Squared_bound<Exact>(bound).reach();
-    Scene_profile found(scan_legs(tracks.legs, bounds(bound.value()), reach),
-                        degree_of_legs(tracks.legs));
-    if(const std::optional<Arithmetic_tier> forced = profile.forced_tier())
-      found.force_tier(*forced);
-    const Arithmetic_tier least_tier = found.forced_tier().value_or(Arithmetic_tier::INT64);
-    Shared_decision_counts counts;
-    const bool is_complete
-      = report_near_legs(tracks, sets, bound, least_tier, &counts, report, np, threads);
-    found.set_counts(counts.total());
-    profile = found;
-    return is_complete;
-  }
-  else
-    return false;
+  return [&bound, profile, &np, &threads](const auto& elements, const auto& sets, auto& report) {
+    if constexpr(check_track_search<std::decay_t<decltype(elements)>, NamedParameters>())
+      return report_near_tracks(elements, sets, bound, report, profile, np, threads);
+    else
+      return false;
+  };
 }
 
 } // namespace internal
