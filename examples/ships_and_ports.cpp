@@ -7,6 +7,8 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
 
+#include <boost/property_map/property_map.hpp>
+
 #include <iostream>
 #include <string>
 #include <vector>

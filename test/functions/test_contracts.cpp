@@ -13,6 +13,7 @@
 
 #include <CGAL/Thick_ball_traits_d.h>
 #include <CGAL/closest_pair.h>
+#include <CGAL/property_map.h>
 #include <CGAL/thick_feature_intersection_d.h>
 
 #include <boost/iterator/transform_iterator.hpp>

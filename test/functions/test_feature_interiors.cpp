@@ -6,6 +6,8 @@
 #include "support/check_interiors.h"
 #include "support/seeds.h"
 
+#include <CGAL/property_map.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <list>

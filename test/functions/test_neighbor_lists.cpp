@@ -9,6 +9,7 @@
 
 #include <CGAL/Epick_d.h>
 #include <CGAL/neighbor_squared_distances.h>
+#include <CGAL/property_map.h>
 
 using namespace test_support;
 

@@ -22,6 +22,7 @@
 #include <CGAL/interiors.h>
 #include <CGAL/periodic_closest_pair.h>
 #include <CGAL/periodic_fixed_radius_near_neighbors.h>
+#include <CGAL/property_map.h>
 #include <CGAL/thick_box_intersection_d.h>
 #include <CGAL/thick_feature_intersection_d.h>
 #include <CGAL/thick_intersection_d.h>

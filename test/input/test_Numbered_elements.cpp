@@ -7,6 +7,8 @@
 
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 
+#include <CGAL/property_map.h>
+
 #include <boost/iterator/counting_iterator.hpp>
 #include <boost/iterator/indirect_iterator.hpp>
 #include <boost/iterator/iterator_facade.hpp>

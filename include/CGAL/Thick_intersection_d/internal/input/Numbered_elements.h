@@ -10,7 +10,6 @@
 // their elements.
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/property_map.h>
 
 #include <CGAL/Thick_intersection_d/internal/input/kinds.h>
 
