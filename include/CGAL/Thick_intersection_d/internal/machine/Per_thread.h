@@ -11,9 +11,9 @@
 #include <CGAL/Thick_intersection_d/internal/machine/hints.h>
 
 #include <cstddef>
-#include <forward_list>
 #include <memory>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -45,8 +45,8 @@ public:
   {
     if(pointers_ == nullptr)
       task(first_);
-    for(Value& value : values_)
-      task(value.value);
+    for(Value* v = values_.get(); v != nullptr; v = v->next.get())
+      task(v->value);
   }
 
   // Calls task(value) for all values, by the threads in parallel.
@@ -67,18 +67,22 @@ private:
   {
     explicit Value(const T& first) : value(first) {}
     alignas(64) T value;
+    std::unique_ptr<Value> next;
   };
 
   CGAL_THICK_INTERSECTION_D_RARELY_CALLED T* make_value()
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return &values_.emplace_front(first_).value;
+    auto value = std::make_unique<Value>(first_);
+    value->next = std::move(values_);
+    values_ = std::move(value);
+    return &values_->value;
   }
 
   T first_;
   const std::unique_ptr<Thread_pointers> pointers_; // none in sequence
   std::mutex mutex_;
-  std::forward_list<Value> values_;
+  std::unique_ptr<Value> values_; // in a chain
 };
 
 } // namespace internal
