@@ -10,6 +10,7 @@ if(THICK_INTERSECTION_COMPILED)
 endif()
 
 add_library(Thick_intersection_d_compiled ${thick_only_for_programs}
+  ${PROJECT_SOURCE_DIR}/src/arithmetic.cpp
   ${PROJECT_SOURCE_DIR}/src/boxes.cpp
   ${PROJECT_SOURCE_DIR}/src/closest_pair.cpp
   ${PROJECT_SOURCE_DIR}/src/hash.cpp

@@ -24,6 +24,9 @@
 #include <CGAL/Thick_intersection_d/internal/machine/hints.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
 
+#include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
+
 #include <boost/config.hpp>
 
 #include <algorithm>
@@ -123,7 +126,7 @@ public:
            && (max_square_ <= 4 * min_square_ || min_square_ > max_safe_square / 4);
   }
 
-  bool is_zero() const { return has_pair_ && min_square_ == 0 && exact_square() == Exact(0); }
+  bool is_zero() const { return has_pair_ && min_square_ == 0 && CGAL::is_zero(exact_square()); }
 
 private:
   double scaled_reach() const
@@ -165,7 +168,8 @@ private:
   {
     Exact exact = exact_squared_distance(points_[candidate.first], points_[candidate.second],
                                          dimension_);
-    if(exact < exact_square() || (candidate < pair_ && exact == exact_square())) {
+    const Comparison_result order = compare_exactly(exact, exact_square());
+    if(order == SMALLER || (order == EQUAL && candidate < pair_)) {
       replace(candidate, square);
       exact_square_ = std::move(exact);
     }

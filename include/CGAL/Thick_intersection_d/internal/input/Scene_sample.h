@@ -41,9 +41,7 @@ public:
         if(dimension_of(point) == dimension)
           add(coordinate_bounds(point, axis), coordinates);
       }
-      std::sort(coordinates.data(), coordinates.data() + coordinates.size()); // as in Slabs.h
-      if(!coordinates.empty() && coordinates.front() < coordinates.back())
-        add_axis(coordinates, grid);
+      add_axis(coordinates, grid);
     }
     grid_exponent_ = grid.exponent();
   }
@@ -81,15 +79,9 @@ private:
       coordinates.push_back(bounds.first);
   }
 
-  void add_axis(std::vector<double>& coordinates, Double_grid& grid)
-  {
-    for(const double x : coordinates)
-      grid.add(x);
-    extent_ = (std::max)(extent_, coordinates.back() - coordinates.front());
-    const auto end = std::unique(coordinates.begin(), coordinates.end());
-    ++extended_axis_count_;
-    repetitive_axis_count_ += coordinates.end() - end >= min_repetitions;
-  }
+  template <class Number> // double
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+  void add_axis(std::vector<Number>& coordinates, Double_grid& grid);
 
   bool may_have_grid_ = true;
   int grid_exponent_ = 0;
@@ -97,6 +89,24 @@ private:
   int extended_axis_count_ = 0;
   int repetitive_axis_count_ = 0;
 };
+
+template <class Number>
+void Scene_sample::add_axis(std::vector<Number>& coordinates, Double_grid& grid)
+{
+  std::sort(coordinates.data(), coordinates.data() + coordinates.size()); // as in Slabs.h
+  if(coordinates.empty() || coordinates.front() == coordinates.back())
+    return;
+  for(const double x : coordinates)
+    grid.add(x);
+  extent_ = (std::max)(extent_, coordinates.back() - coordinates.front());
+  const auto end = std::unique(coordinates.begin(), coordinates.end());
+  ++extended_axis_count_;
+  repetitive_axis_count_ += coordinates.end() - end >= min_repetitions;
+}
+
+#ifdef CGAL_THICK_INTERSECTION_D_COMPILED
+extern template void Scene_sample::add_axis(std::vector<double>&, Double_grid&);
+#endif
 
 } // namespace internal
 } // namespace Thick_intersection_d

@@ -158,19 +158,30 @@ bool is_within_reach(const NT& x, const NT& y, double reach)
   return gap(x, y).inf <= reach;
 }
 
+// Adds the square of a difference to a sum, without error.
+template <class Exact, class NT>
+CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+void add_exact_square(Exact& sum, const NT& x, const NT& y)
+{
+  const Exact difference = to_exact_number(x) - to_exact_number(y);
+  sum += difference * difference;
+}
+
 // Returns |pq|^2 without error. Degree 2.
 template <class Point>
 CGAL_THICK_INTERSECTION_D_RARELY_CALLED
 auto exact_squared_distance(const Point& p, const Point& q, int dimension)
 {
   using Exact = Exact_number_t<Coordinate_t<Point>>;
-  Exact sum(0);
-  for(int i = 0; i < dimension; ++i) {
-    const Exact difference = to_exact_number(coordinate(p, i)) - to_exact_number(coordinate(q, i));
-    sum += difference * difference;
-  }
+  Exact sum = Exact(); // zero
+  for(int i = 0; i < dimension; ++i)
+    add_exact_square(sum, coordinate(p, i), coordinate(q, i));
   return sum;
 }
+
+#ifdef CGAL_THICK_INTERSECTION_D_COMPILED
+extern template void add_exact_square(Exact_number_t<double>&, const double&, const double&);
+#endif
 
 // Texts are made only for an error, and appended, because sums of texts take long to compile.
 [[noreturn]] CGAL_THICK_INTERSECTION_D_RARELY_CALLED inline

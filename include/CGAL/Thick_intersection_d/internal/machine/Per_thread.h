@@ -66,6 +66,7 @@ private:
   struct Value
   {
     explicit Value(const T& first) : value(first) {}
+    CGAL_THICK_INTERSECTION_D_RARELY_CALLED ~Value() = default;
     alignas(64) T value;
     std::unique_ptr<Value> next;
   };

@@ -9,6 +9,7 @@
 // by a power of two, so that the bound is about 1.
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_tier.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/machine/hints.h>
@@ -72,6 +73,11 @@ Scaled_filter scaled_filter(const Squared_bound<Exact>& bound, const Scene& scen
           make_distance_filter(scaled_low * scaled_low * (1 - 0x1p-50),
                                scaled_high * scaled_high * (1 + 0x1p-50), scene.dimension())};
 }
+
+#ifdef CGAL_THICK_INTERSECTION_D_COMPILED
+extern template Scaled_filter scaled_filter(
+  const Squared_bound<Exact_number_t<double>>&, const Scene&, const Scaled_filter&);
+#endif
 
 } // namespace internal
 } // namespace Thick_intersection_d
