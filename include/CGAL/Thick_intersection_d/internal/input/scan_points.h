@@ -24,6 +24,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -144,16 +145,15 @@ Scene scan_points(const Elements& points, const char* name, bool finds_grid, con
 {
   const int dimension = points.size() == 0 ? 0 : dimension_of(points[0]);
   Scene_scan all(dimension, finds_grid);
-  std::vector<Scene_scan> scans(threads.block_count(), all);
+  std::mutex mutex;
   threads.run_numbered_blocks(
-    scans.size(), points.size(), [&](std::size_t block, std::size_t first, std::size_t last) {
+    threads.block_count(), points.size(), [&](std::size_t, std::size_t first, std::size_t last) {
       check_denormals(); // in each thread that takes part
       Scene_scan scan(dimension, finds_grid);
       scan.add(points, first, last, store);
-      scans[block] = std::move(scan);
+      const std::lock_guard<std::mutex> lock(mutex);
+      all.add(scan);
     });
-  for(const Scene_scan& scan : scans)
-    all.add(scan);
   if(all.first_bad() < points.size())
     check_point(points[all.first_bad()], dimension, name, all.first_bad());
   return all.scene(points.size());
