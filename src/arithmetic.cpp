@@ -13,6 +13,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene_sample.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Distance_filter.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Scaled_filter.h>
 
 #include <vector>
@@ -27,6 +28,9 @@ template class Squared_bound<Exact>;
 template Squared_bound<Exact>::Squared_bound(const Distance_bound<double>&);
 template Squared_bound<Exact>::Squared_bound(const Distance_bound<Exact>&);
 template void add_exact_square(Exact&, const double&, const double&);
+template Distance_filter make_distance_filter(const Squared_bound<Exact>&, int);
+template Distance_filter make_certified_filter(const Squared_bound<Exact>&);
+template Distance_filter widen(const Distance_filter&, const Squared_bound<Exact>&, double);
 template Scaled_filter scaled_filter(
   const Squared_bound<Exact>&, const Scene&, const Scaled_filter&);
 template void Scene_sample::add_axis(std::vector<double>&, Double_grid&);

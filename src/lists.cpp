@@ -26,10 +26,14 @@ template bool search_near<3, double, true>(
   Near_points<3>&, const Near_task<3>&, List_taker&);
 template bool search_near<3, std::int32_t, true>(
   Near_points<3>&, const Near_task<3>&, List_taker&);
+template class Per_thread<Neighbor_bins>;
+template class Per_thread<List_bins>;
+template class Callback_taker<One_set, Neighbor_collector, List_taker>;
 template Neighbor_lists Neighbor_collector::lists_of(
   Per_thread<Neighbor_bins>&, bool, Neighbor_lists&&);
 template Neighbor_lists Neighbor_collector::lists_of(
   Per_thread<List_bins>&, bool, Neighbor_lists&&);
+template Neighbor_lists mutual_neighbors(const Neighbor_lists&);
 
 } // namespace internal
 } // namespace Thick_intersection_d

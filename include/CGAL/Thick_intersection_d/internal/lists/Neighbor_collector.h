@@ -250,13 +250,6 @@ Neighbor_lists Neighbor_collector::lists_of(All_bins<Bins>& bins, bool are_of_on
   return Neighbor_lists(std::move(begins), std::move(positions), are_of_one_set);
 }
 
-#ifdef CGAL_THICK_INTERSECTION_D_COMPILED
-extern template Neighbor_lists Neighbor_collector::lists_of(
-  Per_thread<Neighbor_bins>&, bool, Neighbor_lists&&);
-extern template Neighbor_lists Neighbor_collector::lists_of(
-  Per_thread<List_bins>&, bool, Neighbor_lists&&);
-#endif
-
 // Hands the results of a search by slabs to a collector: pairs, or the lists of single points.
 class Collector_taker final
   : public Callback_taker<One_set, Neighbor_collector, List_taker>
@@ -275,18 +268,30 @@ inline Collector_taker taker_of(const One_set&, Neighbor_collector& collector)
 }
 
 // Returns the lists with those pairs that are in both of their lists.
-inline Neighbor_lists mutual_neighbors(const Neighbor_lists& lists)
+template <class Position>
+Basic_neighbor_lists<Position> mutual_neighbors(const Basic_neighbor_lists<Position>& lists)
 {
   std::vector<std::size_t> begins(1, 0);
-  std::vector<Neighbor_lists::Position> positions;
+  std::vector<Position> positions;
   for(std::size_t i = 0; i < lists.size(); ++i) {
-    for(const Neighbor_lists::Position j : lists[i])
+    for(const Position j : lists[i])
       if(std::binary_search(lists[j].begin(), lists[j].end(), i))
         positions.push_back(j);
     begins.push_back(positions.size());
   }
-  return Neighbor_lists(std::move(begins), std::move(positions));
+  return {std::move(begins), std::move(positions)};
 }
+
+#ifdef CGAL_THICK_INTERSECTION_D_COMPILED
+extern template class Per_thread<Neighbor_bins>;
+extern template class Per_thread<List_bins>;
+extern template class Callback_taker<One_set, Neighbor_collector, List_taker>;
+extern template Neighbor_lists Neighbor_collector::lists_of(
+  Per_thread<Neighbor_bins>&, bool, Neighbor_lists&&);
+extern template Neighbor_lists Neighbor_collector::lists_of(
+  Per_thread<List_bins>&, bool, Neighbor_lists&&);
+extern template Neighbor_lists mutual_neighbors(const Neighbor_lists&);
+#endif
 
 } // namespace internal
 } // namespace Thick_intersection_d
