@@ -60,12 +60,10 @@ public:
     return true;
   }
 
-  // Calls take(i) for one face of each set of faces that are connected by common vertices, if
-  // is_unwanted() holds for none of them.
-  template <class Is_unwanted, class Take>
-  void for_each_component(const Is_unwanted& is_unwanted, const Take& take) const
+  // Numbers the sets of faces that common vertices connect, and returns the number of each face.
+  std::vector<Place> part_numbers() const
   {
-    std::vector<Place> links(vertex_count_); // lead to one vertex of each component
+    std::vector<Place> links(vertex_count_); // lead to one vertex of each set
     std::iota(links.begin(), links.end(), Place(0));
     const auto find = [&](Place v) {
       while(links[v] != v)
@@ -76,15 +74,15 @@ public:
       links[find(p)] = find(q);
       links[find(q)] = find(r);
     }
-    std::vector<bool> is_taken(vertex_count_);
-    for(std::size_t i = 0; i < faces_.size(); ++i)
-      if(is_unwanted(i))
-        is_taken[find(faces_[i][0])] = true;
-    for(std::size_t i = 0; i < faces_.size(); ++i)
-      if(const Place component = find(faces_[i][0]); !is_taken[component]) {
-        is_taken[component] = true;
-        take(i);
-      }
+    std::vector<Place> number_of(vertex_count_, max_place), numbers;
+    Place count = 0;
+    for(const auto& face : faces_) {
+      Place& number = number_of[find(face[0])];
+      if(number == max_place)
+        number = count++;
+      numbers.push_back(number);
+    }
+    return numbers;
   }
 
 private:

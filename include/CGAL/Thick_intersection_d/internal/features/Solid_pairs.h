@@ -15,41 +15,22 @@
 // neither boundary, so it is inside both. A ray from there leaves both. Up to the first face that
 // it reaches, it is inside both. So this face is inside the other one, which cannot be.
 
-#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
 #include <CGAL/Thick_intersection_d/internal/features/Closed_meshes.h>
 #include <CGAL/Thick_intersection_d/internal/features/Feature_regions.h>
-#include <CGAL/Thick_intersection_d/internal/features/Mesh_shape.h>
+#include <CGAL/Thick_intersection_d/internal/features/Halved_range.h>
+#include <CGAL/Thick_intersection_d/internal/features/Solid_parts.h>
 #include <CGAL/Thick_intersection_d/internal/features/Space_box.h>
 #include <CGAL/Thick_intersection_d/internal/features/Values_on_demand.h>
 #include <CGAL/Thick_intersection_d/internal/features/feature_kinds.h>
-#include <CGAL/Thick_intersection_d/internal/input/kinds.h>
-#include <CGAL/Thick_intersection_d/internal/input/vertices.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 
 #include <cstddef>
-#include <type_traits>
-#include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
-
-// Whether all vertices of a piece may be in a box.
-template <class Object>
-bool is_within(const Object& piece, const Space_box& box)
-{
-  return with_points_of(piece, [&](const auto& points) {
-    for(int v = 0; v < Vertex_count<std::decay_t<decltype(points)>>::value; ++v)
-      for(int axis = 0; axis < 3; ++axis) {
-        const auto x = vertex_bounds(points, v, axis);
-        if(!do_meet({x.first, x.second}, box[static_cast<std::size_t>(axis)]))
-          return false;
-      }
-    return true;
-  });
-}
 
 // `Pieces` are Solid_pieces, and `Test` is like Pieces_intersect.
 template <class Features, class Pieces, class Test>
@@ -63,7 +44,7 @@ public:
   Solid_pairs(const Features& features, const Feature_regions& regions, const Pieces& pieces,
               const Test& test, const Threads& threads)
     : features_(features), regions_(regions), pieces_(pieces), test_(test),
-      solids_(features.size(), threads)
+      parts_(features.size(), threads), solids_(features.size(), threads)
   {}
 
   std::size_t size() const { return regions_.size(); }
@@ -83,25 +64,17 @@ public:
   }
 
 private:
-  // Whether a part of feature i is inside a solid of feature j: one of those that common vertices
-  // connect. Then all of its vertices are in the box of that.
+  // Whether a part of feature i is inside a solid of feature j. Most features have no piece in the
+  // box of another one that they do not meet: parts are made for the others alone.
   bool is_part_inside(std::size_t i, std::size_t j) const
   {
+    const Halved_range& tree = pieces_.tree(i);
     const Space_box& box = regions_.box(j);
-    std::vector<Place> near;
-    bool is_any_within = false;
-    pieces_.trees().for_each_in_box(pieces_.tree(i), box, [&](Place piece) {
-      near.push_back(piece);
-      is_any_within = is_any_within || is_within(pieces_.thick(piece), box);
-    });
-    if(!is_any_within)
+    const auto is_piece_within = [&](Place p) { return is_within(pieces_.thick(p), box); };
+    if(!pieces_.trees().is_any_in_box(tree, box, is_piece_within))
       return false;
-    const auto piece_at = [&](std::size_t k) -> const auto& { return pieces_.thick(near[k]); };
-    bool is_inside = false;
-    Mesh_shape(near.size(), piece_at).for_each_component(
-      [&](std::size_t k) { return !is_within(piece_at(k), box); },
-      [&](std::size_t k) { is_inside = is_inside || is_vertex_inside(piece_at(k), j); });
-    return is_inside;
+    const Solid_parts& parts = parts_.get(i, [&] { return Solid_parts(pieces_, tree); });
+    return parts.is_any_inside(box, [&](Place p) { return is_vertex_inside(pieces_.thick(p), j); });
   }
 
   bool is_vertex_inside(const typename Pieces::Thick& piece, std::size_t j) const
@@ -114,6 +87,7 @@ private:
   const Feature_regions& regions_;
   const Pieces& pieces_;
   const Test& test_;
+  Values_on_demand<Solid_parts> parts_;
   Values_on_demand<Solids> solids_;
 };
 

@@ -144,19 +144,19 @@ public:
     return is_any_pair(a, b.first_half(), test) || is_any_pair(a, b.second_half(), test);
   }
 
-  // Calls take(i) for the pieces of a tree whose boxes meet a box.
-  template <class Take>
-  void for_each_in_box(const Halved_range& tree, const Space_box& box, const Take& take) const
+  // Whether test(i) holds for a piece of a tree, among those whose boxes meet a box.
+  template <class Test>
+  bool is_any_in_box(const Halved_range& tree, const Space_box& box, const Test& test) const
   {
     if(!do_boxes_meet(nodes_[tree.node], box))
-      return;
+      return false;
     if(!tree.is_leaf())
-      for(const Halved_range& half : {tree.first_half(), tree.second_half()})
-        for_each_in_box(half, box, take);
-    else
-      for(Place piece = tree.first; piece != tree.last; ++piece)
-        if(do_boxes_meet(pieces_[piece].box, box))
-          take(piece);
+      return is_any_in_box(tree.first_half(), box, test)
+             || is_any_in_box(tree.second_half(), box, test);
+    for(Place piece = tree.first; piece != tree.last; ++piece)
+      if(do_boxes_meet(pieces_[piece].box, box) && test(piece))
+        return true;
+    return false;
   }
 
   // Whether the first vertex of a piece is inside a tree of closed faces. It is not on them.
