@@ -6,7 +6,7 @@
 // CGAL_THICK_INTERSECTION_D_COMPILED.
 
 #include <CGAL/Thick_intersection_d/internal/features/Ring_trees.h>
-#include <CGAL/Thick_intersection_d/internal/features/Solid_trees.h>
+#include <CGAL/Thick_intersection_d/internal/features/does_ray_cross_face.h>
 #include <CGAL/Thick_intersection_d/internal/meshes/mesh_triangles.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Staged_orientation.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/are_objects_near.h>

@@ -10,7 +10,6 @@
 
 #include <CGAL/thick_feature_intersection_d.h>
 
-#include <array>
 #include <variant>
 
 using namespace test_support;
@@ -268,97 +267,6 @@ BOOST_AUTO_TEST_CASE(edges_where_boundaries_meet_are_read_a_few_times)
     BOOST_CHECK_LT(reads_per_test("rosettes", {rosette(n / 4, 0), rosette(n / 4, 1)}, 0), 25);
     BOOST_CHECK_LT(reads_per_test("an antenna", antenna_across_border(n), 0), 150);
   }
-}
-
-// ---- meshes -------------------------------------------------------------------------------------
-
-using Point_3 = Epick::Point_3;
-using Soup = std::pair<std::vector<Point_3>, std::vector<std::array<std::size_t, 3>>>;
-
-// Counts the tests of faces.
-struct Counted_test : internal::Pieces_intersect
-{
-  template <class Faces>
-  static bool do_meet(const Faces& faces, std::size_t i, std::size_t j)
-  {
-    ++tests;
-    return internal::Pieces_intersect::do_meet(faces, i, j);
-  }
-};
-
-// A box whose sides are cut into squares of two faces, `count` along each edge.
-void add_box(Soup& soup, const Point_3& low, const Point_3& high, std::size_t count)
-{
-  const auto add_side = [&](int axis, double at) {
-    const std::size_t first = soup.first.size();
-    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    for(std::size_t i = 0; i <= count; ++i)
-      for(std::size_t j = 0; j <= count; ++j) {
-        double x[3];
-        const auto along = [&](int k, std::size_t step) {
-          const double part = static_cast<double>(step) / static_cast<double>(count);
-          return step == count ? high[k] : low[k] + (high[k] - low[k]) * part;
-        };
-        x[axis] = at;
-        x[u] = along(u, i);
-        x[v] = along(v, j);
-        soup.first.emplace_back(x[0], x[1], x[2]);
-        if(i != count && j != count) {
-          const std::size_t p = first + i * (count + 1) + j, q = p + count + 1;
-          soup.second.push_back({p, q, p + 1});
-          soup.second.push_back({q, q + 1, p + 1});
-        }
-      }
-  };
-  for(int axis = 0; axis < 3; ++axis) {
-    add_side(axis, low[axis]);
-    add_side(axis, high[axis]);
-  }
-}
-
-Soup box(const Point_3& low, const Point_3& high, std::size_t count)
-{
-  Soup soup;
-  add_box(soup, low, high, count);
-  return soup;
-}
-
-// Searches meshes, and compares the number of tests of faces with the most that there may be.
-void check_tests(const std::string& name, const std::vector<Soup>& soups, std::size_t expected,
-                 double most_tests)
-{
-  std::size_t pairs = 0;
-  const auto report = [&](std::size_t, std::size_t) { ++pairs; };
-  tests = 0;
-  internal::search_features(soups, Counted_test(), report, CGAL::parameters::default_values(),
-                            internal::Threads());
-  BOOST_TEST_MESSAGE(name << ": " << tests << " tests of faces");
-  BOOST_CHECK_EQUAL(pairs, expected);
-  BOOST_CHECK_MESSAGE(tests <= most_tests, name << ": " << tests);
-}
-
-BOOST_AUTO_TEST_CASE(faces_of_meshes_that_do_not_meet_are_not_tested)
-{
-  std::vector<Soup> nested, parts;
-  for(int i = 0; i < 40; ++i) {
-    nested.push_back(box(Point_3(i, i, i), Point_3(99 - i, 99 - i, 99 - i), 6));
-    add_box(nested.back(), Point_3(i + .5, i + .5, i + .5),
-            Point_3(98.5 - i, 98.5 - i, 98.5 - i), 6);
-    for(int j = 0; j < 40; ++j)
-      parts.push_back(box(Point_3(3 * i, 3 * j, 0), Point_3(3 * i + 2, 3 * j + 2, 2), 4));
-  }
-  check_tests("shells in shells", nested, 0, 0);
-  check_tests("many parts", parts, 0, 0);
-}
-
-BOOST_AUTO_TEST_CASE(meshes_that_touch_take_few_tests)
-{
-  std::vector<Soup> grid;
-  for(int i = 0; i < 30; ++i)
-    for(int j = 0; j < 30; ++j)
-      grid.push_back(box(Point_3(i, j, 0), Point_3(i + 1, j + 1, 1), 3));
-  const std::size_t pairs = 2 * 30 * 29 + 2 * 29 * 29;
-  check_tests("cells of a grid", grid, pairs, 2. * static_cast<double>(pairs));
 }
 
 } // namespace

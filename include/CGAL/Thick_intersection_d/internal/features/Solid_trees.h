@@ -11,17 +11,19 @@
 // Each tree halves the pieces of a feature along axes, and has the boxes of the parts. Pieces meet,
 // and a ray crosses faces, only in parts whose boxes do.
 
-#include <CGAL/enum.h>
-
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/box_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/features/Halved_range.h>
 #include <CGAL/Thick_intersection_d/internal/features/Space_box.h>
+#include <CGAL/Thick_intersection_d/internal/features/does_ray_cross_face.h>
 #include <CGAL/Thick_intersection_d/internal/input/vertices.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/machine/hints.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Kernel_orientation.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Staged_orientation.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/do_kernel_objects_intersect.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
+#include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
 
 #include <algorithm>
 #include <array>
@@ -33,69 +35,9 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Whether a ray upwards from the last vertex crosses the triangle of the first three. The ray is
-// moved along axis 0 by less than any number, and along axis 1 by still less. So it passes no edge,
-// and no triangle that is vertical, and it crosses closed faces equally often wherever it goes. The
-// vertex is not on the triangle, so it is above or below its plane if the ray crosses the triangle.
-template <class Orientation>
-bool does_ray_cross_face(typename Orientation::template Vertices<4>& vertices)
-{
-  using Point = typename Orientation::Point;
-  Orientation orientation(vertices);
-  const std::array<Point, 3> triangle
-    = {Point(vertices[0]), Point(vertices[1]), Point(vertices[2])};
-  const Point source(vertices[3]);
-  const auto is_behind = [&](std::size_t k) {
-    return Orientation::compare(triangle[k], source, 1) == LARGER;
-  };
-  const std::array<bool, 3> are_behind = {is_behind(0), is_behind(1), is_behind(2)};
-  bool is_in_projection = false, turns_left = false;
-  for(std::size_t k = 0; k < 3; ++k) {
-    const std::size_t next = (k + 1) % 3;
-    if(are_behind[k] == are_behind[next])
-      continue;
-    // Is the edge beyond the source along axis 0?
-    if(orientation.orientation(triangle[k], triangle[next], source, 0, 1)
-       == (are_behind[next] ? LEFT_TURN : RIGHT_TURN)) {
-      is_in_projection = !is_in_projection;
-      turns_left = are_behind[next];
-    }
-  }
-  return is_in_projection
-         && orientation.side(orientation.plane(triangle[0], triangle[1], triangle[2]), source)
-              == (turns_left ? NEGATIVE : POSITIVE);
-}
-
-#ifdef CGAL_THICK_INTERSECTION_D_COMPILED
-extern template bool does_ray_cross_face<Staged_orientation<3>>(
-  Staged_orientation<3>::Vertices<4>&);
-#endif
-
-// Whether the ray upwards from the first vertex of `source` crosses a face, which are kernel
-// objects.
-template <class Source, class Face>
-bool does_ray_cross_face(const Source& source, const Face& face)
-{
-  Staged_orientation<3>::Vertices<4> vertices;
-  const bool are_doubles = read_vertices(face, [&](std::size_t k, int axis, double x) {
-    vertices[k].x[static_cast<std::size_t>(axis)] = x;
-  }) && read_vertices(source, [&](std::size_t k, int axis, double x) {
-    if(k == 0)
-      vertices[3].x[static_cast<std::size_t>(axis)] = x;
-  });
-  if(are_doubles)
-    return does_ray_cross_face<Staged_orientation<3>>(vertices);
-  using Kernel = typename Common_exact_kernel<Source, Face>::type;
-  using Exact_orientation = Kernel_orientation<Kernel, 3>;
-  constexpr std::size_t source_size = corner_count_v<Source>;
-  typename Exact_orientation::template Vertices<4> exact_vertices
-    = {exact_vertex<Kernel, 3>(face, 0), exact_vertex<Kernel, 3>(face, 1),
-       exact_vertex<Kernel, 3>(face, 2), exact_vertex<Kernel, source_size>(source, 0)};
-  return does_ray_cross_face<Exact_orientation>(exact_vertices);
-}
-
-// An `Object` is a segment or a triangle, or a variant of both, with a radius or without.
-template <class Object>
+// An `Object` is a segment or a triangle, or a variant of both, with a radius or without. `Box` is
+// like Space_box: a test counts how often boxes are compared.
+template <class Object, class Box = Space_box>
 class Solid_trees
 {
 public:
@@ -105,7 +47,7 @@ public:
   Place size() const { return static_cast<Place>(pieces_.size()); }
   const Object& piece(std::size_t position) const { return pieces_[position].piece; }
 
-  void add_piece(const Object& piece, const Space_box& box) { pieces_.push_back({box, piece}); }
+  void add_piece(const Object& piece, const Box& box) { pieces_.push_back({box, piece}); }
 
   // Makes a tree of the pieces from this one on, and puts them into its order.
   Halved_range add_tree(Place first)
@@ -135,18 +77,13 @@ public:
   template <class Test>
   bool is_any_pair(const Halved_range& a, const Halved_range& b, const Test& test) const
   {
-    if(!do_boxes_meet(nodes_[a.node], nodes_[b.node]))
-      return false;
-    if(a.is_leaf() && b.is_leaf())
-      return is_any_pair_of_leaves(a, b, test);
-    if(b.is_leaf() || (!a.is_leaf() && a.last - a.first >= b.last - b.first))
-      return is_any_pair(a.first_half(), b, test) || is_any_pair(a.second_half(), b, test);
-    return is_any_pair(a, b.first_half(), test) || is_any_pair(a, b.second_half(), test);
+    Place steps = a.last - a.first + b.last - b.first;
+    return is_any_pair(a, b, test, steps);
   }
 
   // Whether test(i) holds for a piece of a tree, among those whose boxes meet a box.
   template <class Test>
-  bool is_any_in_box(const Halved_range& tree, const Space_box& box, const Test& test) const
+  bool is_any_in_box(const Halved_range& tree, const Box& box, const Test& test) const
   {
     if(!do_boxes_meet(nodes_[tree.node], box))
       return false;
@@ -163,7 +100,7 @@ public:
   template <class Source>
   bool is_inside(const Source& source, const Halved_range& faces) const
   {
-    const Space_box& box = nodes_[faces.node];
+    const Box& box = nodes_[faces.node];
     for(int axis = 0; axis < 3; ++axis) {
       const auto x = vertex_bounds(source, 0, axis);
       const Interval& interval = box[static_cast<std::size_t>(axis)];
@@ -184,10 +121,45 @@ private:
   // most meshes have neighbors near each other.
   static constexpr Place sorted_size = 256;
 
+  using Leaf_pieces = std::array<Place, Halved_range::leaf_size>;
+
   struct Boxed_piece
   {
-    Space_box box;
+    Box box;
     Object piece;
+  };
+
+  // The pieces of two trees, as the box route reads them.
+  template <class Test>
+  struct Pieces_of_two : Objects_in_boxes
+  {
+    static constexpr int static_dimension = 3;
+
+    Pieces_of_two(const Solid_trees& trees, const Halved_range& a, const Halved_range& b,
+                  const Test& test)
+      : trees_(trees), a_(a), b_(b), test_(test)
+    {}
+
+    std::size_t size() const { return a_.last - a_.first + b_.last - b_.first; }
+    int dimension() const { return static_dimension; }
+    auto intervals(std::size_t position) const
+    {
+      return [&box = trees_.pieces_[place(position)].box](int axis) {
+        return box[static_cast<std::size_t>(axis)];
+      };
+    }
+    bool do_intersect(std::size_t i, std::size_t j) const { return test_(place(i), place(j)); }
+
+  private:
+    Place place(std::size_t position) const
+    {
+      const Place i = static_cast<Place>(position), size = a_.last - a_.first;
+      return i < size ? a_.first + i : b_.first + (i - size);
+    }
+
+    const Solid_trees& trees_;
+    const Halved_range a_, b_;
+    const Test& test_;
   };
 
   // Where a piece is, for sorting.
@@ -202,7 +174,7 @@ private:
     std::vector<Centered_piece> centers;
     centers.reserve(tree.last - tree.first);
     for(Place piece = tree.first; piece != tree.last; ++piece) {
-      const Space_box& box = pieces_[piece].box;
+      const Box& box = pieces_[piece].box;
       const auto center = [&](std::size_t axis) { return box[axis].low / 2 + box[axis].high / 2; };
       centers.push_back({{center(0), center(1), center(2)}, piece});
     }
@@ -238,7 +210,7 @@ private:
   void add_nodes(const Halved_range& range)
   {
     nodes_.emplace_back();
-    Space_box box;
+    Box box;
     if(range.is_leaf())
       for(Place piece = range.first; piece != range.last; ++piece)
         box.add_box(pieces_[piece].box);
@@ -250,29 +222,72 @@ private:
     nodes_[range.node] = box;
   }
 
+  // The same in so many steps. Where pieces are long, most boxes of subtrees may meet, but those of
+  // no pieces. So the subtrees that are left after the steps take the box route: there are a few of
+  // each size, so that the pieces of all of them are a few times those of both trees.
+  template <class Test>
+  bool is_any_pair(const Halved_range& a, const Halved_range& b, const Test& test,
+                   Place& steps) const
+  {
+    if(!do_boxes_meet(nodes_[a.node], nodes_[b.node]))
+      return false;
+    if(a.is_leaf() && b.is_leaf())
+      return is_any_pair_of_leaves(a, b, test);
+    if(steps == 0)
+      return is_any_pair_by_boxes(a, b, test);
+    --steps;
+    if(b.is_leaf() || (!a.is_leaf() && a.last - a.first >= b.last - b.first))
+      return is_any_pair(a.first_half(), b, test, steps)
+             || is_any_pair(a.second_half(), b, test, steps);
+    return is_any_pair(a, b.first_half(), test, steps)
+           || is_any_pair(a, b.second_half(), test, steps);
+  }
+
+  template <class Test>
+  bool is_any_pair_by_boxes(const Halved_range& a, const Halved_range& b, const Test& test) const
+  {
+    bool is_found = false;
+    const auto stop = [&](std::size_t, std::size_t) {
+      is_found = true;
+      return false;
+    };
+    Unwatched_progress progress;
+    report_meeting_boxes(Pieces_of_two<Test>(*this, a, b, test), Two_sets{a.last - a.first}, stop,
+                         progress, Threads());
+    return is_found;
+  }
+
   // Pieces that follow each other are alike: if two do not meet, their neighbors may not either. So
   // each step takes another piece of both, in opposite orders, as meshes may have one pattern.
   template <class Test>
   bool is_any_pair_of_leaves(const Halved_range& a, const Halved_range& b, const Test& test) const
   {
-    std::array<Place, Halved_range::leaf_size> near; // of the first tree
-    std::size_t count = 0;
-    for(Place i = a.first; i != a.last; ++i)
-      if(do_boxes_meet(pieces_[i].box, nodes_[b.node]))
-        near[count++] = i;
-    for(Place first = b.first; first != b.last; ++first) {
-      Place j = first;
-      for(std::size_t k = 0; k != count; ++k) {
-        if(do_boxes_meet(pieces_[near[k]].box, pieces_[j].box) && test(near[k], j))
+    Leaf_pieces of_a, of_b;
+    const std::size_t a_count = find_near(a, nodes_[b.node], of_a);
+    const std::size_t b_count = find_near(b, nodes_[a.node], of_b);
+    for(std::size_t first = 0; first != b_count; ++first) {
+      std::size_t k = first;
+      for(std::size_t i = 0; i != a_count; ++i) {
+        if(do_boxes_meet(pieces_[of_a[i]].box, pieces_[of_b[k]].box) && test(of_a[i], of_b[k]))
           return true;
-        j = j == b.first ? b.last - 1 : j - 1;
+        k = (k == 0 ? b_count : k) - 1;
       }
     }
     return false;
   }
 
+  // Puts the pieces of a leaf whose boxes meet a box. Returns how many they are.
+  std::size_t find_near(const Halved_range& leaf, const Box& box, Leaf_pieces& near) const
+  {
+    std::size_t count = 0;
+    for(Place piece = leaf.first; piece != leaf.last; ++piece)
+      if(do_boxes_meet(pieces_[piece].box, box))
+        near[count++] = piece;
+    return count;
+  }
+
   std::vector<Boxed_piece> pieces_;
-  std::vector<Space_box> nodes_;
+  std::vector<Box> nodes_;
 };
 
 } // namespace internal

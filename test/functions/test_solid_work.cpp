@@ -1,0 +1,372 @@
+// Copyright (c) 2026 The Thick_intersection_d authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The work of the search of meshes: the tests of faces are counted, and the comparisons of boxes,
+// where boxes of many meshes or parts of them meet, but those of few faces; allocations where most
+// meshes are inside others; and bytes.
+
+#include "support/counting_allocator.h"
+#include "support/unit_test.h"
+#include "support/usual_kernels.h"
+
+#include <CGAL/thick_feature_intersection_d.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+using namespace test_support;
+
+namespace {
+
+using Point = Epick::Point_3;
+using Soup = std::pair<std::vector<Point>, std::vector<std::array<std::size_t, 3>>>;
+using Soups = std::vector<Soup>;
+
+double tests = 0, comparisons = 0;
+
+// Counts the tests of faces.
+struct Counted_test : internal::Pieces_intersect
+{
+  template <class Faces>
+  static bool do_meet(const Faces& faces, std::size_t i, std::size_t j)
+  {
+    ++tests;
+    return internal::Pieces_intersect::do_meet(faces, i, j);
+  }
+};
+
+// Counts the comparisons of trees.
+struct Counted_box : internal::Space_box
+{};
+
+bool do_boxes_meet(const Counted_box& a, const Counted_box& b)
+{
+  ++comparisons;
+  return internal::do_boxes_meet(a, b);
+}
+
+// ---- meshes -------------------------------------------------------------------------------------
+
+// A box whose sides are cut into squares of two faces, `count` along each edge.
+void add_box(Soup& soup, const Point& low, const Point& high, std::size_t count)
+{
+  const auto add_side = [&](int axis, double at) {
+    const std::size_t first = soup.first.size();
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    for(std::size_t i = 0; i <= count; ++i)
+      for(std::size_t j = 0; j <= count; ++j) {
+        double x[3];
+        const auto along = [&](int k, std::size_t step) {
+          const double part = static_cast<double>(step) / static_cast<double>(count);
+          return step == count ? high[k] : low[k] + (high[k] - low[k]) * part;
+        };
+        x[axis] = at;
+        x[u] = along(u, i);
+        x[v] = along(v, j);
+        soup.first.emplace_back(x[0], x[1], x[2]);
+        if(i != count && j != count) {
+          const std::size_t p = first + i * (count + 1) + j, q = p + count + 1;
+          soup.second.push_back({p, q, p + 1});
+          soup.second.push_back({q, q + 1, p + 1});
+        }
+      }
+  };
+  for(int axis = 0; axis < 3; ++axis) {
+    add_side(axis, low[axis]);
+    add_side(axis, high[axis]);
+  }
+}
+
+Soup box(const Point& low, const Point& high, std::size_t count)
+{
+  Soup soup;
+  add_box(soup, low, high, count);
+  return soup;
+}
+
+// The points point_at(u, v) of numbers from 0 to 1, in so many steps of each.
+template <class Point_at>
+Soup surface(std::size_t u_steps, std::size_t v_steps, const Point_at& point_at)
+{
+  Soup soup;
+  for(std::size_t i = 0; i <= u_steps; ++i)
+    for(std::size_t j = 0; j <= v_steps; ++j) {
+      soup.first.push_back(point_at(static_cast<double>(i) / static_cast<double>(u_steps),
+                                    static_cast<double>(j) / static_cast<double>(v_steps)));
+      if(i != u_steps && j != v_steps) {
+        const std::size_t p = i * (v_steps + 1) + j, q = p + v_steps + 1;
+        soup.second.push_back({p, q, p + 1});
+        soup.second.push_back({q, q + 1, p + 1});
+      }
+    }
+  return soup;
+}
+
+constexpr double turn = 6.28318530717959;
+
+// Two combs of plates, those of one between those of the other.
+Soups combs(std::size_t teeth, std::size_t count)
+{
+  Soups combs(2);
+  for(std::size_t i = 0; i < 2 * teeth; ++i) {
+    const double z = 2. * static_cast<double>(i);
+    add_box(combs[i % 2], Point(0, 0, z), Point(99, 99, z + 1), count);
+  }
+  return combs;
+}
+
+// Two spiral staircases, each of which winds between the turns of the other.
+Soups staircases(std::size_t steps, double turns)
+{
+  Soups stairs;
+  for(const double first : {0., turn / 2})
+    stairs.push_back(surface(steps, 4, [&](double u, double v) {
+      const double angle = first + turn * turns * u;
+      return Point((1 + v) * std::cos(angle), (1 + v) * std::sin(angle), turns * u);
+    }));
+  return stairs;
+}
+
+// Hollow boxes, each inside the one before it.
+Soups shells(std::size_t levels, std::size_t count)
+{
+  Soups shells(levels);
+  for(std::size_t i = 0; i < 2 * levels; ++i) {
+    const double low = static_cast<double>(i), high = 5. * static_cast<double>(levels) - low;
+    add_box(shells[i / 2], Point(low, low, low), Point(high, high, high), count);
+  }
+  return shells;
+}
+
+// A hilly surface, and small boxes above it.
+Soups huge_and_small(std::size_t count)
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> anywhere(0, 1);
+  const auto height = [](double x, double y) { return std::sin(20 * x) * std::sin(15 * y) / 9; };
+  Soups soups = {surface(count, count, [&](double u, double v) {
+    return Point(u, v, height(u, v));
+  })};
+  const double size = .3 / static_cast<double>(count);
+  for(std::size_t i = 0; i < count * count / 9; ++i) {
+    const double x = anywhere(random), y = anywhere(random), z = height(x, y) + 8 * size;
+    soups.push_back(box(Point(x, y, z), Point(x + size, y + size, z + size), 1));
+  }
+  return soups;
+}
+
+// Two rings, each through the hole of the other.
+Soups linked_rings(std::size_t count)
+{
+  const auto at = [](double a, double b) {
+    return std::array<double, 3>{std::sin(b), (4 + std::cos(b)) * std::cos(a),
+                                 (4 + std::cos(b)) * std::sin(a)};
+  };
+  return {surface(2 * count, count, [&](double u, double v) {
+            const auto [x, y, z] = at(turn * u, turn * v);
+            return Point(x, y, z);
+          }),
+          surface(2 * count, count, [&](double u, double v) {
+            const auto [x, y, z] = at(turn * u, turn * v);
+            return Point(z, 4 + y, x);
+          })};
+}
+
+// Strings along axis 0, and along axis 1: all of them cross the others above or below.
+Soups harps(std::size_t strings)
+{
+  std::mt19937 random(1);
+  std::vector<std::size_t> heights(2 * strings);
+  std::iota(heights.begin(), heights.end(), std::size_t(0));
+  std::shuffle(heights.begin(), heights.end(), random);
+  Soups harps(2);
+  for(std::size_t i = 0; i < 2 * strings; ++i) {
+    const double at = static_cast<double>(i), end = 2. * static_cast<double>(strings);
+    const double z = 1e-3 * static_cast<double>(heights[i]);
+    const std::size_t first = i / 2 * 3;
+    auto& [points, triples] = harps[i % 2];
+    if(i % 2 == 0)
+      points.insert(points.end(), {Point(0, at, z), Point(end, at, z), Point(end, at + 1, z)});
+    else
+      points.insert(points.end(), {Point(at, 0, z), Point(at, end, z), Point(at + 1, end, z)});
+    triples.push_back({first, first + 1, first + 2});
+  }
+  return harps;
+}
+
+// ---- tests of faces -----------------------------------------------------------------------------
+
+// Searches meshes, and compares the number of tests of faces with the most that there may be.
+void check_tests(const std::string& name, const Soups& soups, std::size_t expected,
+                 double most_tests)
+{
+  std::size_t pairs = 0;
+  const auto report = [&](std::size_t, std::size_t) { ++pairs; };
+  tests = 0;
+  internal::search_features(soups, Counted_test(), report, CGAL::parameters::default_values(),
+                            internal::Threads());
+  BOOST_TEST_MESSAGE(name << ": " << tests << " tests of faces");
+  BOOST_CHECK_EQUAL(pairs, expected);
+  BOOST_CHECK_MESSAGE(tests <= most_tests, name << ": " << tests);
+}
+
+BOOST_AUTO_TEST_CASE(faces_of_meshes_that_do_not_meet_are_not_tested)
+{
+  Soups nested, parts;
+  for(int i = 0; i < 40; ++i) {
+    nested.push_back(box(Point(i, i, i), Point(99 - i, 99 - i, 99 - i), 6));
+    add_box(nested.back(), Point(i + .5, i + .5, i + .5),
+            Point(98.5 - i, 98.5 - i, 98.5 - i), 6);
+    for(int j = 0; j < 40; ++j)
+      parts.push_back(box(Point(3 * i, 3 * j, 0), Point(3 * i + 2, 3 * j + 2, 2), 4));
+  }
+  check_tests("shells in shells", nested, 0, 0);
+  check_tests("many parts", parts, 0, 0);
+}
+
+BOOST_AUTO_TEST_CASE(meshes_that_touch_take_few_tests)
+{
+  Soups grid;
+  for(int i = 0; i < 30; ++i)
+    for(int j = 0; j < 30; ++j)
+      grid.push_back(box(Point(i, j, 0), Point(i + 1, j + 1, 1), 3));
+  const std::size_t pairs = 2 * 30 * 29 + 2 * 29 * 29;
+  check_tests("cells of a grid", grid, pairs, 2. * static_cast<double>(pairs));
+}
+
+// ---- comparisons of boxes -----------------------------------------------------------------------
+
+using Trees = internal::Solid_trees<Epick::Triangle_3, Counted_box>;
+
+// Adds the tree of a mesh, whose faces come in any order.
+internal::Halved_range add_tree(Trees& trees, Soup soup)
+{
+  std::mt19937 random(1);
+  std::shuffle(soup.second.begin(), soup.second.end(), random);
+  const internal::Place first = trees.size();
+  for(const auto& [p, q, r] : soup.second) {
+    Counted_box box;
+    for(const std::size_t vertex : {p, q, r})
+      box.add_point(soup.first[vertex]);
+    trees.add_piece({soup.first[p], soup.first[q], soup.first[r]}, box);
+  }
+  return trees.add_tree(first);
+}
+
+internal::Space_box box_of(const Soup& soup)
+{
+  internal::Space_box box;
+  for(const Point& p : soup.first)
+    box.add_point(p);
+  return box;
+}
+
+// Finds the k pairs of faces whose boxes meet, of pairs of meshes whose boxes do. The smaller ones
+// of these have n / 2 faces.
+void check_comparisons(const std::string& name, const Soups& soups, double limit)
+{
+  Trees trees;
+  std::vector<internal::Space_box> boxes;
+  std::vector<internal::Halved_range> ranges;
+  for(const Soup& soup : soups) {
+    boxes.push_back(box_of(soup));
+    ranges.push_back(add_tree(trees, soup));
+  }
+  comparisons = 0;
+  double n = 0, k = 0;
+  const auto count = [&](internal::Place, internal::Place) {
+    ++k;
+    return false;
+  };
+  for(std::size_t i = 0; i < soups.size(); ++i)
+    for(std::size_t j = 0; j < i; ++j)
+      if(internal::do_boxes_meet(boxes[i], boxes[j])) {
+        n += 2. * static_cast<double>((std::min)(soups[i].second.size(), soups[j].second.size()));
+        trees.is_any_pair(ranges[i], ranges[j], count);
+      }
+  const double work = comparisons / (n + k);
+  BOOST_TEST_MESSAGE(name << ": n = " << n << ", k = " << k << ", comparisons / (n + k) " << work);
+  BOOST_CHECK_MESSAGE(work <= limit, name << ": " << work);
+}
+
+// However the faces come. All strings of a harp cross all of the other one, so that the trees of
+// these tell little.
+BOOST_AUTO_TEST_CASE(boxes_are_compared_a_few_times_for_each_face)
+{
+  for(const std::size_t n : {20, 40}) {
+    check_comparisons("combs of cut plates", combs(n, 8), 60);
+    check_comparisons("combs", combs(10 * n, 1), 50);
+    check_comparisons("staircases", staircases(50 * n, static_cast<double>(n)), 5);
+    check_comparisons("steep staircases", staircases(50 * n, 2), 2);
+    check_comparisons("shells in shells", shells(n, 6), 5);
+    check_comparisons("shells of few faces", shells(4 * n, 1), 3);
+    check_comparisons("a huge mesh and small ones", huge_and_small(2 * n), 3);
+    check_comparisons("linked rings", linked_rings(n), .1);
+    check_comparisons("harps", harps(50 * n), 300);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(harps_that_touch_at_one_place_are_a_pair)
+{
+  const std::size_t n = 1000;
+  const Soups apart = harps(n);
+  for(std::size_t i = 0; i < n; i += 77) {
+    Soups soups = apart;
+    const double z = soups[0].first[3 * i].z();
+    for(std::size_t k = 0; k < 3; ++k) {
+      Point& p = soups[1].first[3 * (n - 1 - i) + k];
+      p = Point(p.x(), p.y(), z);
+    }
+    check_tests("touching harps", soups, 1, 1);
+  }
+  check_tests("harps", apart, 0, 0);
+}
+
+// ---- allocations and bytes ----------------------------------------------------------------------
+
+// Trees for the insides of all meshes, and their parts, are made once.
+BOOST_AUTO_TEST_CASE(insides_and_parts_of_meshes_are_found_once)
+{
+  for(const std::size_t n : {50, 100}) {
+    const Soups soups = shells(n, 2);
+    std::size_t pairs = 0, used = 0;
+    {
+      constexpr std::size_t many = std::size_t(1) << 40;
+      const Memory_that_runs_out never(many);
+      CGAL::thick_feature_self_intersection_d(soups, [&](std::size_t, std::size_t) { ++pairs; });
+      used = many - allocations_left;
+    }
+    const double each = static_cast<double>(used) / static_cast<double>(n);
+    BOOST_TEST_MESSAGE(n << " shells: allocations of each " << each);
+    BOOST_CHECK_EQUAL(pairs, 0u);
+    BOOST_CHECK_LT(each, 100);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(memory_is_linear_in_faces_and_pairs)
+{
+  const auto check = [](const std::string& name, const Soups& soups, double limit) {
+    double faces = 0, pairs = 0;
+    for(const Soup& soup : soups)
+      faces += static_cast<double>(soup.second.size());
+    const std::size_t bytes = bytes_taken_by([&] {
+      CGAL::thick_feature_self_intersection_d(soups, [&](std::size_t, std::size_t) { ++pairs; });
+    });
+    const double each = static_cast<double>(bytes) / (faces + pairs);
+    BOOST_TEST_MESSAGE(name << ": " << faces << " faces, " << pairs << " pairs, bytes / (n + k) "
+                            << each);
+    BOOST_CHECK_MESSAGE(each <= limit, name << ": " << each);
+  };
+  for(const std::size_t n : {20, 40}) {
+    check("combs of cut plates", combs(n, 8), 450);
+    check("shells in shells", shells(n, 6), 400);
+    check("equal meshes", Soups(10 * n, box(Point(0, 0, 0), Point(1, 1, 1), 5)), 170);
+    check("a huge mesh and small ones", huge_and_small(2 * n), 450);
+    check("harps", harps(50 * n), 350);
+  }
+}
+
+} // namespace
