@@ -126,6 +126,16 @@ inline Lattice_solid random_solid(Random& random, std::int64_t side, std::int64_
   return solid;
 }
 
+// A mesh whose tree is sorted.
+inline Lattice_solid random_solid_of_many_faces(std::uint64_t seed)
+{
+  Random random(seed);
+  Lattice_mesh mesh;
+  while(mesh.size() < 300)
+    mesh = joined(mesh, convex_mesh(random, 12, 6));
+  return {{mesh}, {}};
+}
+
 inline Solid_scene random_solid_scene(std::uint64_t seed, std::size_t size, std::int64_t side,
                                       std::int64_t extent)
 {
