@@ -26,7 +26,10 @@
 #include <CGAL/Thick_intersection_d/internal/features/feature_kinds.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 
+#include <atomic>
 #include <cstddef>
+#include <numeric>
+#include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -44,7 +47,8 @@ public:
   Solid_pairs(const Features& features, const Feature_regions& regions, const Pieces& pieces,
               const Test& test, const Threads& threads)
     : features_(features), regions_(regions), pieces_(pieces), test_(test),
-      parts_(features.size(), threads), solids_(features.size(), threads)
+      read_counts_(features.size()), parts_(features.size(), threads),
+      solids_(features.size(), threads)
   {}
 
   std::size_t size() const { return regions_.size(); }
@@ -64,17 +68,32 @@ public:
   }
 
 private:
-  // Whether a part of feature i is inside a solid of feature j. Most features have no piece in the
-  // box of another one that they do not meet: parts are made for the others alone.
+  // Whether a part of feature i is inside a solid of feature j. Finds the parts of the pieces that
+  // are in the box of that, as these may be few. After some pairs, finds all parts, once.
   bool is_part_inside(std::size_t i, std::size_t j) const
   {
-    const Halved_range& tree = pieces_.tree(i);
     const Space_box& box = regions_.box(j);
-    const auto is_piece_within = [&](Place p) { return is_within(pieces_.thick(p), box); };
-    if(!pieces_.trees().is_any_in_box(tree, box, is_piece_within))
+    const Halved_range& tree = pieces_.tree(i);
+    const auto is_inside = [&](Place p) { return is_vertex_inside(pieces_.thick(p), j); };
+    if(read_counts_[i] > 4 * std::size_t(tree.last - tree.first))
+      return parts_.get(i, [&] { return Solid_parts(pieces_, places_of(tree)); })
+        .is_any_inside(box, is_inside);
+    std::vector<Place> near;
+    bool is_any_within = false;
+    pieces_.trees().is_any_in_box(tree, box, [&](Place p) {
+      near.push_back(p);
+      is_any_within = is_any_within || is_within(pieces_.thick(p), box);
       return false;
-    const Solid_parts& parts = parts_.get(i, [&] { return Solid_parts(pieces_, tree); });
-    return parts.is_any_inside(box, [&](Place p) { return is_vertex_inside(pieces_.thick(p), j); });
+    });
+    read_counts_[i] += near.size();
+    return is_any_within && Solid_parts(pieces_, near).is_any_inside(box, is_inside);
+  }
+
+  static std::vector<Place> places_of(const Halved_range& tree)
+  {
+    std::vector<Place> places(tree.last - tree.first);
+    std::iota(places.begin(), places.end(), tree.first);
+    return places;
   }
 
   bool is_vertex_inside(const typename Pieces::Thick& piece, std::size_t j) const
@@ -87,6 +106,7 @@ private:
   const Feature_regions& regions_;
   const Pieces& pieces_;
   const Test& test_;
+  mutable std::vector<std::atomic<std::size_t>> read_counts_; // of pieces, for parts
   Values_on_demand<Solid_parts> parts_;
   Values_on_demand<Solids> solids_;
 };

@@ -6,8 +6,8 @@
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_SOLID_PARTS_H
 
 // The parts of a feature in space, which may be inside others: sets of its pieces that common
-// vertices connect. Pieces that are where the feature meets no others may be missing. Their
-// neighbors have vertices there, so they are in no part that is inside.
+// vertices connect. Pieces that are elsewhere may be missing. Their neighbors have vertices there,
+// so they are in no part that is inside.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/features/Halved_range.h>
@@ -59,17 +59,16 @@ bool is_within(const Object& piece, const Space_box& box)
 class Solid_parts
 {
 public:
-  // Reads a tree of Solid_pieces.
+  // Reads some of Solid_pieces.
   template <class Pieces>
-  Solid_parts(const Pieces& pieces, const Halved_range& tree)
+  Solid_parts(const Pieces& pieces, const std::vector<Place>& places)
   {
-    const auto piece_at
-      = [&](std::size_t k) -> const auto& { return pieces.thick(tree.first + k); };
-    const std::vector<Place> numbers = Mesh_shape(tree.last - tree.first, piece_at).part_numbers();
+    const auto piece_at = [&](std::size_t k) -> const auto& { return pieces.thick(places[k]); };
+    const std::vector<Place> numbers = Mesh_shape(places.size(), piece_at).part_numbers();
     std::vector<Part> parts;
     for(std::size_t k = 0; k < numbers.size(); ++k) {
       if(numbers[k] == parts.size())
-        parts.push_back({tree.first + static_cast<Place>(k), {}});
+        parts.push_back({places[k], {}});
       add_ends(piece_at(k), parts[numbers[k]].ends);
     }
     for(const Part& part : parts) {

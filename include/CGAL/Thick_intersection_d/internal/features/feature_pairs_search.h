@@ -140,7 +140,6 @@ bool report_feature_pairs(const Features& features, const Sets& sets, const Rela
   auto&& report = pair_output(first, second, callback, threads);
   if constexpr(Vertex_count<Piece>::value == 2) {
     using Pieces = Feature_pieces<Piece, Radius>;
-    using Pieces = Feature_pieces<Piece, Radius>;
     using Test
       = typename Piece_test<Pieces, Thick, Relation, First::are_open, Second::are_open>::type;
     const auto test = make_piece_test<Test>(relation, threads);
