@@ -77,22 +77,23 @@ inline bool does_ray_meet(const Lattice_point& p, const Lattice_face& face)
   return are_all(is_positive) || are_all(is_negative);
 }
 
-// Whether a point that is on no face is in the mesh.
+// Whether a point that is on no face of a closed mesh is in it.
 inline bool is_inside(const Lattice_point& p, const Lattice_mesh& mesh)
 {
-  return is_closed(mesh) && std::count_if(mesh.begin(), mesh.end(), [&](const Lattice_face& face) {
-                              return does_ray_meet(p, face);
-                            }) % 2 != 0;
+  return std::count_if(mesh.begin(), mesh.end(), [&](const Lattice_face& face) {
+           return does_ray_meet(p, face);
+         }) % 2 != 0;
 }
 
 inline bool has_vertex_inside(const Lattice_solid& a, const Lattice_solid& b)
 {
-  for(const auto& hull : hulls_of(a))
-    for(const Lattice_point& p : hull)
-      if(std::any_of(b.meshes.begin(), b.meshes.end(),
-                     [&](const Lattice_mesh& mesh) { return is_inside(p, mesh); }))
-        return true;
-  return false;
+  const auto hulls = hulls_of(a);
+  return std::any_of(b.meshes.begin(), b.meshes.end(), [&](const Lattice_mesh& mesh) {
+    return is_closed(mesh) && std::any_of(hulls.begin(), hulls.end(), [&](const auto& hull) {
+             return std::any_of(hull.begin(), hull.end(),
+                                [&](const Lattice_point& p) { return is_inside(p, mesh); });
+           });
+  });
 }
 
 // Whether two sets are within a bound on the squared distance, closed or open. A bound of zero that
