@@ -44,10 +44,11 @@ forbid 'no newline at the end' < <(
   done)
 
 # Headers meet the macros min and max of Windows, and those of users: they call neither, and their own
-# macros have the prefix of the package, unless the same file ends them.
+# macros have the prefix of the package, unless the same file ends them. CGAL asks the same of tests.
 mapfile -t headers < <(find_files -path './include/*.h' -o -path './include/*.inc')
+mapfile -t tests < <(find_files -path './test/*.h' -o -path './test/*.cpp')
 forbid 'min and max may be macros: (std::max)(a, b)' < <(
-  grep -nE '(^|[^_[:alnum:]])(min|max)\(' "${headers[@]}" | grep -vE '^[^:]*:[0-9]+: *//')
+  grep -nE '(^|[^_[:alnum:]])(min|max)\(' "${headers[@]}" "${tests[@]}" | grep -vE '^[^:]*:[0-9]+: *//')
 forbid 'a macro that stays has the prefix CGAL_THICK_INTERSECTION_D_, or ends with _H as a guard' < <(
   awk 'function tell() { for(macro in lines) print lines[macro]; delete lines }
        FNR == 1 { tell() }

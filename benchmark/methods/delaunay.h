@@ -152,7 +152,7 @@ double delaunay_closest(const std::vector<Point>& points)
   double least = std::numeric_limits<double>::infinity();
   for(auto edge = triangulation.finite_edges_begin(); edge != triangulation.finite_edges_end();
       ++edge)
-    least = std::min(least, triangulation.segment(*edge).squared_length());
+    least = (std::min)(least, triangulation.segment(*edge).squared_length());
   return least;
 }
 

@@ -63,7 +63,7 @@ double kd_tree_closest(const std::vector<Point>& points)
   double least = std::numeric_limits<double>::infinity();
   for(const Point& point : points) {
     Search search(tree, point, 2);
-    least = std::min(least, std::next(search.begin())->second);
+    least = (std::min)(least, std::next(search.begin())->second);
   }
   return least;
 }

@@ -13,7 +13,7 @@ using namespace test_support;
 
 BOOST_AUTO_TEST_CASE(numbers_are_those_of_minstd_rand)
 {
-  BOOST_CHECK_EQUAL(internal::Random_numbers::largest(), std::minstd_rand::max());
+  BOOST_CHECK_EQUAL(internal::Random_numbers::largest(), (std::minstd_rand::max)());
   for(const std::uint32_t seed : {0u, 1u, 2u, 12345u, 2147483646u, 2147483647u, 4294967295u}) {
     internal::Random_numbers numbers(seed);
     std::minstd_rand expected(seed);

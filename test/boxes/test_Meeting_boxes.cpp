@@ -42,9 +42,9 @@ bool do_half_open_boxes_meet(const Rectangle& a, const Rectangle& b)
 BOOST_AUTO_TEST_CASE(intervals_decide_boxes_of_doubles)
 {
   using Limits = std::numeric_limits<double>;
-  const std::vector<double> ends = {-Limits::infinity(), Limits::lowest(), -1, -Limits::min(),
+  const std::vector<double> ends = {-Limits::infinity(), Limits::lowest(), -1, -(Limits::min)(),
                                     -Limits::denorm_min(), -0., 0., Limits::denorm_min(),
-                                    Limits::min(), 1, 1 + Limits::epsilon(), (Limits::max)(),
+                                    (Limits::min)(), 1, 1 + Limits::epsilon(), (Limits::max)(),
                                     Limits::infinity()};
   Rectangles rectangles;
   for(const double low : ends)

@@ -15,7 +15,7 @@ using namespace test_support;
 
 using Point = Epick::Point_2;
 
-constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t no_limit = (std::numeric_limits<std::size_t>::max)();
 
 // Writes down the pairs that are given, up to a number of pairs.
 class Set_taker final : public internal::Pair_taker

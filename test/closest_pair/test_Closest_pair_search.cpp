@@ -174,7 +174,7 @@ BOOST_AUTO_TEST_CASE(points_that_are_as_far_apart_as_doubles_are_compared)
   for(const Coordinates& c : shuffled(lattice_points(3, 6, 1), 9))
     if(std::fmod(c[0] + c[1] + c[2], 2) == 0)
       points.push_back(c);
-  points = moved(moved(points, 0.4, -1), std::numeric_limits<double>::max(), 0);
+  points = moved(moved(points, 0.4, -1), (std::numeric_limits<double>::max)(), 0);
   BOOST_CHECK_GT(near_searches_of_closest_pair(points), 1u);
   points.back() = points.front();
   points.back()[0] /= 2;

@@ -198,8 +198,8 @@ template <class NT>
 std::vector<NT> special_coordinates()
 {
   using Limits = std::numeric_limits<NT>;
-  const NT large = Limits::max() / 8, denormal = Limits::denorm_min();
-  return {-large, -1, -denormal, -NT(0), NT(0), denormal, 2 * denormal, Limits::min(), 1,
+  const NT large = (Limits::max)() / 8, denormal = Limits::denorm_min();
+  return {-large, -1, -denormal, -NT(0), NT(0), denormal, 2 * denormal, (Limits::min)(), 1,
           std::nextafter(NT(1), NT(2)), large};
 }
 

@@ -162,7 +162,7 @@ BOOST_AUTO_TEST_CASE(closest_pair_of_a_wall)
 BOOST_AUTO_TEST_CASE(bounds_of_any_size)
 {
   const double least = std::numeric_limits<double>::denorm_min();
-  const double greatest = std::numeric_limits<double>::max();
+  const double greatest = (std::numeric_limits<double>::max)();
   Points scene = uniform_points(2, 3000, 0, 1, 8);
   scene[10] = {greatest, greatest};
   scene[20] = {-greatest, -greatest};

@@ -325,7 +325,7 @@ BOOST_AUTO_TEST_CASE(stripes_have_about_as_many_numbers_each)
     ++counts[last];
   }
   BOOST_CHECK_EQUAL(*std::min_element(counts.begin(), counts.end()), 200);
-  const double infinite = std::numeric_limits<double>::max();
+  const double infinite = (std::numeric_limits<double>::max)();
   BOOST_CHECK_EQUAL(stripes(-infinite), 0);
   BOOST_CHECK_EQUAL(stripes(infinite), 31);
 }

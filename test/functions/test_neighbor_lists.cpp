@@ -165,7 +165,7 @@ BOOST_AUTO_TEST_CASE(lists_of_a_cancelled_search)
 BOOST_AUTO_TEST_CASE(lists_may_begin_beyond_32_bits)
 {
   using Begin = std::decay_t<decltype(CGAL::Neighbor_lists().begins()[0])>;
-  BOOST_CHECK_EQUAL(std::numeric_limits<Begin>::max(), std::numeric_limits<std::size_t>::max());
+  BOOST_CHECK_EQUAL((std::numeric_limits<Begin>::max)(), (std::numeric_limits<std::size_t>::max)());
   BOOST_CHECK_GE(sizeof(Begin), sizeof(void*));
   BOOST_CHECK((std::is_same_v<Begin, decltype(CGAL::Neighbor_lists().number_of_pairs())>));
 }

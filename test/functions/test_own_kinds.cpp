@@ -104,7 +104,7 @@ struct Distances_at_sea
     template <class NT>
     static bool is_within(double left, double right, const CGAL::Distance_bound<NT>& bound)
     {
-      const double distance = std::max({left, right, 0.});
+      const double distance = (std::max)({left, right, 0.});
       const double compared = bound.is_squared() ? distance * distance : distance;
       return bound.is_open() ? compared < bound.value() : compared <= bound.value();
     }

@@ -43,7 +43,7 @@ void check_decimal(const std::string& text)
     return;
   require(nearest == std::numeric_limits<double>::lowest() ||
           CGAL::Exact_rational(std::nextafter(nearest, -HUGE_VAL)) < exact);
-  require(nearest == std::numeric_limits<double>::max() ||
+  require(nearest == (std::numeric_limits<double>::max)() ||
           exact < CGAL::Exact_rational(std::nextafter(nearest, HUGE_VAL)));
   const std::optional<double> scaled = near_pairs::scaled_to_double(*decimal, 3);
   require(!scaled || CGAL::Exact_rational(*scaled) == CGAL::Exact_rational(exact * 1000));

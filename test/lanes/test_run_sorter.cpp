@@ -14,7 +14,7 @@ using namespace test_support;
 using internal::Place;
 using Run = std::array<Place, internal::max_run_size>;
 
-constexpr Place largest = std::numeric_limits<Place>::max();
+constexpr Place largest = (std::numeric_limits<Place>::max)();
 
 // Half of the positions have the highest bit.
 std::vector<Place> random_positions(std::size_t size, Random& random)

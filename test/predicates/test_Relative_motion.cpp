@@ -82,7 +82,7 @@ void check_enclosure(const internal::Interval& distance, const std::optional<App
   const bool are_moderate = 0x1p-380 < units.place && units.place < 0x1p380
                             && units.time * 100 < 0x1p1000;
   if(are_moderate)
-    BOOST_CHECK_LT(distance.high - std::max(distance.low, 0.), units.place * 1e-9);
+    BOOST_CHECK_LT(distance.high - (std::max)(distance.low, 0.), units.place * 1e-9);
 }
 
 // Whether the distance is at most r, or less than r, in lattice units.

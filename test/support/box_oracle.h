@@ -43,7 +43,7 @@ Pairs box_pairs(const Points& points, const Radius& radius, std::ptrdiff_t cutof
   Pairs pairs;
   const auto report = [&](const auto& a, const auto& b) {
     if(exact.are_within_radius(a.info(), b.info()))
-      pairs.emplace_back(std::min(a.info(), b.info()), std::max(a.info(), b.info()));
+      pairs.emplace_back((std::min)(a.info(), b.info()), (std::max)(a.info(), b.info()));
   };
   CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), report, cutoff,
                                 CGAL::Box_intersection_d::CLOSED);

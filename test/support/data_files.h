@@ -178,7 +178,7 @@ inline std::string van_der_waals_radius(const std::string& element)
 inline std::string letters(const std::string& line, std::size_t first, std::size_t length)
 {
   std::string result;
-  for(std::size_t i = first; i < std::min(first + length, line.size()); ++i)
+  for(std::size_t i = first; i < (std::min)(first + length, line.size()); ++i)
     if(std::isalpha(static_cast<unsigned char>(line[i])))
       result += static_cast<char>(std::toupper(static_cast<unsigned char>(line[i])));
   return result;

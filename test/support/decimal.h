@@ -25,7 +25,7 @@ struct Decimal
 // Reads [+-]digits[.digits][e[+-]digits].
 inline Decimal parse_decimal(const std::string& text)
 {
-  const std::size_t exponent_at = std::min(text.find_first_of("eE"), text.size());
+  const std::size_t exponent_at = (std::min)(text.find_first_of("eE"), text.size());
   int decimals = exponent_at == text.size() ? 0 : -std::stoi(text.substr(exponent_at + 1));
   std::string digits;
   bool after_point = false;
@@ -41,7 +41,7 @@ inline Decimal parse_decimal(const std::string& text)
   }
   if(digits.empty())
     throw std::invalid_argument("not a decimal number: '" + text + "'");
-  digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size() - 1)); // not octal
+  digits.erase(0, (std::min)(digits.find_first_not_of('0'), digits.size() - 1)); // not octal
   const Decimal_integer magnitude(digits);
   return {text[0] == '-' ? Decimal_integer(-magnitude) : magnitude, decimals};
 }
@@ -76,7 +76,7 @@ inline Decimal_points scaled_to_integers(const Text_rows& rows)
   Decimal_points points;
   for(const auto& row : rows)
     for(const std::string& text : row)
-      points.decimals = std::max(points.decimals, parse_decimal(text).decimals);
+      points.decimals = (std::max)(points.decimals, parse_decimal(text).decimals);
   for(const auto& row : rows) {
     points.dimension = static_cast<int>(row.size());
     points.coordinates.emplace_back();

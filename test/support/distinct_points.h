@@ -42,7 +42,7 @@ public:
     for(std::size_t i : positions_[u])
       for(std::size_t j : positions_[v])
         if(u != v || i < j)
-          pairs.emplace_back(std::min(i, j), std::max(i, j));
+          pairs.emplace_back((std::min)(i, j), (std::max)(i, j));
   }
 
 private:

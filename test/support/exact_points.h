@@ -89,7 +89,7 @@ private:
     for(const Coordinates& p : points)
       for(double x : p)
         if(x != 0)
-          exponent = std::min(exponent, last_bit_exponent(x));
+          exponent = (std::min)(exponent, last_bit_exponent(x));
     return exponent;
   }
 

@@ -201,7 +201,7 @@ BOOST_AUTO_TEST_CASE(mpfr_numbers_make_a_kernel)
 BOOST_AUTO_TEST_CASE(mpfr_intervals_enclose)
 {
   using Number = Mpfr_number<30>;
-  const double largest = std::numeric_limits<double>::max();
+  const double largest = (std::numeric_limits<double>::max)();
   BOOST_CHECK(CGAL::to_interval(Number(0.1)) == std::make_pair(0.1, 0.1));
   const Number third = Number(1) / 3;
   const auto [low, high] = CGAL::to_interval(third);

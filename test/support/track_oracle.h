@@ -65,8 +65,8 @@ inline std::vector<int> common_times(const Lattice_track& a, const Lattice_track
   if(!a.empty() && !b.empty())
     for(const Lattice_track* track : {&a, &b})
       for(const Lattice_fix& fix : *track)
-        if(fix.time >= std::max(a.front().time, b.front().time)
-           && fix.time <= std::min(a.back().time, b.back().time))
+        if(fix.time >= (std::max)(a.front().time, b.front().time)
+           && fix.time <= (std::min)(a.back().time, b.back().time))
           times.insert(fix.time);
   return {times.begin(), times.end()};
 }
