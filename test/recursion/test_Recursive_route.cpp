@@ -4,7 +4,6 @@
 // The recursive route in all its variants against brute force, on integer sites. Points whose
 // coordinates and reach round are in slabs/test_Slab_route.cpp.
 
-#define BOOST_TEST_MODULE recursive_route
 #include "support/lattice_traits.h"
 #include "support/recursion_variants.h"
 #include "support/unit_test.h"

@@ -4,7 +4,6 @@
 // Lists of neighbors by slabs, in sequence and in blocks of slabs, against pairs by the recursive
 // route.
 
-#define BOOST_TEST_MODULE list_route
 #include "support/kernels.h"
 #include "support/slab_variants.h"
 

@@ -4,7 +4,6 @@
 // The slab route against the recursive route, on many small structured scenes and on large skewed
 // ones; and what it does to pairs that lie at the limits of slabs.
 
-#define BOOST_TEST_MODULE slab_route
 #include "support/kernels.h"
 #include "support/point_source.h"
 #include "support/seeds.h"
