@@ -1,54 +1,22 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
+#include "make_search.h"
 #include "searches.h"
 
 #include "scenes/generators.h"
 #include "scenes/object_generators.h"
 
-#include "methods/on_objects.h"
-
 #include <CGAL/closest_pair.h>
 #include <CGAL/fixed_radius_near_neighbors.h>
 #include <CGAL/fixed_radius_neighbor_lists.h>
-#include <CGAL/thick_box_intersection_d.h>
-#include <CGAL/thick_intersection_d.h>
 
 #include <cmath>
 #include <cstdint>
-#include <memory>
-#include <utility>
 
 namespace thick_benchmark {
 
 namespace {
-
-// search(tag, result) for both tags, and a tally of the result.
-template <class Result, class Search, class Tally_of>
-Many_search search_of(const Search& search, const Tally_of& tally_of)
-{
-  const auto result = std::make_shared<Result>();
-  return {[=] { search(CGAL::Sequential_tag(), *result); },
-          [=] { search(CGAL::Parallel_tag(), *result); },
-          [=] { return tally_of(std::exchange(*result, Result())); }};
-}
-
-// search(tag, callback) for pairs, which are counted. Tasks run in turn, so one tally serves all.
-template <class Search>
-Many_search search_of_pairs(const Search& search)
-{
-  const auto count = [=](auto tag, Tally& tally) {
-    search(tag, [&](std::size_t i, std::size_t j) { tally(i, j); });
-  };
-  return search_of<Tally>(count, [](const Tally& tally) { return tally; });
-}
-
-template <int Dimension>
-auto shared_points(const Scene& scene)
-{
-  using Points = std::vector<Point_t<Epick, Dimension>>;
-  return std::make_shared<const Points>(make_points<Epick, Dimension>(scene));
-}
 
 template <int Dimension>
 Many_search near_pairs(const Scene& scene)
@@ -60,15 +28,6 @@ Many_search near_pairs(const Scene& scene)
   });
 }
 
-Tally tally_of_lists(const CGAL::Neighbor_lists& lists)
-{
-  Tally tally;
-  for(std::size_t i = 0; i < lists.size(); ++i)
-    for(const std::size_t j : lists[i])
-      tally.neighbour(i, j);
-  return tally;
-}
-
 template <int Dimension>
 Many_search neighbor_lists(const Scene& scene)
 {
@@ -76,7 +35,7 @@ Many_search neighbor_lists(const Scene& scene)
   const auto search = [points, bound = CGAL::within_distance(scene.r)](auto tag, auto& lists) {
     lists = CGAL::fixed_radius_neighbor_lists<decltype(tag)>(*points, bound);
   };
-  return search_of<CGAL::Neighbor_lists>(search, tally_of_lists);
+  return search_of_lists(search);
 }
 
 template <int Dimension>
@@ -87,16 +46,6 @@ Many_search closest_pair(const Scene& scene)
     const auto [i, j]
       = CGAL::closest_pair<decltype(tag)>(*points, CGAL::parameters::random_seed(1));
     callback(i, j);
-  });
-}
-
-template <class Maker>
-Many_search objects(const Object_scene& scene)
-{
-  using Objects = std::vector<decltype(Maker::make(nullptr))>;
-  const auto all = std::make_shared<const Objects>(make_objects<Maker>(scene).a);
-  return search_of_pairs([all](auto tag, const auto& callback) {
-    CGAL::thick_self_intersection_d<decltype(tag)>(*all, callback);
   });
 }
 

@@ -10,17 +10,15 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <iterator>
+#include <mutex>
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/enumerable_thread_specific.h>
-#endif
 
 namespace thick_benchmark {
 
@@ -61,44 +59,57 @@ inline void check_equal(const std::string& name, const Tally& expected, const Ta
     throw std::runtime_error(message.str());
 }
 
-#ifdef CGAL_LINKED_WITH_TBB
-
 // One tally per thread, so that threads never write to the same cache line. There is one for the
 // whole program: a thread looks its tally up once and then keeps a reference to it.
 class Parallel_tally
 {
 public:
-  Parallel_tally()
-  {
-    for(Tally& tally : tallies())
-      tally = Tally();
-  }
+  Parallel_tally() { take(); }
 
   void operator()(std::size_t i, std::size_t j) const
   {
-    thread_local Tally& own = tallies().local();
+    thread_local Tally& own = add_tally();
     own(i, j);
   }
 
   Tally sum() const
   {
     Tally sum;
-    for(const Tally& tally : tallies()) {
-      sum.pairs += tally.pairs;
-      sum.positions ^= tally.positions;
+    for(const Own_tally& own : tallies()) {
+      sum.pairs += own.tally.pairs;
+      sum.positions ^= own.tally.positions;
     }
     return sum;
   }
 
-private:
-  static tbb::enumerable_thread_specific<Tally>& tallies()
+  // Returns the sum, and begins anew.
+  Tally take() const
   {
-    static tbb::enumerable_thread_specific<Tally> tallies;
+    const Tally all = sum();
+    for(Own_tally& own : tallies())
+      own.tally = Tally();
+    return all;
+  }
+
+private:
+  struct alignas(64) Own_tally
+  {
+    Tally tally;
+  };
+
+  static std::deque<Own_tally>& tallies()
+  {
+    static std::deque<Own_tally> tallies;
     return tallies;
   }
-};
 
-#endif // CGAL_LINKED_WITH_TBB
+  static Tally& add_tally()
+  {
+    static std::mutex mutex;
+    const std::lock_guard<std::mutex> lock(mutex);
+    return tallies().emplace_back().tally;
+  }
+};
 
 // To tell how many pairs differ between two searches.
 struct Pair_list

@@ -6,10 +6,10 @@
 #ifndef THICK_INTERSECTION_BENCHMARK_TABLE_PRINT_H
 #define THICK_INTERSECTION_BENCHMARK_TABLE_PRINT_H
 
-#include <initializer_list>
 #include <iostream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace thick_benchmark {
 
@@ -41,7 +41,7 @@ void print_line(const Cell&... cell)
 
 // The names of columns of text, and of columns of figures, in their order: those of figures begin
 // with '>'.
-inline void print_head(std::initializer_list<std::string> names)
+inline void print_head(const std::vector<std::string>& names)
 {
   std::string rule = "|";
   std::cout << '|';
