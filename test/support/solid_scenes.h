@@ -85,7 +85,7 @@ inline Lattice_mesh convex_mesh(Random& random, std::int64_t side, std::int64_t 
   }
 }
 
-// Turns faces over, and adds some that are points, segments or twice there. Few meshes lose a face.
+// Turns faces over, and adds some that are points, segments or twice there. Few meshes lose faces.
 inline void roughen(Random& random, Lattice_mesh& mesh)
 {
   for(Lattice_face& face : mesh)
@@ -96,7 +96,8 @@ inline void roughen(Random& random, Lattice_mesh& mesh)
   case 0: mesh.push_back({face[0], face[0], face[0]}); break;
   case 1: mesh.push_back({face[0], face[1], face[0]}); break;
   case 2: mesh.insert(mesh.end(), {face, face}); break;
-  case 3: mesh.erase(mesh.begin() + static_cast<std::ptrdiff_t>(random.below(mesh.size())));
+  case 3: mesh.erase(mesh.begin() + static_cast<std::ptrdiff_t>(random.below(mesh.size()))); break;
+  case 4: mesh.resize(mesh.size() - 2);
   }
 }
 
@@ -134,6 +135,23 @@ inline Lattice_solid random_solid_of_many_faces(std::uint64_t seed)
   while(mesh.size() < 300)
     mesh = joined(mesh, convex_mesh(random, 12, 6));
   return {{mesh}, {}};
+}
+
+// A large solid that does not fill its box, and unions of small ones, some of which are inside it.
+inline Solid_scene random_scene_of_parts(std::uint64_t seed)
+{
+  Solid_scene scene = {"parts " + std::to_string(seed), {}};
+  Random random(seed);
+  const Lattice_mesh octahedron = octahedron_mesh({14, 14, 14}, 13);
+  scene.solids.push_back(
+    {{seed % 2 == 0 ? octahedron : joined(cube_mesh(0, 28), octahedron)}, {}});
+  for(int i = 0; i < 10; ++i) {
+    Lattice_solid parts;
+    for(int k = 0; k < 5; ++k)
+      parts.meshes.push_back(convex_mesh(random, 25, 2));
+    scene.solids.push_back(parts);
+  }
+  return scene;
 }
 
 inline Solid_scene random_solid_scene(std::uint64_t seed, std::size_t size, std::int64_t side,

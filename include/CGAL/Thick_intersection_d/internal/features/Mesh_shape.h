@@ -54,8 +54,9 @@ public:
         if(const auto [low, high] = std::minmax(face[k], face[(k + 1) % 3]); low != high)
           edges.emplace_back(low, high);
     std::sort(edges.begin(), edges.end());
+    // Edges that belong to odd numbers of faces form cycles. So none of them is alone at the end.
     for(auto edge = edges.begin(); edge != edges.end(); edge += 2)
-      if(edge + 1 == edges.end() || edge[0] != edge[1])
+      if(edge[0] != edge[1])
         return false;
     return true;
   }
