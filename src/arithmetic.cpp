@@ -22,17 +22,17 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-using Exact = Exact_number_t<double>;
-
-template class Squared_bound<Exact>;
-template Squared_bound<Exact>::Squared_bound(const Distance_bound<double>&);
-template Squared_bound<Exact>::Squared_bound(const Distance_bound<Exact>&);
-template void add_exact_square(Exact&, const double&, const double&);
-template Distance_filter make_distance_filter(const Squared_bound<Exact>&, int);
-template Distance_filter make_certified_filter(const Squared_bound<Exact>&);
-template Distance_filter widen(const Distance_filter&, const Squared_bound<Exact>&, double);
+template class Squared_bound<Exact_of_doubles>;
+template Squared_bound<Exact_of_doubles>::Squared_bound(const Distance_bound<double>&);
+template Squared_bound<Exact_of_doubles>::Squared_bound(const Distance_bound<Exact_of_doubles>&);
+template void add_exact_square(Exact_of_doubles&, const double&, const double&);
+template Sign compare_exactly(const Exact_of_doubles&, const Exact_of_doubles&);
+template Distance_filter make_distance_filter(const Squared_bound<Exact_of_doubles>&, int);
+template Distance_filter make_certified_filter(const Squared_bound<Exact_of_doubles>&);
+template Distance_filter widen(
+  const Distance_filter&, const Squared_bound<Exact_of_doubles>&, double);
 template Scaled_filter scaled_filter(
-  const Squared_bound<Exact>&, const Scene&, const Scaled_filter&);
+  const Squared_bound<Exact_of_doubles>&, const Scene&, const Scaled_filter&);
 template void Scene_sample::add_axis(std::vector<double>&, Double_grid&);
 
 } // namespace internal

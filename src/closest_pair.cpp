@@ -2,12 +2,10 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The joins of points in common cells, and the comparison of exact squares, for all kernels, in the
-// library that programs link if they define CGAL_THICK_INTERSECTION_D_COMPILED.
+// The joins of points in common cells, for all kernels, in the library that programs link if they
+// define CGAL_THICK_INTERSECTION_D_COMPILED.
 
-#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/Join_task.h>
-#include <CGAL/Thick_intersection_d/internal/closest_pair/Twofold_distance.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/join_search.inc>
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_task.h>
 
@@ -23,8 +21,6 @@ template Joined join_samples<2>(Near_points<2>&, const Join_task<2>&, Closest_ta
 template Joined join_first_points<3>(
   Near_points<3>&, const Join_task<3>&, std::size_t, double, Pair_taker&);
 template Joined join_samples<3>(Near_points<3>&, const Join_task<3>&, Closest_taker&);
-template Comparison_result compare_exactly(
-  const Exact_number_t<double>&, const Exact_number_t<double>&);
 
 } // namespace internal
 } // namespace Thick_intersection_d

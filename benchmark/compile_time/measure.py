@@ -35,7 +35,7 @@ CALLS = {
     ("NEAR_POINTS", False): ("`fixed_radius_near_neighbors`, plane", 1.6, None),
     ("NEAR_POINTS_IN_SPACE", False): ("`fixed_radius_near_neighbors`, space", 1.5, 116.5),
     ("NEIGHBOR_LISTS", False): ("`fixed_radius_neighbor_lists`, space", 1.6, 151.5),
-    ("NEAR_POINTS_IN_SPACE", True): ("`fixed_radius_near_neighbors`, space, linked", 1.5, 17.1),
+    ("NEAR_POINTS_IN_SPACE", True): ("`fixed_radius_near_neighbors`, space, linked", 1.5, 17.2),
     ("NEIGHBOR_LISTS", True): ("`fixed_radius_neighbor_lists`, space, linked", 1.6, 17.7),
     ("CLOSEST_PAIR", False): ("`closest_pair`, plane", None, None),
     ("CLOSEST_PAIR_IN_SPACE", False): ("`closest_pair`, space", 1.5, 105.2),

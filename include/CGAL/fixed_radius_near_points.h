@@ -150,7 +150,7 @@ bool fixed_radius_near_neighbors(PointRange&& points, const Distance_bound<NT>& 
   namespace internal = Thick_intersection_d::internal;
   const internal::Threads threads{ConcurrencyTag()};
   const auto search = [&](const auto& elements, const auto& sets, auto& report) {
-    return internal::report_near_pairs(elements, sets, bound, report, profile, np, threads);
+    return internal::report_near_pairs(elements, sets, bound, report, np, threads, profile);
   };
   return internal::search_ranges(callback, np, threads, search, points);
 }
@@ -210,7 +210,7 @@ bool fixed_radius_near_neighbors(PointRangeA&& points_a, PointRangeB&& points_b,
   namespace internal = Thick_intersection_d::internal;
   const internal::Threads threads{ConcurrencyTag()};
   const auto search = [&](const auto& elements, const auto& sets, auto& report) {
-    return internal::report_near_pairs(elements, sets, bound, report, profile, np, threads);
+    return internal::report_near_pairs(elements, sets, bound, report, np, threads, profile);
   };
   return internal::search_ranges(callback, np, threads, search, points_a, points_b);
 }

@@ -53,7 +53,32 @@ class Squared_bound
 public:
   // Throws std::invalid_argument if the bound is negative or NaN.
   template <class NT>
-  CGAL_THICK_INTERSECTION_D_RARELY_CALLED explicit Squared_bound(const Distance_bound<NT>& bound);
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED explicit Squared_bound(const Distance_bound<NT>& bound)
+    : open_(bound.is_open()), unbounded_(!is_finite_number(bound.value()))
+  {
+    if(!(bound.value() >= NT(0)))
+      throw std::invalid_argument("The distance bound is negative or NaN.");
+    if(unbounded_)
+      return;
+
+    if constexpr(std::is_same_v<NT, Exact>)
+      numerator_ = square_of(bound.value(), bound.is_squared());
+    else if constexpr(is_held_by_double_v<NT>) // which Exact holds as well
+      numerator_ = square_of(Exact(static_cast<double>(bound.value())), bound.is_squared());
+    else
+      decompose(square_of(to_exact_rational(bound.value()), bound.is_squared()),
+                numerator_, denominator_);
+
+    const std::pair<double, double> value = bounds(bound.value());
+    set_doubles(value, bound.is_squared());
+    if constexpr(!is_held_by_double_v<NT>)
+      if(bound.is_squared() && (value.second < 0x1p-600 || value.second > 0x1p600)) {
+        if constexpr(std::is_same_v<NT, Exact> && !Is_lazy<NT>::value)
+          set_reach(bound.value());
+        else // products of lazy numbers that are beyond the doubles have no bounds
+          set_reach(to_exact_rational(bound.value()));
+      }
+  }
 
   CGAL_THICK_INTERSECTION_D_RARELY_CALLED Squared_bound(const Squared_bound&) = default;
   CGAL_THICK_INTERSECTION_D_RARELY_CALLED ~Squared_bound() = default;
@@ -73,7 +98,13 @@ public:
   double reach() const { return reach_; }
 
   // Whether a squared distance is within the bound. Degree 2 in the coordinates and r.
-  CGAL_THICK_INTERSECTION_D_RARELY_CALLED bool holds_for(const Exact& squared_distance) const;
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED bool holds_for(const Exact& squared_distance) const
+  {
+    if(unbounded_)
+      return true;
+    const Exact scaled = squared_distance * denominator_;
+    return open_ ? scaled < numerator_ : scaled <= numerator_;
+  }
 
   // Whether a squared distance is within (r + s)^2. It is a quotient x = n / d, where d > 0.
   //
@@ -93,11 +124,35 @@ public:
   }
 
   // Returns the largest squared distance within the bound that is a double.
-  CGAL_THICK_INTERSECTION_D_RARELY_CALLED double largest_double() const;
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED double largest_double() const
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double threshold = (std::min)(squared_.first, (std::numeric_limits<double>::max)());
+    while(!holds_for(Exact(threshold)))
+      threshold = std::nextafter(threshold, -infinity);
+    for(double next = std::nextafter(threshold, infinity);
+        next != infinity && holds_for(Exact(next)); next = std::nextafter(next, infinity))
+      threshold = next;
+    return threshold;
+  }
 
   // Returns the least integer s such that the squared distance s 4^e is not within the bound. The
   // reach must have fewer than 2^63 steps of 2^e. Divides r^2 by 4^e, bit by bit.
-  CGAL_THICK_INTERSECTION_D_RARELY_CALLED Uint128 first_beyond(int e) const;
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED Uint128 first_beyond(int e) const
+  {
+    const Exact unit(std::ldexp(1., e));
+    const Exact divisor(unit * unit * denominator_);
+    Exact rest(numerator_);
+    Uint128 quotient = 0;
+    for(int bit = 2 * std::ilogb(steps_within(reach_, e) + 1) + 1; bit >= 0; --bit) {
+      const Exact part(divisor * Exact(std::ldexp(1., bit)));
+      if(part <= rest) {
+        rest -= part;
+        quotient += Uint128(1) << bit;
+      }
+    }
+    return open_ && rest == Exact(0) ? quotient : Uint128(quotient + 1);
+  }
 
 private:
   template <class Number>
@@ -146,80 +201,11 @@ private:
   bool unbounded_;
 };
 
-template <class Exact>
-template <class NT>
-Squared_bound<Exact>::Squared_bound(const Distance_bound<NT>& bound)
-  : open_(bound.is_open()), unbounded_(!is_finite_number(bound.value()))
-{
-  if(!(bound.value() >= NT(0)))
-    throw std::invalid_argument("The distance bound is negative or NaN.");
-  if(unbounded_)
-    return;
-
-  if constexpr(std::is_same_v<NT, Exact>)
-    numerator_ = square_of(bound.value(), bound.is_squared());
-  else if constexpr(is_held_by_double_v<NT>) // which Exact holds as well
-    numerator_ = square_of(Exact(static_cast<double>(bound.value())), bound.is_squared());
-  else
-    decompose(square_of(to_exact_rational(bound.value()), bound.is_squared()),
-              numerator_, denominator_);
-
-  const std::pair<double, double> value = bounds(bound.value());
-  set_doubles(value, bound.is_squared());
-  if constexpr(!is_held_by_double_v<NT>)
-    if(bound.is_squared() && (value.second < 0x1p-600 || value.second > 0x1p600)) {
-      if constexpr(std::is_same_v<NT, Exact> && !Is_lazy<NT>::value)
-        set_reach(bound.value());
-      else // products of lazy numbers that are beyond the doubles have no bounds
-        set_reach(to_exact_rational(bound.value()));
-    }
-}
-
-template <class Exact>
-bool Squared_bound<Exact>::holds_for(const Exact& squared_distance) const
-{
-  if(unbounded_)
-    return true;
-  const Exact scaled = squared_distance * denominator_;
-  return open_ ? scaled < numerator_ : scaled <= numerator_;
-}
-
-template <class Exact>
-double Squared_bound<Exact>::largest_double() const
-{
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  double threshold = (std::min)(squared_.first, (std::numeric_limits<double>::max)());
-  while(!holds_for(Exact(threshold)))
-    threshold = std::nextafter(threshold, -infinity);
-  for(double next = std::nextafter(threshold, infinity);
-      next != infinity && holds_for(Exact(next)); next = std::nextafter(next, infinity))
-    threshold = next;
-  return threshold;
-}
-
-template <class Exact>
-Uint128 Squared_bound<Exact>::first_beyond(int e) const
-{
-  const Exact unit(std::ldexp(1., e));
-  const Exact divisor(unit * unit * denominator_);
-  Exact rest(numerator_);
-  Uint128 quotient = 0;
-  for(int bit = 2 * std::ilogb(steps_within(reach_, e) + 1) + 1; bit >= 0; --bit) {
-    const Exact part(divisor * Exact(std::ldexp(1., bit)));
-    if(part <= rest) {
-      rest -= part;
-      quotient += Uint128(1) << bit;
-    }
-  }
-  return open_ && rest == Exact(0) ? quotient : Uint128(quotient + 1);
-}
-
 #ifdef CGAL_THICK_INTERSECTION_D_COMPILED
-extern template class Squared_bound<Exact_number_t<double>>;
-extern template Squared_bound<Exact_number_t<double>>::Squared_bound(
-  const Distance_bound<double>&);
-extern template Squared_bound<Exact_number_t<double>>::Squared_bound(
-  const Distance_bound<Exact_number_t<double>>&);
+extern template class Squared_bound<Exact_of_doubles>;
+extern template Squared_bound<Exact_of_doubles>::Squared_bound(const Distance_bound<double>&);
+extern template Squared_bound<Exact_of_doubles>::Squared_bound(
+  const Distance_bound<Exact_of_doubles>&);
 #endif
 
 } // namespace internal

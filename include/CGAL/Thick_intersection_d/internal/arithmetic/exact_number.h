@@ -185,6 +185,7 @@ struct Exact_number<float>
 
 template <class FT>
 using Exact_number_t = typename Exact_number<FT>::type;
+using Exact_of_doubles = Exact_number_t<double>;
 
 // Returns x, a coordinate or a radius, in its exact type.
 template <class NT>

@@ -37,7 +37,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <cstddef>
 #include <mutex>
 #include <numeric>

@@ -57,7 +57,6 @@ public:
 
   CGAL_THICK_INTERSECTION_D_RARELY_CALLED Pair_minimum(const Pair_minimum&) = default;
 
-  bool has_pair() const { return has_pair_; }
   const Position_pair& pair() const { return pair_; }
 
   // Takes the pair if it is closer, or as close and lexicographically smaller.
@@ -98,9 +97,7 @@ public:
       return true;
     if(is_exact_ || g.sup * g.sup <= filter_.inside)
       return false;
-    const Exact difference = to_exact_number(coordinate(points_[i], axis))
-                             - to_exact_number(coordinate(points_[j], axis));
-    return Exact(difference * difference) > exact_square();
+    return exact_squared_distance(points_[i], points_[j], axis + 1, axis) > exact_square();
   }
 
   // An upper bound on the distance.
@@ -168,7 +165,7 @@ private:
   {
     Exact exact = exact_squared_distance(points_[candidate.first], points_[candidate.second],
                                          dimension_);
-    const Comparison_result order = compare_exactly(exact, exact_square());
+    const Sign order = compare_exactly(exact, exact_square());
     if(order == SMALLER || (order == EQUAL && candidate < pair_)) {
       replace(candidate, square);
       exact_square_ = std::move(exact);

@@ -8,11 +8,6 @@
 // Compares two distances that are equal or nearly so, by doubles of twice the precision. In a scene
 // of equal steps, nearly all distances of neighbors are.
 
-#include <CGAL/enum.h>
-
-#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
-#include <CGAL/Thick_intersection_d/internal/machine/hints.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -130,19 +125,6 @@ private:
   std::array<double, max_dimension> gaps_ = {}; // sorted
   bool has_exact_gaps_ = true;
 };
-
-// Compares what doubles cannot tell.
-template <class Exact>
-CGAL_THICK_INTERSECTION_D_RARELY_CALLED
-Comparison_result compare_exactly(const Exact& a, const Exact& b)
-{
-  return a < b ? SMALLER : b < a ? LARGER : EQUAL;
-}
-
-#ifdef CGAL_THICK_INTERSECTION_D_COMPILED
-extern template Comparison_result compare_exactly(
-  const Exact_number_t<double>&, const Exact_number_t<double>&);
-#endif
 
 } // namespace internal
 } // namespace Thick_intersection_d

@@ -30,7 +30,6 @@
 #include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
 
 #include <chrono>
-#include <cstddef>
 #include <exception>
 #include <optional>
 #include <sstream>

@@ -10,6 +10,7 @@
 // these functions only.
 
 #include <CGAL/assertions.h>
+#include <CGAL/enum.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/input/base_kind.h>
@@ -160,27 +161,32 @@ bool is_within_reach(const NT& x, const NT& y, double reach)
 
 // Adds the square of a difference to a sum, without error.
 template <class Exact, class NT>
-CGAL_THICK_INTERSECTION_D_RARELY_CALLED
-void add_exact_square(Exact& sum, const NT& x, const NT& y)
+CGAL_THICK_INTERSECTION_D_RARELY_CALLED void add_exact_square(Exact& sum, const NT& x, const NT& y)
 {
   const Exact difference = to_exact_number(x) - to_exact_number(y);
   sum += difference * difference;
 }
 
-// Returns |pq|^2 without error. Degree 2.
+// Returns |pq|^2 without error, or the part of it from an axis on. Degree 2.
 template <class Point>
 CGAL_THICK_INTERSECTION_D_RARELY_CALLED
-auto exact_squared_distance(const Point& p, const Point& q, int dimension)
+auto exact_squared_distance(const Point& p, const Point& q, int dimension, int axis = 0)
 {
-  using Exact = Exact_number_t<Coordinate_t<Point>>;
-  Exact sum = Exact(); // zero
-  for(int i = 0; i < dimension; ++i)
-    add_exact_square(sum, coordinate(p, i), coordinate(q, i));
+  Exact_number_t<Coordinate_t<Point>> sum = {}; // zero
+  for(; axis < dimension; ++axis)
+    add_exact_square(sum, coordinate(p, axis), coordinate(q, axis));
   return sum;
 }
 
+template <class Exact>
+CGAL_THICK_INTERSECTION_D_RARELY_CALLED Sign compare_exactly(const Exact& a, const Exact& b)
+{
+  return a < b ? SMALLER : b < a ? LARGER : EQUAL;
+}
+
 #ifdef CGAL_THICK_INTERSECTION_D_COMPILED
-extern template void add_exact_square(Exact_number_t<double>&, const double&, const double&);
+extern template void add_exact_square(Exact_of_doubles&, const double&, const double&);
+extern template Sign compare_exactly(const Exact_of_doubles&, const Exact_of_doubles&);
 #endif
 
 // Texts are made only for an error, and appended, because sums of texts take long to compile.

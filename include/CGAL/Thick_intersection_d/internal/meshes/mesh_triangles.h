@@ -16,7 +16,6 @@
 #include <CGAL/Thick_intersection_d/internal/predicates/planar_objects.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/spatial_objects.h>
 
-#include <array>
 #include <cstddef>
 
 namespace CGAL {

@@ -48,8 +48,8 @@ struct Near_pairs_of<Point, true>
   // scene.
   template <class Elements, class Sets, class NT, class Callback, class NamedParameters>
   static bool report(const Elements& points, const Sets& sets, const Distance_bound<NT>& bound,
-                     Callback& callback, Scene_profile& profile, const NamedParameters& np,
-                     const Threads& threads)
+                     Callback& callback, const NamedParameters& np, const Threads& threads,
+                     Scene_profile& profile)
   {
     Near_pairs_search<Elements> search(points, bound, true, threads);
     return search.report_profiled(sets, callback, np, &profile);
@@ -62,21 +62,16 @@ using Near_pairs_of_t
                   Is_point<typename Elements::value_type>::value
                     && !has_traits_v<typename Elements::value_type, NamedParameters>>;
 
-template <class Elements, class Sets, class NT, class Callback, class NamedParameters>
+// Reports the near pairs of points or objects, and describes the search in a Scene_profile if there
+// is one behind the threads.
+template <class Elements, class Sets, class NT, class Callback, class NamedParameters,
+          class... Profile>
 bool report_near_pairs(const Elements& elements, const Sets& sets, const Distance_bound<NT>& bound,
-                       Callback& callback, const NamedParameters& np, const Threads& threads)
+                       Callback& callback, const NamedParameters& np, const Threads& threads,
+                       Profile&... profile)
 {
   return Near_pairs_of_t<Elements, NamedParameters>::report(elements, sets, bound, callback, np,
-                                                            threads);
-}
-
-template <class Elements, class Sets, class NT, class Callback, class NamedParameters>
-bool report_near_pairs(const Elements& elements, const Sets& sets, const Distance_bound<NT>& bound,
-                       Callback& callback, Scene_profile& profile, const NamedParameters& np,
-                       const Threads& threads)
-{
-  return Near_pairs_of_t<Elements, NamedParameters>::report(elements, sets, bound, callback,
-                                                            profile, np, threads);
+                                                            threads, profile...);
 }
 
 } // namespace internal

@@ -250,8 +250,8 @@ struct Near_pairs_of<Object, false>
   // scene.
   template <class Elements, class Sets, class NT, class Callback, class NamedParameters>
   static bool report(const Elements& objects, const Sets& sets, const Distance_bound<NT>& bound,
-                     Callback& callback, Scene_profile& profile, const NamedParameters& np,
-                     const Threads& threads)
+                     Callback& callback, const NamedParameters& np, const Threads& threads,
+                     Scene_profile& profile)
   {
     if constexpr(!check_profiled_near_objects<Object, NamedParameters>())
       return false;

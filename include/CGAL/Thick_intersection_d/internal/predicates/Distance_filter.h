@@ -15,7 +15,6 @@
 // subtractions. So the two constants depend on the bound alone, not on the points.
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
-#include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 
 #include <algorithm>
 #include <cmath>
@@ -107,15 +106,6 @@ Distance_filter widen(const Distance_filter& filter, const Squared_bound<Exact>&
   wide.outside = (std::max)(filter.outside, high * high);
   return wide;
 }
-
-#ifdef CGAL_THICK_INTERSECTION_D_COMPILED
-extern template Distance_filter make_distance_filter(
-  const Squared_bound<Exact_number_t<double>>&, int);
-extern template Distance_filter make_certified_filter(
-  const Squared_bound<Exact_number_t<double>>&);
-extern template Distance_filter widen(
-  const Distance_filter&, const Squared_bound<Exact_number_t<double>>&, double);
-#endif
 
 } // namespace internal
 } // namespace Thick_intersection_d

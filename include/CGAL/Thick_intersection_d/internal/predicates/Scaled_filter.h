@@ -75,8 +75,12 @@ Scaled_filter scaled_filter(const Squared_bound<Exact>& bound, const Scene& scen
 }
 
 #ifdef CGAL_THICK_INTERSECTION_D_COMPILED
+using Bound_of_doubles = Squared_bound<Exact_of_doubles>;
+extern template Distance_filter make_distance_filter(const Bound_of_doubles&, int);
+extern template Distance_filter make_certified_filter(const Bound_of_doubles&);
+extern template Distance_filter widen(const Distance_filter&, const Bound_of_doubles&, double);
 extern template Scaled_filter scaled_filter(
-  const Squared_bound<Exact_number_t<double>>&, const Scene&, const Scaled_filter&);
+  const Bound_of_doubles&, const Scene&, const Scaled_filter&);
 #endif
 
 } // namespace internal

@@ -25,7 +25,6 @@
 #include <CGAL/Thick_intersection_d/internal/predicates/spatial_objects.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/tetrahedra.h>
 
-#include <array>
 #include <cstddef>
 
 namespace CGAL {

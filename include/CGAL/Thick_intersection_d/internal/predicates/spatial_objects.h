@@ -18,7 +18,6 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <utility>
 
 namespace CGAL {
 namespace Thick_intersection_d {

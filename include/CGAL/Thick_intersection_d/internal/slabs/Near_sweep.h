@@ -21,7 +21,6 @@
 
 #include <boost/config.hpp> // BOOST_NOINLINE
 
-#include <cstddef>
 #include <utility>
 
 namespace CGAL {

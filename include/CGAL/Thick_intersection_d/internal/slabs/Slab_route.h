@@ -26,8 +26,6 @@
 #include <CGAL/Thick_intersection_d/internal/slabs/report_all_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/tuning.h>
 
-#include <boost/config.hpp> // BOOST_NOINLINE
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -11,7 +11,6 @@
 
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
-#include <CGAL/Thick_intersection_d/internal/lanes/Run.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_sweep.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_window.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Strips.h>
