@@ -97,7 +97,9 @@ public:
       return true;
     if(is_exact_ || g.sup * g.sup <= filter_.inside)
       return false;
-    return exact_squared_distance(points_[i], points_[j], axis + 1, axis) > exact_square();
+    const Exact difference = to_exact_number(coordinate(points_[i], axis))
+                             - to_exact_number(coordinate(points_[j], axis));
+    return Exact(difference * difference) > exact_square();
   }
 
   // An upper bound on the distance.

@@ -167,14 +167,14 @@ CGAL_THICK_INTERSECTION_D_RARELY_CALLED void add_exact_square(Exact& sum, const 
   sum += difference * difference;
 }
 
-// Returns |pq|^2 without error, or the part of it from an axis on. Degree 2.
+// Returns |pq|^2 without error. Degree 2.
 template <class Point>
 CGAL_THICK_INTERSECTION_D_RARELY_CALLED
-auto exact_squared_distance(const Point& p, const Point& q, int dimension, int axis = 0)
+auto exact_squared_distance(const Point& p, const Point& q, int dimension)
 {
-  Exact_number_t<Coordinate_t<Point>> sum = {}; // zero
-  for(; axis < dimension; ++axis)
-    add_exact_square(sum, coordinate(p, axis), coordinate(q, axis));
+  Exact_number_t<Coordinate_t<Point>> sum(0); // a lazy number has no value by default
+  for(int i = 0; i < dimension; ++i)
+    add_exact_square(sum, coordinate(p, i), coordinate(q, i));
   return sum;
 }
 

@@ -142,7 +142,9 @@ public:
       return true;
     if(g.inf * g.inf > filter_.outside)
       return false;
-    return bound_.holds_for(exact_squared_distance(p, q, axis + 1, axis));
+    const Exact difference
+      = to_exact_number(coordinate(p, axis)) - to_exact_number(coordinate(q, axis));
+    return bound_.holds_for(Exact(difference * difference));
   }
 
   // The first question, for searches that hold the points of the scene as doubles, times a power of
