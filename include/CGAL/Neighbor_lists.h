@@ -7,6 +7,8 @@
 
 // The neighbors of all points of a range, in compressed rows.
 
+#include <CGAL/Thick_intersection_d/internal/arrays/Plain_array.h>
+
 #include <boost/iterator/iterator_facade.hpp>
 #include <boost/range/iterator_range.hpp>
 
@@ -45,7 +47,17 @@ public:
   /// iterates over the lists, from point to point. It has random access, and makes `Neighbors`. It
   /// stays valid if the lists are moved.
   using const_iterator = unspecified_type;
+
+  /// the places where lists begin: a contiguous range of `std::size_t` with `data()`, `size()` and
+  /// random access, which converts to a `std::vector`.
+  using Begins = unspecified_type;
+
+  /// the neighbors of all points: such a range of `Position`.
+  using Positions = unspecified_type;
 #else
+  using Begins = Thick_intersection_d::internal::Plain_array<std::size_t>;
+  using Positions = Thick_intersection_d::internal::Plain_array<Position>;
+
   class const_iterator
     : public boost::iterator_facade<const_iterator, const Neighbors,
                                     std::random_access_iterator_tag, const Neighbors>
@@ -74,7 +86,7 @@ public:
 #endif
 
   /// constructs the lists of no points.
-  Basic_neighbor_lists() : begins_(1, 0) {}
+  Basic_neighbor_lists() : begins_(std::vector<std::size_t>(1, 0)) {}
 
   /// constructs lists from compressed rows: the neighbors of point `i` are `positions[begins[i]]`
   /// up to but excluding `positions[begins[i + 1]]`. If the neighbors are points of the same range,
@@ -85,6 +97,13 @@ public:
     : begins_(std::move(begins)), positions_(std::move(positions)),
       are_of_one_range_(are_of_one_range)
   {}
+
+#ifndef DOXYGEN_RUNNING
+  Basic_neighbor_lists(Begins begins, Positions positions, bool are_of_one_range)
+    : begins_(std::move(begins)), positions_(std::move(positions)),
+      are_of_one_range_(are_of_one_range)
+  {}
+#endif
 
   /// returns the number of points that have a list.
   std::size_t size() const { return begins_.size() - 1; }
@@ -106,18 +125,19 @@ public:
 
   /// returns where the neighbors of each point begin in `positions()`. The last value is where the
   /// neighbors of the last point end.
-  const std::vector<std::size_t>& begins() const& { return begins_; }
+  const Begins& begins() const& { return begins_; }
 
   /// moves the array out: `std::move(lists).begins()`. The lists can then only be assigned to or
   /// destroyed, and the other array be moved out.
-  std::vector<std::size_t> begins() && { return std::move(begins_); }
+  Begins begins() && { return std::move(begins_); }
 
   /// returns the neighbors of all points, one list after another.
-  const std::vector<Position>& positions() const& { return positions_; }
+  const Positions& positions() const& { return positions_; }
 
   /// moves the array out: `std::move(lists).positions()`. The lists can then only be assigned to or
-  /// destroyed, and the other array be moved out.
-  std::vector<Position> positions() && { return std::move(positions_); }
+  /// destroyed, and the other array be moved out. A `std::vector` is a copy of it, unless the lists
+  /// were constructed from one.
+  Positions positions() && { return std::move(positions_); }
 
   /// returns whether `a` and `b` hold the same lists.
   friend bool operator==(const Basic_neighbor_lists& a, const Basic_neighbor_lists& b)
@@ -126,8 +146,8 @@ public:
   }
 
 private:
-  std::vector<std::size_t> begins_;
-  std::vector<Position> positions_;
+  Begins begins_;
+  Positions positions_;
   bool are_of_one_range_ = true;
 };
 

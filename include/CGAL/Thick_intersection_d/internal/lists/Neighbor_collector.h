@@ -19,7 +19,6 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Per_thread.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
-#include <CGAL/Thick_intersection_d/internal/machine/huge_pages.h>
 #include <CGAL/Thick_intersection_d/internal/machine/hints.h>
 #include <CGAL/Thick_intersection_d/internal/near_points/Callback_taker.h>
 #include <CGAL/Thick_intersection_d/internal/reports/List_bins.h>
@@ -97,7 +96,6 @@ private:
 class Neighbor_collector
 {
   using Position = Neighbor_lists::Position;
-  using Positions = std::vector<Position>;
 
 public:
   CGAL_THICK_INTERSECTION_D_RARELY_CALLED
@@ -143,27 +141,6 @@ private:
   template <class Bins>
   Neighbor_lists lists_of(All_bins<Bins>& bins, bool are_of_one_set, Neighbor_lists&& old_lists);
 
-  // Makes room for lists of `neighbor_count` neighbors. To clear it takes a while, and two threads
-  // do it in parallel. In sequence, lists are appended: one write less.
-  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
-  void make_room(std::vector<std::size_t>& begins, Positions& positions,
-                 std::size_t neighbor_count) const
-  {
-    const auto clear_begins = [&] {
-      begins.assign(size_ + 1, 0);
-      return true;
-    };
-    const auto clear_positions = [&] {
-      positions.clear();
-      positions.reserve(neighbor_count);
-      advise_huge_pages(positions.data(), neighbor_count * sizeof(Position));
-      if(threads_.are_many())
-        positions.resize(neighbor_count);
-      return true;
-    };
-    threads_.run_all(clear_begins, clear_positions, [] { return true; });
-  }
-
   template <class Bins>
   std::size_t bin_count() const
   {
@@ -189,7 +166,7 @@ private:
   // list begins at `begin`.
   template <class Bins>
   void make_lists(All_bins<Bins>& all_bins, std::size_t bin, std::size_t begin,
-                  std::vector<std::size_t>& begins, Position* lists)
+                  std::size_t* begins, Position* lists)
   {
     const auto for_each_part = [&](const auto& task) {
       all_bins.for_each([&](const Bins& bins) {
@@ -227,22 +204,21 @@ template <class Bins>
 Neighbor_lists Neighbor_collector::lists_of(All_bins<Bins>& bins, bool are_of_one_set,
                                             Neighbor_lists&& old_lists)
 {
-  std::vector<std::size_t> begins = std::move(old_lists).begins();
-  Positions positions = std::move(old_lists).positions();
+  Neighbor_lists::Begins begins = std::move(old_lists).begins();
+  Neighbor_lists::Positions positions = std::move(old_lists).positions();
   const std::vector<std::size_t> begins_of_bins = begins_of_all_bins(bins);
-  make_room(begins, positions, begins_of_bins.back());
+  std::size_t* const all_begins = begins.require(size_ + 1);
+  Position* const all_lists = positions.require(begins_of_bins.back());
 
+  all_begins[0] = 0;
   threads_.run_blocks(bin_count<Bins>(), [&](std::size_t bin, std::size_t last) {
     Buffer<Position> lists;
     for(; bin != last; ++bin) {
       const std::size_t begin = begins_of_bins[bin];
-      const std::size_t end = begins_of_bins[bin + 1];
-      Position* const first = lists.require(end - begin);
-      make_lists(bins, bin, begin, begins, first);
-      if(threads_.are_many())
-        std::copy(first, first + (end - begin), positions.data() + begin);
-      else
-        positions.insert(positions.end(), first, first + (end - begin));
+      const std::size_t count = begins_of_bins[bin + 1] - begin;
+      Position* const first = lists.require(count);
+      make_lists(bins, bin, begin, all_begins, first);
+      std::copy_n(first, count, all_lists + begin);
     }
   });
   if(threads_.are_many()) // to free much memory takes a while
