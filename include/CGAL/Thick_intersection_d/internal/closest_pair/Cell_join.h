@@ -155,7 +155,7 @@ public:
   {
     const Cell_lists lists(
       sample.size(), threads_,
-      [&](std::size_t first, std::size_t last, Cell_lists::Writer& writer) {
+      [&](std::size_t first, std::size_t last, auto& writer) {
         enter(sample, first, last, writer);
       });
     Join_steps steps = {max_steps};
@@ -178,8 +178,8 @@ private:
   static constexpr int all_axes = Near_points<Dimension>::all_axes;
 
   // Appends the entries of the points [first, last) of the sample.
-  void enter(const Some_positions& sample, std::size_t first, std::size_t last,
-             Cell_lists::Writer& writer)
+  template <class Writer>
+  void enter(const Some_positions& sample, std::size_t first, std::size_t last, Writer& writer)
   {
     const Block_reader<Dimension> reader(points_);
     for(; first < last; first += block_size) {
@@ -197,8 +197,9 @@ private:
     }
   }
 
+  template <class Writer>
   BOOST_NOINLINE
-  void enter_drawn(const Place* positions, std::size_t size, Cell_lists::Writer& writer) const
+  void enter_drawn(const Place* positions, std::size_t size, Writer& writer) const
   {
     std::array<std::array<double, Dimension>, block_size> x;
     points_.read_at(positions, size, x[0].data());
@@ -207,7 +208,8 @@ private:
 
   // Most points have one cell. So the first cells of all points come first, without branches, and
   // then the other cells.
-  BOOST_NOINLINE void enter(const Point_block& block, Cell_lists::Writer& writer) const
+  template <class Writer>
+  BOOST_NOINLINE void enter(const Point_block& block, Writer& writer) const
   {
     std::array<std::uint64_t, block_size> hashes;
     std::array<std::uint32_t, block_size> several; // points that are in several cells

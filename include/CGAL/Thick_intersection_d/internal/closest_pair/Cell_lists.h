@@ -6,9 +6,9 @@
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_CLOSEST_PAIR_CELL_LISTS_H
 
 // The entries of a join of cells, distributed over lists by their hashes. In sequence, the lists
-// grow as the entries come. In parallel, blocks of points write down and count their entries at the
-// same time, and then move them to the lists: lists of each thread would take a chunk of memory for
-// each list and thread, and all threads would wait until it is freed.
+// grow as the entries come. In parallel, each block of points has a part of every list: it writes
+// its entries down, counts them, and puts them in the order of lists, while they are in a cache.
+// Growing lists of each thread would take a chunk of memory for each list and thread.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/Chunked_lists.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
@@ -44,48 +44,59 @@ class Cell_lists
   using Growing_lists = Chunked_lists<Cell_entry, 4096 / sizeof(Cell_entry)>; // chunks of a page
 
 public:
-  // Takes the entries of a block of points.
-  struct Writer
+  // Appends entries to the lists, in sequence.
+  struct Appender
   {
     std::size_t list_count;
-    Growing_lists* lists;               // in sequence
-    std::vector<Entry_of_list> entries; // in parallel
-    std::size_t* counts;                // of these, by list
+    Growing_lists& lists;
 
     void append(std::uint64_t hash, Place position)
     {
       const std::uint64_t bits = (hash >> 32) * list_count; // the list, and 32 bits below it
-      const Cell_entry entry = {static_cast<std::uint32_t>(bits), position};
-      if(lists != nullptr)
-        lists->append(bits >> 32, entry);
-      else {
-        entries.push_back({entry, static_cast<std::uint32_t>(bits >> 32)});
-        ++counts[bits >> 32];
-      }
+      lists.append(bits >> 32, {static_cast<std::uint32_t>(bits), position});
     }
   };
 
-  // Makes lists for the entries of `size` points. enter(first, last, writer) appends the entries of
-  // the points [first, last).
+  // Writes down the entries of a block of points and counts them by list, in parallel.
+  struct Writer
+  {
+    std::size_t list_count;
+    std::uint32_t* counts;
+    std::vector<Entry_of_list> entries;
+
+    void append(std::uint64_t hash, Place position)
+    {
+      const std::uint64_t bits = (hash >> 32) * list_count;
+      const auto list = static_cast<std::uint32_t>(bits >> 32);
+      entries.push_back({{static_cast<std::uint32_t>(bits), position}, list});
+      ++counts[list];
+    }
+  };
+
+  // Makes lists for the entries of `size` points. enter(first, last, writer) gives the entries of
+  // the points [first, last) to an Appender or a Writer.
   template <class Enter>
   Cell_lists(std::size_t size, const Threads& threads, const Enter& enter)
-    : begins_(list_count(size, threads) + 1, 0), lists_(threads.are_many() ? 0 : count())
+    : count_(list_count(size, threads)), lists_(count_)
   {
     if(threads.are_many())
       enter_in_blocks(size, threads, enter);
     else {
-      Writer writer = {count(), &lists_, {}, nullptr};
-      enter(std::size_t(0), size, writer);
+      Appender appender = {count_, lists_};
+      enter(std::size_t(0), size, appender);
     }
   }
 
   // The number of lists.
-  std::size_t count() const { return begins_.size() - 1; }
+  std::size_t count() const { return count_; }
 
   // The number of entries in a list.
   std::size_t size(std::size_t list) const
   {
-    return entries_ ? begins_[list + 1] - begins_[list] : lists_.size(list);
+    std::size_t size = lists_.size(list);
+    for(const Block& block : blocks_)
+      size += static_cast<std::size_t>(block.end(list) - block.begin(list));
+    return size;
   }
 
   // Calls task(first, last) for the entries of a list, in runs that lie in order, until the task
@@ -93,9 +104,10 @@ public:
   template <class Task>
   bool for_each_run(std::size_t list, const Task& task) const
   {
-    if(entries_)
-      return task(entries_.get() + begins_[list], entries_.get() + begins_[list + 1]);
-    return lists_.for_each_chunk(list, task);
+    return lists_.for_each_chunk(list, task)
+           && std::all_of(blocks_.begin(), blocks_.end(), [&](const Block& block) {
+                return task(block.begin(list), block.end(list));
+              });
   }
 
 private:
@@ -111,36 +123,54 @@ private:
     return count;
   }
 
+  // The entries of a block of points, list after list.
+  struct Block
+  {
+    std::unique_ptr<Cell_entry[]> entries;
+    const std::uint32_t* ends; // of the lists
+
+    const Cell_entry* begin(std::size_t list) const
+    {
+      return entries.get() + (list == 0 ? 0 : ends[list - 1]);
+    }
+    const Cell_entry* end(std::size_t list) const { return entries.get() + ends[list]; }
+  };
+
   template <class Enter>
   void enter_in_blocks(std::size_t size, const Threads& threads, const Enter& enter)
   {
-    std::vector<Writer> blocks(
-      (std::min)(threads.block_count(), size / min_entry_block_size + 1));
-    const auto next = make_uninitialized<std::size_t>(blocks.size() * count());
-    threads.run_numbered_blocks(
-      blocks.size(), size, [&](std::size_t block, std::size_t first, std::size_t last) {
-        Writer& writer = blocks[block] = {count(), nullptr, {}, next.get() + block * count()};
-        std::fill_n(writer.counts, count(), std::size_t(0));
-        writer.entries.reserve((last - first) + (last - first) / 4); // some are in several cells
-        enter(first, last, writer);
-      });
-    replace_by_sums_over_blocks(threads, next.get(), blocks.size(), count(), begins_.data());
-    replace_by_prefix_sums(begins_.data(), begins_.data() + begins_.size());
-    entries_ = make_uninitialized<Cell_entry>(begins_.back());
-    threads.run_blocks(blocks.size(), [&](std::size_t block, std::size_t end) {
-      for(; block != end; ++block) {
-        std::size_t* const places = blocks[block].counts;
-        add_begins(places, begins_.data(), count());
-        for(const Entry_of_list& e : blocks[block].entries)
-          entries_[places[e.list]++] = e.entry;
-        blocks[block].entries = {}; // frees its memory
+    blocks_.resize((std::min)((std::max)(threads.block_count(), size / max_entry_block_size + 1),
+                              size / min_entry_block_size + 1));
+    ends_ = make_uninitialized<std::uint32_t>(blocks_.size() * count_);
+    threads.run_blocks(blocks_.size(), [&](std::size_t block, std::size_t last) {
+      Writer writer = {count_, nullptr, {}};
+      for(; block != last; ++block) {
+        const std::size_t begin = block * size / blocks_.size();
+        const std::size_t end = (block + 1) * size / blocks_.size();
+        writer.counts = ends_.get() + block * count_;
+        std::fill_n(writer.counts, count_, 0);
+        writer.entries.clear();
+        writer.entries.reserve((end - begin) + (end - begin) / 4); // some are in several cells
+        enter(begin, end, writer);
+        blocks_[block] = put_in_order(writer);
       }
     });
   }
 
-  std::vector<std::size_t> begins_; // of the lists, in parallel
-  std::unique_ptr<Cell_entry[]> entries_; // in parallel
-  Growing_lists lists_;                   // in sequence
+  static Block put_in_order(const Writer& writer)
+  {
+    std::uint32_t* const next = writer.counts;
+    replace_by_prefix_sums(next, next + writer.list_count);
+    Block block = {make_uninitialized<Cell_entry>(writer.entries.size()), next};
+    for(const Entry_of_list& e : writer.entries)
+      block.entries[next[e.list]++] = e.entry;
+    return block;
+  }
+
+  const std::size_t count_;
+  Growing_lists lists_;       // in sequence
+  std::vector<Block> blocks_; // in parallel
+  std::unique_ptr<std::uint32_t[]> ends_;
 };
 
 } // namespace internal

@@ -61,9 +61,10 @@ inline constexpr std::size_t entries_per_list = 4096;
 inline constexpr std::size_t max_list_count = 2048;
 
 // In parallel, there are lists for all threads unless these would have fewer entries, and threads
-// enter at least so many points at a time.
+// enter at least so many points at a time, and at most as many as a cache holds the entries of.
 inline constexpr std::size_t min_entries_per_list = 512;
 inline constexpr std::size_t min_entry_block_size = 512;
+inline constexpr std::size_t max_entry_block_size = 32768;
 
 // In parallel, a sample is drawn from so many points at a time.
 inline constexpr std::size_t sample_stratum_size = 8192;
