@@ -104,16 +104,13 @@ public:
       lists_(List_bins(size), threads)
   {}
 
-  // Makes the point at position `j`, of another set, a neighbor of the point at position `i`.
-  void add(std::size_t i, std::size_t j)
-  {
-    pairs_.local().add(static_cast<Position>(i), static_cast<Position>(j));
-  }
+  // Returns bins for the neighbors that this thread finds.
+  Neighbor_bins& local_pairs() { return pairs_.local(); }
 
   // Makes the points at two positions of one set neighbors of each other.
   void operator()(std::size_t i, std::size_t j)
   {
-    Neighbor_bins& bins = pairs_.local();
+    Neighbor_bins& bins = local_pairs();
     bins.add(static_cast<Position>(i), static_cast<Position>(j));
     bins.add(static_cast<Position>(j), static_cast<Position>(i));
   }
@@ -225,6 +222,27 @@ Neighbor_lists Neighbor_collector::lists_of(All_bins<Bins>& bins, bool are_of_on
     bins.for_each_at_once(threads_, [](Bins& bins_of_thread) { bins_of_thread.clear(); });
   return Neighbor_lists(std::move(begins), std::move(positions), are_of_one_set);
 }
+
+// Makes the second point of a pair, which is of another set, a neighbor of the first one.
+class Second_as_neighbor
+{
+public:
+  explicit Second_as_neighbor(Neighbor_collector& collector) : collector_(collector) {}
+
+  // Looks the bins of the thread up once for many pairs.
+  friend auto part_of_thread(const Second_as_neighbor& all)
+  {
+    using Position = Neighbor_lists::Position;
+    return [&bins = all.collector_.local_pairs()](std::size_t i, std::size_t j) {
+      bins.add(static_cast<Position>(i), static_cast<Position>(j));
+    };
+  }
+
+  void operator()(std::size_t i, std::size_t j) const { part_of_thread(*this)(i, j); }
+
+private:
+  Neighbor_collector& collector_;
+};
 
 // Hands the results of a search by slabs to a collector: pairs, or the lists of single points.
 class Collector_taker final

@@ -43,7 +43,7 @@ bool collect_pairs(Neighbor_lists& lists, std::size_t size, const Sets& sets, co
   check_list_size(size);
   if constexpr(Sets::are_two) {
     Neighbor_collector collector(sets.first_size, threads);
-    const auto add = [&](std::size_t i, std::size_t j) { collector.add(i, j); };
+    const Second_as_neighbor add(collector);
     const bool is_complete = search(add);
     lists = collector.lists(false, std::move(lists));
     return is_complete;

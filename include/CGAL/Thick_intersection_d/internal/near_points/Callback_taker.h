@@ -21,6 +21,14 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
+// Returns what takes the pairs of this thread: the callback itself, unless its class has an
+// overload of its own.
+template <class Callback>
+Callback& part_of_thread(Callback& callback)
+{
+  return callback;
+}
+
 // `Taker` is Result_taker, or List_taker.
 template <class Sets, class Callback, class Taker = Result_taker>
 class Callback_taker : public Taker
@@ -35,9 +43,10 @@ public:
   // The loop itself stores nothing. This makes short callbacks fast.
   bool take(const Found_pair* pairs, std::size_t count) override
   {
+    auto&& callback = part_of_thread(callback_);
     const std::size_t second = first_of_second_;
     for(const Found_pair* const end = pairs + count; pairs != end; ++pairs)
-      if(!goes_on_after(callback_, std::size_t(pairs->i), std::size_t(pairs->j) - second))
+      if(!goes_on_after(callback, std::size_t(pairs->i), std::size_t(pairs->j) - second))
         return false;
     return true;
   }
