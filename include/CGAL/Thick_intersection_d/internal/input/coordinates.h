@@ -172,7 +172,7 @@ template <class Point>
 CGAL_THICK_INTERSECTION_D_RARELY_CALLED
 auto exact_squared_distance(const Point& p, const Point& q, int dimension)
 {
-  Exact_number_t<Coordinate_t<Point>> sum(0); // a lazy number has no value by default
+  Exact_number_t<Coordinate_t<Point>> sum(0);
   for(int i = 0; i < dimension; ++i)
     add_exact_square(sum, coordinate(p, i), coordinate(q, i));
   return sum;
