@@ -212,7 +212,7 @@ collect_neighbors_here(const Communicator& comm,
   bool is_complete = false;
   search_together(comm, np, [&](const auto& watched_np) {
     if constexpr(Sets::are_two) {
-      const auto add = [&](std::size_t i, std::size_t j) { collector->add(i, j); };
+      const Second_as_neighbor add(*collector);
       is_complete = report_pairs_here(points, sets, bound, add, watched_np, threads);
     }
     else
