@@ -5,6 +5,8 @@
 
 #include "support/found_pairs.h"
 
+#include <forward_list>
+
 using namespace test_support;
 
 using Kernel = CGAL::Simple_cartesian<double>;
