@@ -180,7 +180,8 @@ BOOST_AUTO_TEST_CASE(ends_of_boxes_are_off_by_at_most_two_steps)
 
 std::optional<bool> decide(const Two_balls<8>& balls, int dimension, int exponent)
 {
-  const auto& [a, b] = balls;
+  const Ball<8>& a = balls.first;
+  const Ball<8>& b = balls.second;
   const auto scaled = [&](double steps) { return std::ldexp(steps, exponent); };
   return internal::do_balls_intersect_in_integers(
     [&](int i) { return scaled(a.center[i]); }, scaled(a.radius),
