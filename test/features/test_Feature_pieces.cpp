@@ -21,6 +21,7 @@ using Polygons = std::vector<Polygon>;
 using Feature = std::variant<Point, Polyline, Polygon, With_holes, Polygons>;
 using Pieces = internal::Feature_pieces<Kernel::Segment_2>;
 using Ends = std::vector<std::pair<Point, Point>>;
+using internal::Place;
 
 Polygon square(double x, double side)
 {
@@ -58,6 +59,10 @@ BOOST_AUTO_TEST_CASE(polylines_are_open_and_polygons_are_closed)
                == Ends{{p, p}, {q, q}, {p, q}, {q, r}, {p, q}, {q, r}, {r, p}, {p, p}}));
   BOOST_CHECK_EQUAL(pieces.feature_count(), 7u);
   BOOST_CHECK_EQUAL(pieces.part_count(), 5u);
+  std::vector<Place> lasts;
+  for(std::size_t part = 0; part < pieces.part_count(); ++part)
+    lasts.push_back(pieces.last_segment(part));
+  BOOST_CHECK((lasts == std::vector<Place>{1, 2, 4, 7, 8}));
   BOOST_REQUIRE_EQUAL(pieces.filled_count(), 2u);
   const std::size_t feature_of_segment[] = {0, 2, 3, 3, 4, 4, 4, 6};
   for(std::size_t i = 0; i < 8; ++i)

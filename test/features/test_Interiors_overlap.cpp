@@ -153,6 +153,16 @@ BOOST_AUTO_TEST_CASE(a_ring_touches_an_edge_on_a_common_line)
   BOOST_CHECK(!do_overlap(ring, {{3, 0, 0}, {6, 0, 0}, {4, -1, 0}}));
 }
 
+// Edges of no length end where others begin, and tell of no arm.
+BOOST_AUTO_TEST_CASE(all_vertices_are_repeated)
+{
+  const Chain ring = {{3, 4, 0}, {3, 4, 0}, {3, 2, 0}, {3, 2, 0}, {1, 2, 0},
+                      {1, 2, 0}, {1, 4, 0}, {1, 4, 0}, {1, 4, 0}};
+  const Chain triangle = {{1, 4, 0}, {1, 4, 0}, {1, 2, 0}, {1, 2, 0}, {3, 4, 0}, {3, 4, 0}};
+  BOOST_CHECK(do_overlap(ring, triangle));
+  BOOST_CHECK(do_overlap(triangle, ring));
+}
+
 // The first vertex is on an antenna in the other polygon.
 BOOST_AUTO_TEST_CASE(antennas_inside)
 {
