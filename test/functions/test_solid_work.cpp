@@ -341,6 +341,19 @@ BOOST_AUTO_TEST_CASE(all_strings_that_touch_are_found)
   }
 }
 
+// It is found by the box route.
+BOOST_AUTO_TEST_CASE(the_last_pair_counts)
+{
+  const std::size_t n = 1000;
+  const Soups soups = harps(n, true);
+  Trees trees;
+  const internal::Halved_range a = add_tree(trees, soups[0]), b = add_tree(trees, soups[1]);
+  std::size_t asked = 0;
+  BOOST_CHECK(trees.is_any_pair(a, b, [&](internal::Place, internal::Place) {
+    return ++asked == n;
+  }));
+}
+
 // ---- allocations and bytes ----------------------------------------------------------------------
 
 // Trees for the insides of all meshes are made once, and their parts a few times.
