@@ -6,6 +6,7 @@
 #include "support/found_pairs.h"
 
 #include <forward_list>
+#include <limits>
 
 using namespace test_support;
 
@@ -225,6 +226,22 @@ BOOST_AUTO_TEST_CASE(no_objects_are_closer_than_zero)
   BOOST_CHECK(near_pairs_of(segments, CGAL::within_distance(0).open()).empty());
   BOOST_CHECK(near_pairs_of(segments, CGAL::within_squared_distance(0).open()).empty());
   BOOST_CHECK((near_pairs_of(segments, CGAL::within_distance(1e-300).open()) == Pairs{{0, 1}}));
+}
+
+BOOST_AUTO_TEST_CASE(objects_whose_boxes_are_near_may_be_far)
+{
+  const std::vector<Segment> segments
+    = {{Point(0, 0), Point(9, 9)}, {Point(6, 1), Point(8, 1)}, {Point(3, 2), Point(4, 2)}};
+  BOOST_CHECK((near_pairs_of(segments, CGAL::within_distance(1)) == Pairs{{0, 2}}));
+}
+
+BOOST_AUTO_TEST_CASE(near_objects_are_checked)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<Segment> segments = {{Point(0, 0), Point(1, 1)}, {Point(0, nan), Point(1, 0)}};
+  BOOST_CHECK_THROW(
+    CGAL::fixed_radius_near_neighbors(segments, CGAL::within_distance(1), fail),
+    std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(lists_and_elements_of_two_types)

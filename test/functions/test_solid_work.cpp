@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <random>
 
 using namespace test_support;
@@ -184,6 +185,17 @@ Soups linked_rings(std::size_t count)
             const auto [x, y, z] = at(turn * u, turn * v);
             return Point(z, 4 + y, x);
           })};
+}
+
+// Open surfaces in a box that is part of the same feature, and a box inside of that.
+std::vector<Soups> surfaces_and_boxes(std::size_t count)
+{
+  Soups whole = {box(Point(0, 0, 0), Point(9, 9, 9), 1)};
+  for(int i = 0; i < 20; ++i)
+    whole.push_back(surface(count, count, [&](double u, double v) {
+      return Point(1 + u, 1 + v, 1 + .1 * i);
+    }));
+  return {whole, {box(Point(5, 5, 5), Point(6, 6, 6), 1)}};
 }
 
 // Strings along axis 0, and along axis 1, at heights in any order. All of them cross the others; if
@@ -378,14 +390,24 @@ BOOST_AUTO_TEST_CASE(insides_and_parts_of_meshes_are_found_a_few_times)
   }
 }
 
+double face_count(const Soup& soup) { return static_cast<double>(soup.second.size()); }
+
+template <class Feature>
+double face_count(const std::vector<Feature>& features)
+{
+  return std::accumulate(features.begin(), features.end(), 0., [](double sum, const auto& feature) {
+    return sum + face_count(feature);
+  });
+}
+
 BOOST_AUTO_TEST_CASE(memory_is_linear_in_faces_and_pairs)
 {
-  const auto check = [](const std::string& name, const Soups& soups, double limit) {
-    double faces = 0, pairs = 0;
-    for(const Soup& soup : soups)
-      faces += static_cast<double>(soup.second.size());
+  const auto check = [](const std::string& name, const auto& features, double limit) {
+    double pairs = 0;
+    const double faces = face_count(features);
     const std::size_t bytes = bytes_taken_by([&] {
-      CGAL::thick_feature_self_intersection_d(soups, [&](std::size_t, std::size_t) { ++pairs; });
+      CGAL::thick_feature_self_intersection_d(features,
+                                              [&](std::size_t, std::size_t) { ++pairs; });
     });
     const double each = static_cast<double>(bytes) / (faces + pairs);
     BOOST_TEST_MESSAGE(name << ": " << faces << " faces, " << pairs << " pairs, bytes / (n + k) "
@@ -398,6 +420,7 @@ BOOST_AUTO_TEST_CASE(memory_is_linear_in_faces_and_pairs)
     check("equal meshes", Soups(10 * n, box(Point(0, 0, 0), Point(1, 1, 1), 5)), 170);
     check("a huge mesh and small ones", huge_and_small(2 * n), 450);
     check("harps", harps(50 * n), 350);
+    check("open surfaces in a box", surfaces_and_boxes(n), 40);
   }
 }
 

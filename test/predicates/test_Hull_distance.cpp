@@ -424,6 +424,27 @@ BOOST_AUTO_TEST_CASE(parallel_segments_of_any_size)
   BOOST_CHECK_LT(survey.answers.unknown, survey.answers.asked);
 }
 
+// The triangles are on two parallel lines, and their means are next to each other. The difference
+// of these has squares that vanish, so that its length seems to be 0, but products that do not.
+BOOST_AUTO_TEST_CASE(tiny_numbers_whose_squares_vanish)
+{
+  Random random(8);
+  Answers answers;
+  for(int i = 0; i < 1000; ++i) {
+    constexpr std::int64_t apart = 1430, shifts[] = {1 << 20, 1 << 21, -3 * (1 << 20)};
+    Integers a, b;
+    for(const std::int64_t shift : shifts) {
+      const auto x = static_cast<std::int64_t>(random.below(std::size_t(1) << 50));
+      a.push_back({x, x, 0});
+      b.push_back({x + shift + apart, x + shift - apart, 0});
+    }
+    Question<2, 3, 3> question(a, b, false);
+    question.exponent = -548;
+    question.ask(0x1p50, answers);
+  }
+  BOOST_CHECK_EQUAL(answers.wrong, 0u);
+}
+
 // Squares overflow or vanish, or what is made of squares does: then no vertex is left out.
 template <std::size_t Size_a, std::size_t Size_b>
 void check_large_and_small_hulls()
