@@ -60,8 +60,8 @@ def capsules(folder):
             drawing.line(at(p), at(q), PAIR if is_pair else CUT,
                          'stroke-width="2.5"' if is_pair else DASHES)
             sign = "=" if square == reach ** 2 else "&lt;" if is_pair else "&gt;"
-            x, y = [(u + v) / 2 for u, v in zip(at(p), at(q))]
-            drawing.text(x + 10, y + 4, f"{math.sqrt(square):.4g} {sign} {c[2]} + {d[2]}", "start",
+            x, y = max(at(p), at(q), key=lambda end: end[1])
+            drawing.text(x + 4, y + 16, f"{math.sqrt(square):.4g} {sign} {c[2]} + {d[2]}", "start",
                          style='font-weight="bold"')
     drawing.text(310, 238, "distance of the segments and sum of the radii, of pairs (green) and of "
                  "others (red)")

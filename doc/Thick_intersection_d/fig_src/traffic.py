@@ -54,7 +54,10 @@ def draw(folder):
             is_fix = minute in [t for t, _ in track]
             drawing.circle(at(place(track, minute)), 5 if is_fix else 3,
                            color if is_fix else "white", f'stroke="{color}" stroke-width="1.5"')
-    drawing.line(*(at(place(track, least)) for track in TRACKS), PAIR, 'stroke-width="3"')
+    closest = [at(place(track, least)) for track in TRACKS]
+    drawing.line(*closest, PAIR, 'stroke-width="3"')
+    for point in closest:
+        drawing.circle(point, 4, PAIR)
     drawing.text(150, 236, "fixes (full), minutes, closest approach (green)")
 
     at = lambda time, distance: (340 + 45 * float(time), 200 - 0.72 * float(distance))
