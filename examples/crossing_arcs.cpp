@@ -5,7 +5,7 @@
 // numbers of degree 2. The search asks for their bbox() and do_intersect(), and for nothing else,
 // and finds what comparing all pairs finds.
 
-#include <CGAL/Exact_circular_kernel_2.h>
+#include <CGAL/Exact_circular_kernel_2.h> // under the GPL, unlike the package
 #include <CGAL/point_generators_2.h>
 #include <CGAL/thick_intersection_d.h>
 #include <algorithm>

@@ -86,7 +86,7 @@ void add_search_options(po::options_description& all, Options& options)
      "of CGAL's points: epick (default) or exact")
     ("parallel", po::bool_switch(&options.parallel), "use all cores")
     ("memory", po::value<std::string>()->value_name("SIZE"),
-     "at most so much, as 200M or 1G; only counts, --pairs")
+     "limit, as 200M or 1G; for counts and --pairs only")
     ("scratch", po::value<std::string>(&options.scratch)->value_name("DIR"),
      "for points that do not fit (default: $TMPDIR)");
   po::options_description output = group("What is written (FILE may be -)");
@@ -129,7 +129,7 @@ void read_files(const po::variables_map& map, Options& options)
   if(map.count("file"))
     options.files = map["file"].as<std::vector<std::string>>();
   if(options.files.empty() || (options.files.size() > 2 && !options.solids))
-    throw Error("give one or two input files (--help lists the options)");
+    throw Error("give one or two input files, or more with --solids (--help lists the options)");
   if(std::count(options.files.begin(), options.files.end(), "-") > 1)
     throw Error("the standard input can be read only once");
 }
@@ -435,11 +435,12 @@ std::string help_text()
   add_reading_options(visible, ignored);
   add_search_options(visible, ignored);
   std::ostringstream text;
-  text << "near_pairs [options] FILE [FILE]\n"
+  text << "near_pairs [options] FILE [FILE]    (--solids: FILE...)\n"
           "reports every pair of points of FILE, or between two files, within a distance.\n"
           "FILE is a table (.csv), .xyz, .off, .ply, .obj, .pdb, .cif, .tsp, also .gz or -,\n"
           "or three doubles per point, least byte first (.bin). Points, lines and polygons\n"
           "of .wkt and .geojson are near if some of their points are: --distance 0 to meet.\n"
+          "--solids reads .obj, .off, .ply and .stl.\n"
        << visible << notes << "Exit status: 0, or 2 with one line on the standard error.\n";
   return text.str();
 }

@@ -40,9 +40,8 @@ private:
 /*!
 \ingroup PkgThickIntersectionDRef
 
-returns a callback for `fixed_radius_near_neighbors()`, `thick_self_intersection_d()` and
-`thick_intersection_d()` that hands over two elements of the user's ranges instead of their
-positions.
+returns a callback that hands over two elements of the user's ranges instead of their positions, for
+all searches that report pairs: of points, objects, boxes, features, tracks or images.
 
 The elements are what the iterators of the ranges refer to. A property map given as `point_map`
 does not change them. So a search of the vertices of a mesh hands over descriptors of vertices:

@@ -120,7 +120,8 @@ public:
   /// returns the end of the lists.
   const_iterator end() const { return begin() + static_cast<std::ptrdiff_t>(size()); }
 
-  /// returns the number of pairs of neighbors, each counted once.
+  /// returns the number of pairs of neighbors, each counted once. Of lists of several processes, it
+  /// is the number of neighbors: the other list of a pair may be on another process.
   std::size_t number_of_pairs() const { return positions_.size() / (are_of_one_range_ ? 2 : 1); }
 
   /// returns where the neighbors of each point begin in `positions()`. The last value is where the

@@ -60,7 +60,8 @@ have \f$ 2b+1 \f$ and \f$ 3b+3 \f$ bits. Doubles compute 53 bits without error. 
 and 192 bits, if \f$ b \le 61 \f$, decide what a filter in doubles leaves undecided. Boxes and
 points are compared, which is of degree 1, and needs doubles only. The squared distance of two
 objects is a quotient, which is compared with a bound in degree 4 in the plane and 6 in space, or
-2 for points and balls. Then the reach includes the bound, and integers have up to 128 bits.
+2 for points and balls. Then the reach includes the bound, and integers have up to 128 bits. The
+profile of tracks is one of objects, whose last axis is time.
 
 `profile_scene()` makes a profile of points, and a search makes one if it is given a profile. A
 profile does not refer to the points. Several threads may read it at once.
@@ -143,8 +144,8 @@ public:
   /// returns whether distances of the objects are compared with a bound, or the radius of a ball.
   bool is_of_distances() const { return are_distances_; }
 
-  /// returns the algebraic degree of the question about a pair: 2 for points, 1 to 3 whether
-  /// objects intersect, and 2, 4 or 6 whether they are within a bound.
+  /// returns the algebraic degree of the question about a pair: 2 for points, 1 to 3 for objects
+  /// that intersect, 2, 4 or 6 for objects within a bound, and 4 or 10 for points that move.
   int degree() const { return degree_; }
 
   /// returns how many bits a difference of coordinates up to the reach takes, in steps of the grid,

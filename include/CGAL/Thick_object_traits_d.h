@@ -76,8 +76,8 @@ compiled.
 `Triangle_3`, `Iso_cuboid_3`, `Tetrahedron_3`, `Bbox_2`, `Bbox_3`, a pair of one of these and a
 radius, a `std::variant` of all these types, or another type. Another type has a member function
 `bbox()` that returns a `Bbox_2` or `Bbox_3` around the object, and a function
-`do_intersect(const Object&, const Object&)` in its namespace. It may not be a class of a kernel
-with inexact predicates.
+`do_intersect(const Object&, const Object&)` in its namespace. If it is a class of a kernel, the
+predicates of the kernel must be exact.
 
 \cgalModels{ThickIntersectionTraits_d}
 \cgalModels{ThickIntersectionIntervalTraits_d}

@@ -41,8 +41,11 @@ Doubles find the legs that may be closest, and exact numbers compare these.
 \tparam TrackA, TrackB are ranges of `std::pair<Time, Point>` with forward iterators or better, and
 with the same types of times and points.
 
+\param a, b the tracks.
+
 \throws std::invalid_argument if a time or a coordinate is NaN or infinite, or if a time is not
 later than that of the fix before. The message numbers the tracks 0 and 1.
+\throws std::length_error if they have 2<sup>31</sup> - 1 fixes or more.
 \throws std::runtime_error if the processor is set to flush denormal numbers to zero.
 
 \sa `fixed_radius_near_tracks()`

@@ -79,6 +79,7 @@ process its own exception, and all others this one.
 differ in dimension, or if the bound is negative or NaN, as `fixed_radius_near_neighbors()`. On all
 processes if processes have different bounds or dimensions.
 \throws std::length_error if this process has to search 2<sup>31</sup> - 1 points or more.
+\throws std::runtime_error if the processor is set to flush denormal numbers to zero.
 
 \sa `fixed_radius_near_neighbors()`
 \sa `Distributed_profile`

@@ -133,7 +133,8 @@ If `Scene_profile::force_tier()` has forced a tier in `profile`, the search uses
 search always scans the points again, and refuses a tier that is not exact for them. If only the
 answer is wanted, pass a `Scene_profile` without points.
 
-\param points,bound,callback,np as in the version above.
+\param points,bound,callback,np as in the version above, but without `geom_traits` for other classes
+of objects.
 \param profile is replaced by the profile of the points and the bound, with the same tier forced,
 and with the numbers of pairs that each kind of arithmetic has decided. It does not change if the
 function throws.

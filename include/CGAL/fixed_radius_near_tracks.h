@@ -44,12 +44,12 @@ the result of real arithmetic on the given times, coordinates and bound, for eve
 tracks whose least distance is exactly the bound. A track is never paired with itself.
 
 The search takes the *legs* between two fixes through the divide and conquer of
-`thick_self_intersection_d()`, as boxes in space and time. Legs that are long in comparison with
-others are cut into stretches of time first. It compares legs whose boxes are within the bound along
-each axis of space and meet in time, as long as their tracks are not known to be a pair. A filter in
-doubles decides nearly all comparisons. The algebraic degree is 4 if both legs have the same times,
-and 10 otherwise. Then integers of 128 bits decide where a grid of coordinates and times allows it,
-and exact numbers elsewhere.
+`thick_self_intersection_d()`, as boxes in space and time. If a sample of legs shows that this takes
+less time, long legs are cut into stretches of time first. It compares legs whose boxes are within
+the bound along each axis of space and meet in time, as long as their tracks are not known to be a
+pair. A filter in doubles decides nearly all comparisons. The algebraic degree is 4 if both legs
+have the same times, and 10 otherwise. Then integers of 128 bits decide where a grid of coordinates
+and times allows it, and exact numbers elsewhere.
 
 Let there be \f$ n \f$ legs and \f$ k \f$ reported pairs. Let \f$ K \f$ be the number of pairs of
 legs, or of their stretches, of different tracks whose boxes meet, before the tracks are known to be
@@ -99,7 +99,8 @@ below
 than that of the fix before, or if the bound is negative or NaN, before anything is reported. The
 message gives the position of the track, and of the fix in it. Exceptions of the callback pass
 through.
-\throws std::length_error if there are 2<sup>31</sup> - 1 fixes or more.
+\throws std::length_error if there are 2<sup>31</sup> - 1 fixes or more, where a track of one fix
+counts as two.
 \throws std::runtime_error if the processor is set to flush denormal numbers to zero.
 
 \sa `closest_approach()`
@@ -215,7 +216,8 @@ The pairs are those of `fixed_radius_near_tracks()`, and the lists are as those 
 \return the lists. If the progress functor cancels the search, they hold some of the pairs, each in
 both lists.
 
-\throws std::invalid_argument as `fixed_radius_near_tracks()`.
+\throws std::invalid_argument, std::length_error, std::runtime_error as
+`fixed_radius_near_tracks()`.
 */
 template <class ConcurrencyTag = Sequential_tag, class TrackRange, class NT,
           class NamedParameters = parameters::Default_named_parameters>

@@ -29,16 +29,20 @@ whatever the kernel.
 
 The search takes expected \f$ O(n \log n) \f$ time: the closest pair of the points without periods
 and the shortest period bound the distance, and few pairs of images are within this bound
-\cgalCite{l-cp}.
+\cgalCite{l-cp}. It takes \f$ O(n) \f$ space.
+
+\tparam ConcurrencyTag, PointRange, Domain as for `periodic_fixed_radius_near_neighbors()`.
 
 \param points,domain as for `periodic_fixed_radius_near_neighbors()`.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `point_map`,
-`geom_traits` and `callback`, as for `fixed_radius_near_neighbors()`. If the progress functor
-cancels the search, the result is the closest of the pairs that it has seen so far.
+`geom_traits` and `callback`, as for `fixed_radius_near_neighbors()`.
+
+\return the pair and the offset, the same for any number of threads. If the progress functor cancels
+the search, they are those of the closest of the pairs that it has seen so far.
 
 \throws std::invalid_argument as `periodic_fixed_radius_near_neighbors()`, and if there is no pair:
 if there are no points, or if there is one point and nothing repeats.
-\throws std::length_error as `periodic_fixed_radius_near_neighbors()`.
+\throws std::length_error, std::runtime_error as `periodic_fixed_radius_near_neighbors()`.
 */
 template <class ConcurrencyTag = Sequential_tag, class PointRange, class Domain,
           class NamedParameters = parameters::Default_named_parameters>

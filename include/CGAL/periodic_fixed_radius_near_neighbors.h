@@ -50,7 +50,8 @@ the bound, \f$ m \f$ is small beside \f$ n \f$. It does not depend on where the 
 
 \tparam ConcurrencyTag is `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. In
 sequence, the order of reports depends on the input alone. In parallel, several threads call the
-callback at once, and the pairs come in any order.
+callback at once, which must allow this, and the pairs come in any order. `Parallel_tag` requires
+\tbb.
 
 \tparam PointRange is a range of `Point_2` or `Point_3` of a kernel of \cgal, or of `Point_d` whose
 type tells that the dimension is 2 or 3, with forward iterators or better.
@@ -82,6 +83,7 @@ infinite, before anything is reported. The message gives the position of the poi
 an image or the bound are 2<sup>28</sup> periods apart or more, or if the lengths of periods differ
 so much that quotients of coordinates overflow. The images are counted before they are made, and the
 message has their number.
+\throws std::runtime_error if the processor is set to flush denormal numbers to zero.
 
 \sa `Periodic_lattice_d`
 \sa `periodic_closest_pair()`
@@ -158,8 +160,13 @@ result does not depend on the number of threads.
 
 \param points,domain,bound,np as for `periodic_fixed_radius_near_neighbors()`.
 
-\return the lists. If the progress functor cancels the search, they hold some of the pairs, each in
-both of its lists.
+\return the lists, as `Periodic_neighbor_lists` of the dimension of the points. If the progress
+functor cancels the search, they hold some of the pairs, each in both of its lists.
+
+\throws std::invalid_argument, std::length_error, std::runtime_error as
+`periodic_fixed_radius_near_neighbors()`.
+
+\sa `Periodic_neighbor_lists`
 */
 template <class ConcurrencyTag = Sequential_tag, class PointRange, class Domain, class NT,
           class NamedParameters = parameters::Default_named_parameters>

@@ -76,10 +76,11 @@ of a multipolygon take no more time than others.
 
 If there are meshes, the features are searched by their boxes. The segments and faces of a feature
 get a tree of boxes, if they are where its box meets that of another feature. Two features whose
-boxes meet are compared at once, by their trees, until a pair of their segments or faces meets. If
-none does, one vertex of each connected component of one feature is asked whether it is inside a
-solid of the other. A solid of which this is asked gets a tree of all of its faces, and the ray
-upwards from the vertex is followed.
+boxes meet are compared at once, by their trees, until a pair of their segments or faces meets, and
+by the divide and conquer above if this takes more steps than they have segments and faces. If none
+meets, one vertex of each connected component of one feature that is in the box of the other is
+asked whether it is inside a solid of that. A solid of which this is asked gets a tree of all of its
+faces, and the ray upwards from the vertex is followed.
 
 Let there be \f$ n \f$ segments and \f$ k \f$ reported pairs. Let \f$ K \f$ be the number of pairs
 of segments of different features whose boxes meet, before the features are known to be a pair. Let
@@ -93,11 +94,12 @@ is the number of edges at the height of the vertex: a spiral takes that much. Th
 O(n + k) \f$ space.
 
 If there are meshes, let \f$ n \f$ be the number of features, and \f$ m \f$ that of their points,
-segments and faces. Let \f$ K \f$ be the number of pairs of features whose boxes meet, and \f$ K_t
-\f$ that of pairs of boxes that meet in two trees of such features, until two features are known to
-be a pair. Then the search takes \f$ O(n \log^2 n + m \log m + K + K_t) \f$ time, and for each
-vertex that is asked \f$ O(\sqrt{m} + c) \f$ time for most shapes, where \f$ c \f$ is the number of
-boxes of faces that are above the vertex. It takes \f$ O(m) \f$ space.
+segments and faces. Let \f$ K \f$ be the number of pairs of features whose boxes meet, \f$ P \f$ the
+sum of the numbers of segments and faces of their two trees over these pairs, and \f$ K_t \f$ the
+number of pairs of a segment or face of each whose boxes meet, until two features are known to be a
+pair. Then the search takes \f$ O(n \log^2 n + m \log m + K + P \log^2 m + K_t) \f$ time at most,
+and for each vertex that is asked \f$ O(\sqrt{m} + c) \f$ time for most shapes, where \f$ c \f$ is
+the number of boxes of faces that are above the vertex. It takes \f$ O(m) \f$ space.
 
 Interiors are asked about where boundaries meet, as long as features are not known to be a pair.
 Let \f$ K_c \f$ be the number of pairs of edges that meet where one of them begins, and none ends.

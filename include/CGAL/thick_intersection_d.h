@@ -27,8 +27,8 @@ namespace CGAL {
 reports all pairs of objects of a range that intersect, each exactly once.
 
 The algorithm is the divide and conquer of Vigneron \cgalCite{v-riato-03} along the axes, with a
-sweep where an axis is left. It takes \f$ O(n) \f$ space. The traits decide about the time, in fixed
-dimension \f$ d \f$:
+sweep where a single axis is left. It takes \f$ O(n) \f$ space. The traits decide about the time, in
+fixed dimension \f$ d \f$:
 
 - *Intervals.* Objects of a kernel, thickened or not, and objects whose traits are a model of
   `ThickIntersectionIntervalTraits_d` have boxes. The boxes may have any sizes. The search takes
@@ -101,7 +101,7 @@ below
 
 \throws std::invalid_argument if a coordinate or radius of an object is NaN or infinite, or if a
 radius is negative, before anything is reported. The message gives the position of the object. Exact
-numbers beyond the range of doubles are taken. Traits of other packages may check their objects in a
+numbers beyond the range of doubles are taken. Traits of one's own may check their objects in a
 member function `check(object, position)`. Exceptions of the callback and of predicates pass
 through.
 \throws std::invalid_argument if an interval is empty or NaN, before anything is reported.

@@ -32,9 +32,10 @@ the same pairs, with one exception, in another order:
 - A face whose three points are on a line is degenerate. The pair of the face with itself is written
   for it, before all other pairs. It is in no other pair.
 
-The predicates are exact. They are those of the kernel of the points if the kernel has exact
-predicates. Otherwise, as for `Simple_cartesian<double>`, they are those of a kernel with exact
-predicates, on the same coordinates.
+The predicates are exact, of degree 3. If the coordinates are doubles, a filter, integers and exact
+numbers decide, as for `thick_self_intersection_d()`, whatever the kernel. If not, the predicates
+are those of the kernel of the points if they are exact, or else those of a kernel whose predicates
+are, on the same coordinates.
 
 The search takes \f$ O(n \log^2 n + K) \f$ time and \f$ O(n) \f$ space for \f$ n \f$ faces, where
 \f$ K \f$ is the number of pairs of faces whose bounding boxes meet. The faces around a vertex are
