@@ -116,9 +116,8 @@ bool rounded_answer(const Question_about_legs& question)
     }
   const Number bound(question.bound), square(bound * bound);
   const internal::Relative_motion<Number, N> motion(legs[0], legs[1]);
-  return motion.has_time() && motion.is_within([&](const Number& n, const Number& d) {
-    return n <= Number(square * d);
-  });
+  const auto [n, d] = motion.least_square();
+  return motion.has_time() && n <= Number(square * d);
 }
 
 template <class Number>

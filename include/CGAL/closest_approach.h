@@ -53,11 +53,7 @@ later than that of the fix before. The message numbers the tracks 0 and 1.
 template <class TrackA, class TrackB>
 std::optional<Closest_approach> closest_approach(const TrackA& a, const TrackB& b)
 {
-  Closest_approach approach;
-  if(Thick_intersection_d::internal::find_closest_approach(a, b, approach.time,
-                                                           approach.squared_distance))
-    return approach;
-  return std::nullopt;
+  return Thick_intersection_d::internal::find_closest_approach<Closest_approach>(a, b);
 }
 
 } // namespace CGAL

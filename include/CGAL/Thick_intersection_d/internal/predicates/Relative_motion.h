@@ -26,6 +26,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -59,30 +60,22 @@ public:
   // Whether the legs have a time in common. If not, nothing else has a meaning.
   bool has_time() const { return times_[0] <= times_[1]; }
 
-  // Whether within(n, d) is true of the square of the least distance, which is n / d.
-  template <class Within>
-  bool is_within(const Within& within) const
+  // Returns the square of the least distance, as a numerator and a denominator.
+  std::pair<Number, Number> least_square() const
   {
     const Number square(scale_ * scale_);
-    if(within(square_of_end(0), square) || within(square_of_end(1), square))
-      return true;
-    return is_least_between() && within(square_of_cross(), Number(speed() * square));
+    if(is_least_between())
+      return {square_of_cross(), Number(exact_product(velocity_, velocity_) * square)};
+    return {exact_product(ends_[nearest_end()], ends_[nearest_end()]), square};
   }
 
-  // Calls task(time, n, d) with the first time of the least distance and the square n / d of it.
-  template <class Task>
-  void with_least(const Task& task) const
+  // Returns the first time of the least distance.
+  Number time_of_least() const
   {
-    const Number square(scale_ * scale_);
-    if(is_least_between()) {
-      const Number share(begins_along_ / (begins_along_ - ends_along_));
-      task(Number(times_[0] + (times_[1] - times_[0]) * share), square_of_cross(),
-           Number(speed() * square));
-    }
-    else {
-      const std::size_t k = ends_along_ <= Number(0) && begins_along_ < Number(0);
-      task(times_[k], square_of_end(k), square);
-    }
+    if(!is_least_between())
+      return times_[nearest_end()];
+    const Number share(begins_along_ / (begins_along_ - ends_along_));
+    return Number(times_[0] + (times_[1] - times_[0]) * share);
   }
 
 private:
@@ -118,8 +111,8 @@ private:
 
   bool is_least_between() const { return begins_along_ < Number(0) && ends_along_ > Number(0); }
 
-  Number square_of_end(std::size_t k) const { return exact_product(ends_[k], ends_[k]); }
-  Number speed() const { return exact_product(velocity_, velocity_); }
+  // The first one, if both are as near, and if the distance is not least between them.
+  std::size_t nearest_end() const { return ends_along_ <= Number(0) && begins_along_ < Number(0); }
 
   Number square_of_cross() const
   {
@@ -174,10 +167,11 @@ public:
     if(!is_usable())
       return std::nullopt;
     const Relative_motion<Int128, N> motion(legs_[0], legs_[1]);
-    return motion.has_time() && motion.is_within([&](const Int128& n, const Int128& d) {
-      const Int128 limit(radius_ * radius_ * d);
-      return is_open ? n < limit : n <= limit;
-    });
+    if(!motion.has_time())
+      return false;
+    const auto [n, d] = motion.least_square();
+    const Int128 limit(radius_ * radius_ * d);
+    return is_open ? n < limit : n <= limit;
   }
 
 private:

@@ -123,9 +123,10 @@ private:
     count(Arithmetic_tier::FILTERED_EXACT);
     const Relative_motion<Exact, Legs::dimension> motion(legs_.template exact_leg<Exact>(i),
                                                          legs_.template exact_leg<Exact>(j));
-    return motion.has_time() && motion.is_within([&](const Exact& n, const Exact& d) {
-      return exact_bound_.holds_for(n, d, Exact(0));
-    });
+    if(!motion.has_time())
+      return false;
+    const auto [n, d] = motion.least_square();
+    return exact_bound_.holds_for(n, d, Exact(0));
   }
 
   const Legs& legs_;

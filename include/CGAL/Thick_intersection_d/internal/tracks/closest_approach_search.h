@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <optional>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -37,32 +38,13 @@ void for_common_times(const Legs& legs, std::size_t second, const Task& task)
   }
 }
 
-// Sets the time and the square of the least distance to those of a motion, if nothing is found yet,
-// or if they are closer.
-template <class Motion>
-void take_least(const Motion& motion, bool& is_found, Exact_rational& time,
-                Exact_rational& squared_distance)
+// Returns the time and the square of the least distance of two tracks, the first one if there are
+// several, or nothing if they have no time in common. Finds the distance in doubles first. Then only
+// those legs are asked in exact numbers that may have it.
+template <class Approach, class TrackA, class TrackB>
+std::optional<Approach> find_closest_approach(const TrackA& a, const TrackB& b)
 {
-  if(motion.has_time())
-    motion.with_least([&](const Exact_rational& t, const Exact_rational& n,
-                          const Exact_rational& d) {
-      const Exact_rational square(n / d);
-      if(!is_found || square < squared_distance) {
-        time = t;
-        squared_distance = square;
-      }
-      is_found = true;
-    });
-}
-
-// Sets the time and the square of the least distance of two tracks, the first one if there are
-// several. Returns false if they have no time in common. Finds the distance in doubles first. Then
-// only those legs are asked in exact numbers that may have it.
-template <class TrackA, class TrackB>
-bool find_closest_approach(const TrackA& a, const TrackB& b, Exact_rational& time,
-                           Exact_rational& squared_distance)
-{
-  bool is_found = false;
+  std::optional<Approach> closest;
   if constexpr(check_tracks<TrackA, TrackB>()) {
     check_denormals();
     Track_legs<Fix_of_t<TrackA>> legs;
@@ -76,13 +58,19 @@ bool find_closest_approach(const TrackA& a, const TrackB& b, Exact_rational& tim
       least = (std::min)(least, distance(i, j).high);
     });
     for_common_times(legs, second, [&](std::size_t i, std::size_t j) {
-      if(distance(i, j).low <= least)
-        take_least(Relative_motion(legs.template exact_leg<Exact_rational>(i),
-                                   legs.template exact_leg<Exact_rational>(j)),
-                   is_found, time, squared_distance);
+      if(distance(i, j).low > least)
+        return;
+      const Relative_motion motion(legs.template exact_leg<Exact_rational>(i),
+                                   legs.template exact_leg<Exact_rational>(j));
+      if(!motion.has_time())
+        return;
+      const auto [n, d] = motion.least_square();
+      const Exact_rational square(n / d);
+      if(!closest || square < closest->squared_distance)
+        closest = Approach{motion.time_of_least(), square};
     });
   }
-  return is_found;
+  return closest;
 }
 
 } // namespace internal
