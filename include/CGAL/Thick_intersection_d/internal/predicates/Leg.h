@@ -27,6 +27,7 @@
 // to 2^400 do not overflow, nor do differences of times up to 2^1000.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Hull_simplex.h>
 
 #include <algorithm>
 #include <array>
@@ -48,6 +49,9 @@ struct Leg
   double time_error = 0;
 
   double duration() const { return times[1] - times[0]; }
+
+  // Whether the doubles are the leg.
+  bool is_exact() const { return error == 0 && time_error == 0; }
 
   // Returns which share of the leg is over. A leg that lasts for no time has not begun.
   double share_at(double time) const
@@ -96,20 +100,12 @@ public:
     if(!(common_.length() >= time_error_ && longest_ <= 0x1p1000 && slack_ <= 0x1p355))
       return {-infinity, infinity};
     const Vector v = nearest_point();
-    const double length = std::sqrt(product(v, v));
-    const double least = (std::min)(product(v, ends_[0]), product(v, ends_[1]));
+    const double length = std::sqrt(dot_product(v, v));
+    const double least = (std::min)(dot_product(v, ends_[0]), dot_product(v, ends_[1]));
     return {least / (length + 0x1p-460) - slack_, length + slack_};
   }
 
 private:
-  static double product(const Vector& u, const Vector& v)
-  {
-    double sum = 0;
-    for(std::size_t i = 0; i < N; ++i)
-      sum += u[i] * v[i];
-    return sum;
-  }
-
   // Times that are off by e move shares by up to 3e over the duration of a leg.
   void set_slack(double largest, double error)
   {
@@ -123,10 +119,8 @@ private:
   // products underflow.
   Vector nearest_point() const
   {
-    Vector way;
-    for(std::size_t i = 0; i < N; ++i)
-      way[i] = ends_[1][i] - ends_[0][i];
-    const double along = -product(ends_[0], way), square = product(way, way);
+    const Vector way = vector_difference(ends_[1], ends_[0]);
+    const double along = -dot_product(ends_[0], way), square = dot_product(way, way);
     const double share = !(along > 0) ? 0 : along >= square ? 1 : along / square;
     Vector v = ends_[0];
     for(std::size_t i = 0; i < N; ++i)
@@ -140,13 +134,6 @@ private:
   std::array<Vector, 2> ends_;
   double slack_;
 };
-
-// Encloses the distance of the points of two legs, as Relative_segment does.
-template <std::size_t N>
-Interval distance_of(const Leg<N>& a, const Leg<N>& b)
-{
-  return Relative_segment<N>(a, b).distance();
-}
 
 } // namespace internal
 } // namespace Thick_intersection_d

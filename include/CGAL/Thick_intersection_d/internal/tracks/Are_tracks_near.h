@@ -98,7 +98,7 @@ private:
     if(exact_bound_.is_open() && exact_bound_.is_zero()) // no distance is less than zero
       return false;
     const Leg<Legs::dimension> a = legs_.leg(i), b = legs_.leg(j);
-    const Interval distance = distance_of(a, b);
+    const Interval distance = Relative_segment(a, b).distance();
     const bool is_near = distance.high <= bound_.radius.low;
     if(is_near || distance.low > bound_.radius.high) {
       count(Arithmetic_tier::DOUBLE);
@@ -111,8 +111,7 @@ private:
   bool decide(std::size_t i, std::size_t j, const Leg<Legs::dimension>& a,
               const Leg<Legs::dimension>& b) const
   {
-    const bool are_doubles = a.error == 0 && b.error == 0 && a.time_error == 0 && b.time_error == 0;
-    if(are_doubles && bound_.is_exact_radius && !exact_bound_.is_unbounded()
+    if(a.is_exact() && b.is_exact() && bound_.is_exact_radius && !exact_bound_.is_unbounded()
        && least_tier_ != Arithmetic_tier::FILTERED_EXACT) {
       const Integer_legs<Legs::dimension> legs(a, b, bound_.radius.low);
       if(const std::optional<bool> are_near = legs.are_near(bound_.is_open)) {

@@ -38,7 +38,7 @@ Object_scene scan_legs(const Legs& legs, const std::pair<double, double>& bound,
     for(int axis = 0; axis <= dimension; ++axis)
       extend_scene(scene, static_cast<std::size_t>(axis), legs.interval(i, axis));
     const Leg<dimension> leg = legs.leg(i);
-    are_doubles = are_doubles && leg.error == 0 && leg.time_error == 0;
+    are_doubles = are_doubles && leg.is_exact();
     for(std::size_t end = 0; end < 2; ++end) {
       grid.add(leg.times[end]);
       for(const double x : leg.ends[end])
