@@ -59,8 +59,7 @@ double check_work(const std::string& name, const Tracks& tracks, double bound, c
   const auto n = static_cast<double>(legs.size());
   const Counted boxes(legs, CGAL::within_distance(bound), CGAL::Arithmetic_tier::INT64, nullptr,
                       one);
-  std::size_t second = 0;
-  internal::cut_legs(legs, boxes.reach(), second);
+  internal::cut_legs(legs, boxes.reach());
   double pairs = 0;
   const auto take = [&](std::size_t, std::size_t) { ++pairs; };
   internal::Unwatched_progress progress;

@@ -121,6 +121,21 @@ bool report_meeting_boxes(const Objects& objects, const Sets& sets, Callback& ca
     return report_by_boxes<2>(objects, sets, callback, progress, threads);
 }
 
+// Reports the pairs of groups of such objects, which are in the order of their groups. The sets are
+// those of groups. The second one, if there is one, begins with the object at `second`.
+template <class Objects, class Sets, class Report, class Progress>
+bool report_meeting_groups(const Objects& objects, const Sets& sets, std::size_t second,
+                           Report& report, Progress& progress, const Threads& threads)
+{
+  const auto take = [&](std::size_t i, std::size_t j) {
+    return report(objects.group_of(i), objects.group_of(second + j) - sets.first_of_second());
+  };
+  Sets sets_of_objects = sets;
+  if constexpr(Sets::are_two)
+    sets_of_objects.first_size = second;
+  return report_meeting_boxes(objects, sets_of_objects, take, progress, threads);
+}
+
 } // namespace internal
 } // namespace Thick_intersection_d
 } // namespace CGAL

@@ -39,12 +39,6 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Where the second range begins, or zero if there is one range; and the sets of pieces.
-inline std::size_t first_of_second(const One_set&) { return 0; }
-inline std::size_t first_of_second(const Two_sets& sets) { return sets.first_size; }
-inline One_set sets_of_pieces(const One_set& sets, std::size_t) { return sets; }
-inline Two_sets sets_of_pieces(const Two_sets&, std::size_t first_size) { return {first_size}; }
-
 // Reports the pairs of first vertices of parts and polygons that they are inside, unless the
 // features are a known pair, by put(a, b).
 template <class Pieces, class Test, class Put, class Progress>
@@ -65,8 +59,8 @@ bool report_all_insides(const Pieces& pieces, const Sets& sets, const Test& test
                         Known_pairs& known, const Put& put, Progress& progress,
                         const Threads& threads)
 {
-  const std::size_t part = pieces.first_part_from(first_of_second(sets));
-  const std::size_t filled = pieces.first_filled_from(first_of_second(sets));
+  const std::size_t part = pieces.first_part_from(sets.first_of_second());
+  const std::size_t filled = pieces.first_filled_from(sets.first_of_second());
   const auto report = [&](const Part_range& of_parts, const Part_range& of_filled) {
     return report_insides(pieces, of_parts, of_filled, test, known, put, progress, threads);
   };
@@ -92,15 +86,12 @@ bool report_pairs_without_faces(const Features& features, const Sets& sets, cons
     np, pieces.size() + (has_insides ? pieces.part_count() + pieces.filled_count() : 0));
   Known_pairs known(threads);
   const Feature_boundaries<Pieces, Test> boundaries(pieces, test, known);
-  const std::size_t second = pieces.first_piece_from(first_of_second(sets));
-  const auto put = [&](std::size_t a, std::size_t b) { // those of the first range are smaller
-    return report((std::min)(a, b), (std::max)(a, b) - first_of_second(sets));
-  };
-  const auto take = [&](std::size_t i, std::size_t j) {
-    return put(pieces.feature_of(i), pieces.feature_of(second + j));
-  };
-  if(!report_meeting_boxes(boundaries, sets_of_pieces(sets, second), take, progress, threads))
+  const std::size_t second = pieces.first_piece_from(sets.first_of_second());
+  if(!report_meeting_groups(boundaries, sets, second, report, progress, threads))
     return false;
+  const auto put = [&](std::size_t a, std::size_t b) { // those of the first range are smaller
+    return report((std::min)(a, b), (std::max)(a, b) - sets.first_of_second());
+  };
   if constexpr(Pieces::dimension == 2)
     return !has_insides
            || report_all_insides(pieces, sets, test, known, put, progress, threads);

@@ -34,11 +34,9 @@ template <class Sets, class Callback, class Taker = Result_taker>
 class Callback_taker : public Taker
 {
 public:
-  Callback_taker(const Sets& sets, Callback& callback) : callback_(callback)
-  {
-    if constexpr(Sets::are_two)
-      first_of_second_ = sets.first_size;
-  }
+  Callback_taker(const Sets& sets, Callback& callback)
+    : callback_(callback), first_of_second_(sets.first_of_second())
+  {}
 
   // The loop itself stores nothing. This makes short callbacks fast.
   bool take(const Found_pair* pairs, std::size_t count) override
@@ -64,7 +62,7 @@ protected:
   Callback& callback_;
 
 private:
-  std::size_t first_of_second_ = 0;
+  const std::size_t first_of_second_;
 };
 
 // Returns what hands pairs to a callback: the callback itself, if it is such a taker.

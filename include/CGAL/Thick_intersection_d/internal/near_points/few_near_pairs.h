@@ -203,9 +203,7 @@ std::optional<bool> report_few_near_pairs(const Elements& points, const Sets& se
   Few_near_pairs<Elements, Sets, NT> pairs(points, sets, bound);
   auto progress = make_progress(np, points.size());
   const auto report = [&](std::size_t i, std::size_t j) {
-    if constexpr(Sets::are_two)
-      j -= sets.first_size;
-    return goes_on_after(callback, i, j);
+    return goes_on_after(callback, i, j - sets.first_of_second());
   };
   std::optional<bool> is_complete = pairs.report_to(report);
   if(is_complete && *is_complete)

@@ -171,13 +171,7 @@ public:
   }
 
   // The position of the first point of the second set.
-  std::size_t first_of_second() const
-  {
-    if constexpr(Sets::are_two)
-      return sets_.first_size;
-    else
-      return 0;
-  }
+  std::size_t first_of_second() const { return sets_.first_of_second(); }
 
   // The number of points of the first set.
   std::size_t first_size() const

@@ -87,10 +87,7 @@ public:
   {
     const std::size_t i = (std::min)(a.position, b.position);
     const std::size_t j = (std::max)(a.position, b.position);
-    if constexpr(has_two_sets())
-      return report(i, j - sets_.first_size);
-    else
-      return report(i, j);
+    return report(i, j - sets_.first_of_second());
   }
 
 private:

@@ -27,6 +27,7 @@ namespace internal {
 struct One_set
 {
   static constexpr bool are_two = false;
+  std::size_t first_of_second() const { return 0; } // subtracted from positions in the second set
 };
 
 // The first `first_size` elements, and all other elements.
@@ -34,6 +35,7 @@ struct Two_sets
 {
   static constexpr bool are_two = true;
   std::size_t first_size;
+  std::size_t first_of_second() const { return first_size; }
 };
 
 // Returns task(elements, sets) for the elements of one range, or of two in one numbering.

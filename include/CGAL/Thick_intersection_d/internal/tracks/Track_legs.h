@@ -17,6 +17,7 @@
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
+#include <CGAL/Thick_intersection_d/internal/input/kinds.h>
 #include <CGAL/Thick_intersection_d/internal/machine/hints.h>
 #include <CGAL/Thick_intersection_d/internal/objects/Stretches.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Hull.h>
@@ -52,12 +53,12 @@ public:
     is_held_by_double_v<Time> || std::is_same_v<Exact_number_t<Number>, Exact_number_t<Time>>,
     Exact_number_t<Number>, Exact_rational>;
 
-  // Adds the tracks of a range. A track of one fix has a leg that lasts for no time.
+  // Adds the tracks of a range, or of two. A track of one fix has a leg that lasts for no time.
   template <class Tracks>
   void add_tracks(const Tracks& tracks)
   {
     for(std::size_t k = 0; k < tracks.size(); ++k)
-      add_track(tracks[k]);
+      of_range(tracks[k], [&](const auto& track) { add_track(track); });
   }
 
   template <class Track>
@@ -78,6 +79,14 @@ public:
   std::size_t size() const { return stretches_.size(); }
   std::size_t track_count() const { return track_count_; }
   Place track_of(std::size_t stretch) const { return stretches_[stretch].track; }
+
+  // Returns the first stretch of the tracks at a position or behind it.
+  std::size_t first_stretch_from(std::size_t track) const
+  {
+    const auto is_before = [=](const Stretch_of_leg& stretch) { return stretch.track < track; };
+    return static_cast<std::size_t>(
+      std::partition_point(stretches_.begin(), stretches_.end(), is_before) - stretches_.begin());
+  }
 
   // Whether a stretch is all of its track.
   bool is_alone(std::size_t stretch) const

@@ -155,10 +155,9 @@ private:
   double looked_at_ = 0; // pairs of the sample
 };
 
-// Cuts the legs, for a search with a reach. Those of a second range begin at `second`, which moves
-// with them.
+// Cuts the legs, for a search with a reach.
 template <class Legs>
-void cut_legs(Legs& legs, double reach, std::size_t& second)
+void cut_legs(Legs& legs, double reach)
 {
   if(legs.size() == 0)
     return;
@@ -169,14 +168,8 @@ void cut_legs(Legs& legs, double reach, std::size_t& second)
   std::vector<Place> counts;
   for(std::size_t i = 0; i < legs.size(); ++i)
     counts.push_back(sample.stretch_count(i, width));
-  const auto sum_until = [&](std::size_t end) {
-    return std::accumulate(counts.begin(), counts.begin() + std::ptrdiff_t(end), std::size_t(0));
-  };
-  const std::size_t size = sum_until(legs.size());
-  if(size == legs.size() || !fits_box_route(size))
-    return;
-  second = sum_until(second);
-  legs.cut(counts);
+  if(fits_box_route(std::accumulate(counts.begin(), counts.end(), std::size_t(0))))
+    legs.cut(counts);
 }
 
 } // namespace internal

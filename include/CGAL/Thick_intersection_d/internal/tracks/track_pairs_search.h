@@ -38,28 +38,6 @@ namespace internal {
 template <class Range>
 using Track_of = typename std::decay_t<Range>::value_type;
 
-// The legs of the tracks of one range, or of two.
-template <class Elements, class Sets>
-struct Track_sets
-{
-  using Legs = Track_legs<Fix_of_t<Track_of<decltype(std::declval<const Elements&>().first())>>>;
-
-  explicit Track_sets(const Elements& tracks)
-  {
-    check_denormals();
-    legs.add_tracks(tracks.first());
-    if constexpr(Sets::are_two) {
-      second_track = legs.track_count();
-      second_leg = legs.size();
-      legs.add_tracks(tracks.second());
-    }
-  }
-
-  Legs legs;
-  std::size_t second_track = 0; // where the second range begins, if there is one
-  std::size_t second_leg = 0;
-};
-
 template <class Elements, class NamedParameters>
 constexpr bool check_track_search()
 {
@@ -71,24 +49,6 @@ constexpr bool check_track_search()
     return false;
 }
 
-template <class Tracks, class Sets, class NT, class Report, class NamedParameters>
-bool report_near_legs(Tracks& tracks, Sets sets, const Distance_bound<NT>& bound,
-                      Arithmetic_tier least_tier, Shared_decision_counts* counts, Report& report,
-                      const NamedParameters& np, const Threads& threads)
-{
-  const auto& legs = tracks.legs;
-  const Are_tracks_near<typename Tracks::Legs> boxes(legs, bound, least_tier, counts, threads);
-  cut_legs(tracks.legs, boxes.reach(), tracks.second_leg);
-  if constexpr(Sets::are_two)
-    sets.first_size = tracks.second_leg;
-  auto progress = make_progress(np, legs.size());
-  const auto take = [&](std::size_t i, std::size_t j) {
-    const std::size_t a = legs.track_of(i);
-    return report(a, legs.track_of(tracks.second_leg + j) - tracks.second_track);
-  };
-  return report_meeting_boxes(boxes, sets, take, progress, threads);
-}
-
 // Reports the near pairs of tracks. Returns false iff the search was stopped. Takes the tier that
 // is forced in `profile`, and sets `profile` to that of the scene, unless it is null.
 template <class Elements, class Sets, class NT, class Report, class NamedParameters>
@@ -96,20 +56,26 @@ bool report_near_tracks(const Elements& elements, const Sets& sets,
                         const Distance_bound<NT>& bound, Report& report, Scene_profile* profile,
                         const NamedParameters& np, const Threads& threads)
 {
-  Track_sets<Elements, Sets> tracks(elements);
+  using Legs = Track_legs<Fix_of_t<Track_of<decltype(elements.first())>>>;
+  check_denormals();
+  Legs legs;
+  legs.add_tracks(elements);
+  const auto search = [&](Arithmetic_tier least_tier, Shared_decision_counts* counts) {
+    const Are_tracks_near<Legs> boxes(legs, bound, least_tier, counts, threads);
+    cut_legs(legs, boxes.reach());
+    const std::size_t second = legs.first_stretch_from(sets.first_of_second());
+    auto progress = make_progress(np, legs.size());
+    return report_meeting_groups(boxes, sets, second, report, progress, threads);
+  };
   if(profile == nullptr)
-    return report_near_legs(tracks, sets, bound, Arithmetic_tier::INT64, nullptr, report, np,
-                            threads);
-  using Exact = typename decltype(tracks.legs)::Exact;
-  const double reach = Squared_bound<Exact>(bound).reach();
-  Scene_profile found(scan_legs(tracks.legs, bounds(bound.value()), reach),
-                      degree_of_legs(tracks.legs));
+    return search(Arithmetic_tier::INT64, nullptr);
+  const double reach = Squared_bound<typename Legs::Exact>(bound).reach();
+  Scene_profile found(scan_legs(legs, bounds(bound.value()), reach), degree_of_legs(legs));
   if(const std::optional<Arithmetic_tier> forced = profile->forced_tier())
     found.force_tier(*forced);
-  const Arithmetic_tier least_tier = found.forced_tier().value_or(Arithmetic_tier::INT64);
   Shared_decision_counts counts;
   const bool is_complete
-    = report_near_legs(tracks, sets, bound, least_tier, &counts, report, np, threads);
+    = search(found.forced_tier().value_or(Arithmetic_tier::INT64), &counts);
   found.set_counts(counts.total());
   *profile = found;
   return is_complete;
