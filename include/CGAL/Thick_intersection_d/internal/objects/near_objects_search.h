@@ -17,6 +17,7 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/box_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
@@ -25,6 +26,7 @@
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/near_points/near_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/objects/Object_route.h>
+#include <CGAL/Thick_intersection_d/internal/objects/search_profiled.h>
 #include <CGAL/Thick_intersection_d/internal/objects/segment_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Hull.h>
@@ -35,7 +37,6 @@
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 
 #include <cstddef>
-#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -256,19 +257,14 @@ struct Near_pairs_of<Object, false>
     if constexpr(!check_profiled_near_objects<Object, NamedParameters>())
       return false;
     else {
-      Shared_decision_counts counts;
       check_near_kinds(objects, threads);
       const double reach = Squared_bound<Common_exact_number_t<Object>>(bound).reach();
-      Scene_profile found(scan_near_objects(objects, bounds(bound.value()), reach),
-                          degree_of<Distance_degree, Object>());
-      if(const std::optional<Arithmetic_tier> forced = profile.forced_tier())
-        found.force_tier(*forced);
-      const Are_objects_near<Object> test(
-        bound, found.forced_tier().value_or(Arithmetic_tier::INT64), &counts);
-      const bool is_complete = report_near_boxes(objects, sets, test, callback, np, threads);
-      found.set_counts(counts.total());
-      profile = found;
-      return is_complete;
+      const Object_scene scene = scan_near_objects(objects, bounds(bound.value()), reach);
+      const auto search = [&](Arithmetic_tier least_tier, Shared_decision_counts* counts) {
+        const Are_objects_near<Object> test(bound, least_tier, counts);
+        return report_near_boxes(objects, sets, test, callback, np, threads);
+      };
+      return search_profiled(profile, {scene, degree_of<Distance_degree, Object>()}, search);
     }
   }
 };

@@ -28,11 +28,10 @@
 #include <CGAL/Thick_intersection_d/internal/objects/Object_route.h>
 #include <CGAL/Thick_intersection_d/internal/objects/Traits_of_interiors.h>
 #include <CGAL/Thick_intersection_d/internal/objects/Two_type_traits.h>
+#include <CGAL/Thick_intersection_d/internal/objects/search_profiled.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
 
-#include <algorithm>
-#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -254,14 +253,6 @@ bool report_object_pairs(const Elements& objects, const Sets& sets, Callback& ca
     return false;
 }
 
-// Returns the first arithmetic after the filter. What the whole scene needs is more than most of
-// its determinants do, so wider integers and exact numbers wait for these.
-inline Arithmetic_tier least_tier_of(const Scene_profile& profile)
-{
-  return profile.forced_tier() ? profile.tier()
-                               : (std::min)(profile.tier(), Arithmetic_tier::INT64);
-}
-
 // The same, with the tier that is forced in `profile`. Sets `profile` to the profile of the scene.
 template <class Elements, class Sets, class Callback, class NamedParameters>
 bool report_object_pairs(const Elements& objects, const Sets& sets, Callback& callback,
@@ -276,15 +267,11 @@ bool report_object_pairs(const Elements& objects, const Sets& sets, Callback& ca
     check_objects(objects, traits, threads);
     Object_scene scene = scan_objects(objects);
     scene.has_distances = Kinds<Object>::template is_any<Is_thickened>;
-    Scene_profile found(scene, degree_of<Intersection_degree, Object>());
-    if(const std::optional<Arithmetic_tier> forced = profile.forced_tier())
-      found.force_tier(*forced);
-    Shared_decision_counts counts;
-    traits.decide_by(least_tier_of(found), counts);
-    const bool is_complete = report_objects(objects, sets, traits, callback, np, threads);
-    found.set_counts(counts.total());
-    profile = found;
-    return is_complete;
+    const auto search = [&](Arithmetic_tier least_tier, Shared_decision_counts* counts) {
+      traits.decide_by(least_tier, *counts);
+      return report_objects(objects, sets, traits, callback, np, threads);
+    };
+    return search_profiled(profile, {scene, degree_of<Intersection_degree, Object>()}, search);
   }
   else
     return false;

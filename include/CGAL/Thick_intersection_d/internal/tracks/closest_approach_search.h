@@ -39,8 +39,8 @@ void for_common_times(const Legs& legs, std::size_t second, const Task& task)
 }
 
 // Returns the time and the square of the least distance of two tracks, the first one if there are
-// several, or nothing if they have no time in common. Finds the distance in doubles first. Then only
-// those legs are asked in exact numbers that may have it.
+// several, or nothing if they have no time in common. Finds the distance in doubles first. Then
+// only those legs are asked in exact numbers that may have it.
 template <class Approach, class TrackA, class TrackB>
 std::optional<Approach> find_closest_approach(const TrackA& a, const TrackB& b)
 {

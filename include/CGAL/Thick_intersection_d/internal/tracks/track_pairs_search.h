@@ -16,8 +16,10 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/check_denormals.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/box_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
+#include <CGAL/Thick_intersection_d/internal/objects/search_profiled.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 #include <CGAL/Thick_intersection_d/internal/tracks/Are_tracks_near.h>
@@ -27,7 +29,6 @@
 #include <CGAL/Thick_intersection_d/internal/tracks/scan_legs.h>
 
 #include <cstddef>
-#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -70,15 +71,8 @@ bool report_near_tracks(const Elements& elements, const Sets& sets,
   if(profile == nullptr)
     return search(Arithmetic_tier::INT64, nullptr);
   const double reach = Squared_bound<typename Legs::Exact>(bound).reach();
-  Scene_profile found(scan_legs(legs, bounds(bound.value()), reach), degree_of_legs(legs));
-  if(const std::optional<Arithmetic_tier> forced = profile->forced_tier())
-    found.force_tier(*forced);
-  Shared_decision_counts counts;
-  const bool is_complete
-    = search(found.forced_tier().value_or(Arithmetic_tier::INT64), &counts);
-  found.set_counts(counts.total());
-  *profile = found;
-  return is_complete;
+  const Object_scene scene = scan_legs(legs, bounds(bound.value()), reach);
+  return search_profiled(*profile, {scene, degree_of_legs(legs)}, search);
 }
 
 // Returns search(elements, sets, report) for the near pairs of tracks.
