@@ -41,52 +41,59 @@ bool refine_grid(const Object& object, Double_grid& grid)
     return read_vertices(object, [&](std::size_t, int, double x) { grid.add(x); });
 }
 
-// Two objects whose boxes meet lie in a box of twice the largest extents.
-inline void extend_scene(Object_scene& scene, std::size_t axis, const Interval& interval)
-{
-  const double extent
-    = std::nextafter(interval.high - interval.low, std::numeric_limits<double>::infinity());
-  scene.reaches[axis] = (std::max)(scene.reaches[axis], 2 * extent);
-  Interval& range = scene.box[axis];
-  range = {(std::min)(range.low, interval.low), (std::max)(range.high, interval.high)};
-}
-
-// The objects are those that traits have checked.
-template <class Elements>
-Object_scene scan_objects(const Elements& objects)
+// Scans the boxes of objects: intervals(i)(axis) is what object i covers along an axis. Two objects
+// whose boxes meet lie in a box of twice the largest extents. refine(i, grid) refines the grid
+// until it holds the numbers of the object, and returns false if one of them is no double.
+template <class Intervals, class Refine>
+Object_scene scan_boxes(std::size_t size, int axis_count, const Intervals& intervals,
+                        const Refine& refine)
 {
   Object_scene scene;
-  scene.size = objects.size();
+  scene.size = size;
+  scene.reaches.resize(size == 0 ? 0 : static_cast<std::size_t>(axis_count));
+  scene.box.resize(scene.reaches.size());
   Double_grid grid;
   bool are_doubles = true;
-  for(std::size_t i = 0; i < objects.size(); ++i) {
-    const auto& object = objects[i];
-    const auto& box = internal::bounding_box(object);
-    const auto axes = static_cast<std::size_t>(box.dimension());
-    if(i == 0) {
-      scene.reaches.resize(axes);
-      for(std::size_t axis = 0; axis < axes; ++axis)
-        scene.box.push_back({(box.min)(int(axis)), (box.max)(int(axis))});
+  for(std::size_t i = 0; i < size; ++i) {
+    const auto interval_along = intervals(i);
+    for(std::size_t axis = 0; axis < scene.box.size(); ++axis) {
+      const Interval interval = interval_along(static_cast<int>(axis));
+      const double extent
+        = std::nextafter(interval.length(), std::numeric_limits<double>::infinity());
+      scene.reaches[axis] = (std::max)(scene.reaches[axis], 2 * extent);
+      scene.box[axis].add(interval);
     }
-    for(std::size_t axis = 0; axis < axes; ++axis)
-      extend_scene(scene, axis, {(box.min)(int(axis)), (box.max)(int(axis))});
-    are_doubles = are_doubles && refine_grid(object, grid);
+    are_doubles = are_doubles && refine(i, grid);
   }
   if(are_doubles)
     scene.grid_exponent = grid.exponent();
   return scene;
 }
 
-// The same of objects and a bound on their distance, which is between two doubles. Two objects
-// whose boxes are within the reach lie in a box that is longer by it.
+// The objects are those that traits have checked.
 template <class Elements>
-Object_scene scan_near_objects(const Elements& objects, const std::pair<double, double>& bound,
-                               double reach)
+Object_scene scan_objects(const Elements& objects)
 {
-  Object_scene scene = scan_objects(objects);
+  using Box = Bounding_box_t<typename Elements::value_type>;
+  const auto intervals = [&](std::size_t i) {
+    return [box = internal::bounding_box(objects[i])](int axis) {
+      return Interval{(box.min)(axis), (box.max)(axis)};
+    };
+  };
+  const auto refine = [&](std::size_t i, Double_grid& grid) {
+    return refine_grid(objects[i], grid);
+  };
+  return scan_boxes(objects.size(), Box().dimension(), intervals, refine);
+}
+
+// Adds a bound on the distance of objects, which is between two doubles. Two objects whose boxes
+// are within the reach lie in a box that is longer by it, along the axes of space.
+inline void add_bound(Object_scene& scene, const std::pair<double, double>& bound, double reach,
+                      int space_axes = 3)
+{
   scene.has_distances = true;
-  for(double& x : scene.reaches)
-    x += reach;
+  for(std::size_t axis = 0; axis < scene.reaches.size() && int(axis) < space_axes; ++axis)
+    scene.reaches[axis] += reach;
   if(bound.first != bound.second)
     scene.grid_exponent.reset();
   if(scene.grid_exponent) {
@@ -94,7 +101,6 @@ Object_scene scan_near_objects(const Elements& objects, const std::pair<double, 
     grid.add(bound.first);
     scene.grid_exponent = grid.exponent();
   }
-  return scene;
 }
 
 } // namespace internal

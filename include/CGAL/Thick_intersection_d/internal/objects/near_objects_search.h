@@ -259,7 +259,8 @@ struct Near_pairs_of<Object, false>
     else {
       check_near_kinds(objects, threads);
       const double reach = Squared_bound<Common_exact_number_t<Object>>(bound).reach();
-      const Object_scene scene = scan_near_objects(objects, bounds(bound.value()), reach);
+      Object_scene scene = scan_objects(objects);
+      add_bound(scene, bounds(bound.value()), reach);
       const auto search = [&](Arithmetic_tier least_tier, Shared_decision_counts* counts) {
         const Are_objects_near<Object> test(bound, least_tier, counts);
         return report_near_boxes(objects, sets, test, callback, np, threads);

@@ -122,6 +122,8 @@ Exact exact_value(const NT& x)
 {
   if constexpr(std::is_same_v<Exact, Exact_number_t<NT>>)
     return Exact(to_exact_number(x));
+  else if constexpr(is_held_by_double_v<NT>)
+    return Exact(static_cast<double>(x));
   else
     return Exact(to_exact_rational(x));
 }

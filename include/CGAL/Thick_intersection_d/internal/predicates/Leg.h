@@ -26,6 +26,7 @@
 // underflows is off by less than 2^-1073, and M counts as 2^-400 at least. Products of numbers up
 // to 2^400 do not overflow, nor do differences of times up to 2^1000.
 
+#include <CGAL/Thick_intersection_d/internal/arithmetic/Double_grid.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Hull_simplex.h>
 
@@ -52,6 +53,16 @@ struct Leg
 
   // Whether the doubles are the leg.
   bool is_exact() const { return error == 0 && time_error == 0; }
+
+  // Refines the grids until they hold the coordinates and the times.
+  void add_to(Double_grid& places, Double_grid& of_times) const
+  {
+    for(std::size_t end = 0; end < 2; ++end) {
+      of_times.add(times[end]);
+      for(const double x : ends[end])
+        places.add(x);
+    }
+  }
 
   // Returns which share of the leg is over. A leg that lasts for no time has not begun.
   double share_at(double time) const

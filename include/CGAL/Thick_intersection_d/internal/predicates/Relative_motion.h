@@ -143,12 +143,8 @@ public:
   {
     Double_grid places, times;
     places.add(radius);
-    for(const Leg<N>* leg : {&a, &b})
-      for(std::size_t k = 0; k < 2; ++k) {
-        times.add(leg->times[k]);
-        for(const double x : leg->ends[k])
-          places.add(x);
-      }
+    a.add_to(places, times);
+    b.add_to(places, times);
     radius_ = steps_of(radius, places, largest_radius_);
     for(std::size_t k = 0; k < 2; ++k)
       for(std::size_t leg = 0; leg < 2; ++leg) {

@@ -103,9 +103,9 @@ public:
   {
     Leg<dimension> leg;
     for(std::size_t end = 0; end < 2; ++end) {
-      leg.times[end] = lower_end(time_bounds(stretch, end), leg.time_error);
+      leg.times[end] = lower_end(bounds_of(stretch, end, dimension), leg.time_error);
       for(int axis = 0; axis < dimension; ++axis)
-        leg.ends[end][axis] = lower_end(place_bounds(stretch, end, axis), leg.error);
+        leg.ends[end][axis] = lower_end(bounds_of(stretch, end, axis), leg.error);
     }
     return leg;
   }
@@ -115,7 +115,7 @@ public:
   {
     Exact_leg<ExactNumber, dimension> leg;
     for(std::size_t end = 0; end < 2; ++end) {
-      leg.times[end] = exact_time<ExactNumber>(fix(stretch, end).first);
+      leg.times[end] = exact_value<ExactNumber>(fix(stretch, end).first);
       for(int axis = 0; axis < dimension; ++axis)
         leg.ends[end][axis]
           = exact_value<ExactNumber>(coordinate(fix(stretch, end).second, axis));
@@ -123,10 +123,13 @@ public:
     return leg;
   }
 
-  // Whether two legs begin at the same time, and end at the same time.
-  bool have_common_times(std::size_t i, std::size_t j) const
+  // Whether all legs begin at the same time, and end at the same time.
+  bool have_common_times() const
   {
-    return fix(i, 0).first == fix(j, 0).first && fix(i, 1).first == fix(j, 1).first;
+    for(std::size_t i = 1; i < size(); ++i)
+      if(fix(i, 0).first != fix(0, 0).first || fix(i, 1).first != fix(0, 1).first)
+        return false;
+    return true;
   }
 
   bool ends_before(std::size_t i, std::size_t j) const
@@ -144,8 +147,7 @@ public:
   Interval interval(std::size_t leg, int axis, Place index, Place count) const
   {
     const auto end = [&](std::size_t k) -> Interval {
-      const std::pair<double, double> bounds
-        = finite_interval(axis == dimension ? time_bounds(leg, k) : place_bounds(leg, k, axis));
+      const std::pair<double, double> bounds = finite_interval(bounds_of(leg, k, axis));
       return {bounds.first, bounds.second};
     };
     if(count != 1)
@@ -191,23 +193,11 @@ private:
     return fixes_[stretches_[stretch].fix + end];
   }
 
-  template <class ExactNumber>
-  static ExactNumber exact_time(const Time& time)
+  // Encloses a coordinate, or the time, which is the last one.
+  std::pair<double, double> bounds_of(std::size_t stretch, std::size_t end, int axis) const
   {
-    if constexpr(is_held_by_double_v<Time>)
-      return ExactNumber(static_cast<double>(time));
-    else
-      return exact_value<ExactNumber>(time);
-  }
-
-  std::pair<double, double> time_bounds(std::size_t stretch, std::size_t end) const
-  {
-    return bounds(fix(stretch, end).first);
-  }
-
-  std::pair<double, double> place_bounds(std::size_t stretch, std::size_t end, int axis) const
-  {
-    return coordinate_bounds(fix(stretch, end).second, axis);
+    const Fix& fix = this->fix(stretch, end);
+    return axis == dimension ? bounds(fix.first) : coordinate_bounds(fix.second, axis);
   }
 
   // Returns the lower one of two bounds, and raises the error to their distance.

@@ -8,10 +8,8 @@
 // Finds the scene of tracks in one pass over their legs.
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Double_grid.h>
-#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/scan_objects.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Leg.h>
 
 #include <cstddef>
 #include <utility>
@@ -25,41 +23,18 @@ namespace internal {
 template <class Legs>
 Object_scene scan_legs(const Legs& legs, const std::pair<double, double>& bound, double reach)
 {
-  constexpr int dimension = Legs::dimension;
-  Object_scene scene;
+  const auto intervals = [&](std::size_t i) {
+    return [&legs, i](int axis) { return legs.interval(i, axis); };
+  };
+  const auto refine = [&](std::size_t i, Double_grid& grid) {
+    const auto leg = legs.leg(i);
+    leg.add_to(grid, grid);
+    return leg.is_exact();
+  };
+  Object_scene scene = scan_boxes(legs.size(), Legs::dimension + 1, intervals, refine);
   scene.size = legs.track_count();
-  scene.has_distances = true;
-  scene.reaches.resize(dimension + 1);
-  scene.box.resize(legs.size() == 0 ? 0 : dimension + 1);
-  Double_grid grid;
-  grid.add(bound.first);
-  bool are_doubles = bound.first == bound.second;
-  for(std::size_t i = 0; i < legs.size(); ++i) {
-    for(int axis = 0; axis <= dimension; ++axis)
-      extend_scene(scene, static_cast<std::size_t>(axis), legs.interval(i, axis));
-    const Leg<dimension> leg = legs.leg(i);
-    are_doubles = are_doubles && leg.is_exact();
-    for(std::size_t end = 0; end < 2; ++end) {
-      grid.add(leg.times[end]);
-      for(const double x : leg.ends[end])
-        grid.add(x);
-    }
-  }
-  for(int axis = 0; axis < dimension; ++axis)
-    scene.reaches[static_cast<std::size_t>(axis)] += reach;
-  if(are_doubles)
-    scene.grid_exponent = grid.exponent();
+  add_bound(scene, bound, reach, Legs::dimension);
   return scene;
-}
-
-// Returns the degree of the question about two legs: 4 if all have the same times.
-template <class Legs>
-int degree_of_legs(const Legs& legs)
-{
-  for(std::size_t i = 1; i < legs.size(); ++i)
-    if(!legs.have_common_times(0, i))
-      return 10;
-  return 4;
 }
 
 } // namespace internal

@@ -72,7 +72,7 @@ bool report_near_tracks(const Elements& elements, const Sets& sets,
     return search(Arithmetic_tier::INT64, nullptr);
   const double reach = Squared_bound<typename Legs::Exact>(bound).reach();
   const Object_scene scene = scan_legs(legs, bounds(bound.value()), reach);
-  return search_profiled(*profile, {scene, degree_of_legs(legs)}, search);
+  return search_profiled(*profile, {scene, legs.have_common_times() ? 4 : 10}, search);
 }
 
 // Returns search(elements, sets, report) for the near pairs of tracks.
