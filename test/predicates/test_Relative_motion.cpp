@@ -138,8 +138,8 @@ void check_legs(std::uint64_t count, bool are_times_common)
     for(std::size_t place = 0; place < all_units.size(); ++place)
       BOOST_TEST_CONTEXT("legs " << k << ", units " << place) {
         const Units& units = all_units[place];
-        check_enclosure(internal::Relative_segment<N>(leg_of<N>(a, units), leg_of<N>(b, units))
-                          .distance(), approach, units);
+        check_enclosure(internal::distance_of(leg_of<N>(a, units), leg_of<N>(b, units)), approach,
+                        units);
         check_integers<N>(a, b, approach, units);
       }
   }
@@ -167,13 +167,12 @@ BOOST_AUTO_TEST_CASE(errors_of_places_and_times_widen_the_enclosure)
   for(const double error : {0x1p-40, 0x1p-10, 1.}) {
     internal::Leg<2> first = leg_of<2>(a, {}), second = leg_of<2>(b, {});
     first.error = error;
-    const internal::Interval of_places
-      = internal::Relative_segment<2>(first, second).distance();
+    const internal::Interval of_places = internal::distance_of(first, second);
     BOOST_CHECK_LE(of_places.low, 3 - error);
     BOOST_CHECK_GE(of_places.high, 3 + error);
     first.error = 0;
     second.time_error = error;
-    const internal::Interval of_times = internal::Relative_segment<2>(first, second).distance();
+    const internal::Interval of_times = internal::distance_of(first, second);
     BOOST_CHECK_LE(of_times.low, 3 - error);
     BOOST_CHECK_GE(of_times.high, 3 + error);
   }
@@ -186,7 +185,7 @@ BOOST_AUTO_TEST_CASE(common_times_may_be_unknown)
     return internal::Leg<2>{{{{0, 0}, {1, 0}}}, {begin, end}, 0, error};
   };
   const auto distance = [&](double begin, double error) {
-    return internal::Relative_segment<2>(leg(0, 1, 0), leg(begin, 3, error)).distance();
+    return internal::distance_of(leg(0, 1, 0), leg(begin, 3, error));
   };
   BOOST_CHECK_EQUAL(distance(1.5, .25).low, infinity);
   for(const double begin : {.875, 1., 1.125}) {

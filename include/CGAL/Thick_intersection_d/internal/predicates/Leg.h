@@ -30,6 +30,8 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Hull_simplex.h>
 
+#include <boost/config.hpp> // BOOST_FORCEINLINE
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -71,80 +73,64 @@ struct Leg
   }
 };
 
-// The vector from the point of one leg to that of another, from the first common time to the last.
+// Sets `ends` to the vectors from the point of one leg to that of another at two times. Returns the
+// largest coordinate of both legs, from the first end of the first leg on, or a bound on underflow.
 template <std::size_t N>
-class Relative_segment
+BOOST_FORCEINLINE double set_relative_ends(std::array<std::array<double, N>, 2>& ends,
+                                           const Leg<N>& a, const Leg<N>& b,
+                                           const std::array<double, 2>& times)
 {
-  using Vector = std::array<double, N>;
-
-public:
-  Relative_segment(const Leg<N>& a, const Leg<N>& b)
-    : common_({(std::max)(a.times[0], b.times[0]), (std::min)(a.times[1], b.times[1])}),
-      time_error_(a.time_error + b.time_error),
-      longest_((std::max)(a.duration(), b.duration())),
-      shortest_((std::min)(a.duration(), b.duration()))
-  {
-    const std::array<double, 2> times = {common_.low, common_.high};
-    double largest = 0;
-    std::array<double, 2> shares_a, shares_b;
-    for(std::size_t k = 0; k < 2; ++k) {
-      shares_a[k] = a.share_at(times[k]);
-      shares_b[k] = b.share_at(times[k]);
-    }
-    for(std::size_t i = 0; i < N; ++i) {
-      const double a1 = a.ends[1][i] - a.ends[0][i];
-      const double b0 = b.ends[0][i] - a.ends[0][i], b1 = b.ends[1][i] - a.ends[0][i];
-      largest = (std::max)({largest, std::fabs(a1), std::fabs(b0), std::fabs(b1)});
-      for(std::size_t k = 0; k < 2; ++k)
-        ends_[k][i] = b0 + (b1 - b0) * shares_b[k] - a1 * shares_a[k];
-    }
-    set_slack(largest, a.error + b.error);
+  double largest = 0x1p-400;
+  const std::array<double, 2> shares_a = {a.share_at(times[0]), a.share_at(times[1])};
+  const std::array<double, 2> shares_b = {b.share_at(times[0]), b.share_at(times[1])};
+  for(std::size_t i = 0; i < N; ++i) {
+    const double a1 = a.ends[1][i] - a.ends[0][i];
+    const double b0 = b.ends[0][i] - a.ends[0][i], b1 = b.ends[1][i] - a.ends[0][i];
+    largest = (std::max)({largest, std::fabs(a1), std::fabs(b0), std::fabs(b1)});
+    for(std::size_t k = 0; k < 2; ++k)
+      ends[k][i] = b0 + (b1 - b0) * shares_b[k] - a1 * shares_a[k];
   }
+  return largest;
+}
 
-  // Encloses the distance. It is infinite if the legs certainly have no time in common. Nothing is
-  // known of it if that is not certain, or if numbers are too large.
-  Interval distance() const
-  {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    if(common_.length() < -time_error_)
-      return {infinity, infinity};
-    if(!(common_.length() >= time_error_ && longest_ <= 0x1p1000 && slack_ <= 0x1p355))
-      return {-infinity, infinity};
-    const Vector v = nearest_point();
-    const double length = std::sqrt(dot_product(v, v));
-    const double least = (std::min)(dot_product(v, ends_[0]), dot_product(v, ends_[1]));
-    return {least / (length + 0x1p-460) - slack_, length + slack_};
-  }
+// Returns a point that is on a segment, but for rounding, and nearest to the origin, unless
+// products underflow.
+template <std::size_t N>
+std::array<double, N> nearest_point(const std::array<std::array<double, N>, 2>& ends)
+{
+  const std::array<double, N> way = vector_difference(ends[1], ends[0]);
+  const double along = -dot_product(ends[0], way), square = dot_product(way, way);
+  const double share = !(along > 0) ? 0 : along >= square ? 1 : along / square;
+  std::array<double, N> v = ends[0];
+  for(std::size_t i = 0; i < N; ++i)
+    v[i] += way[i] * share;
+  return v;
+}
 
-private:
-  // Times that are off by e move shares by up to 3e over the duration of a leg.
-  void set_slack(double largest, double error)
-  {
-    largest = (std::max)(largest, 0x1p-400);
-    if(time_error_ != 0)
-      error += 16 * (largest + error) * (time_error_ / shortest_);
-    slack_ = 0x1p-45 * (std::max)(largest, 0x1p48 * error);
-  }
-
-  // Returns a point that is on the segment, but for rounding, and nearest to the origin, unless
-  // products underflow.
-  Vector nearest_point() const
-  {
-    const Vector way = vector_difference(ends_[1], ends_[0]);
-    const double along = -dot_product(ends_[0], way), square = dot_product(way, way);
-    const double share = !(along > 0) ? 0 : along >= square ? 1 : along / square;
-    Vector v = ends_[0];
-    for(std::size_t i = 0; i < N; ++i)
-      v[i] += way[i] * share;
-    return v;
-  }
-
-  const Interval common_;
-  const double time_error_;
-  const double longest_, shortest_; // of the durations
-  std::array<Vector, 2> ends_;
-  double slack_;
-};
+// Encloses the distance of the points of two legs. It is infinite if the legs certainly have no
+// time in common. Nothing is known of it if that is not certain, or if numbers are too large.
+template <std::size_t N>
+Interval distance_of(const Leg<N>& a, const Leg<N>& b)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const Interval common = {(std::max)(a.times[0], b.times[0]), (std::min)(a.times[1], b.times[1])};
+  const double time_error = a.time_error + b.time_error;
+  if(common.length() < -time_error)
+    return {infinity, infinity};
+  std::array<std::array<double, N>, 2> ends;
+  const double largest = set_relative_ends(ends, a, b, {common.low, common.high});
+  double error = a.error + b.error;
+  if(time_error != 0) // times that are off by e move shares by up to 3e over the duration of a leg
+    error += 16 * (largest + error) * (time_error / (std::min)(a.duration(), b.duration()));
+  const double slack = 0x1p-45 * (std::max)(largest, 0x1p48 * error);
+  if(!(common.length() >= time_error && (std::max)(a.duration(), b.duration()) <= 0x1p1000
+       && slack <= 0x1p355))
+    return {-infinity, infinity};
+  const std::array<double, N> v = nearest_point(ends);
+  const double length = std::sqrt(dot_product(v, v));
+  const double least = (std::min)(dot_product(v, ends[0]), dot_product(v, ends[1]));
+  return {least / (length + 0x1p-460) - slack, length + slack};
+}
 
 } // namespace internal
 } // namespace Thick_intersection_d

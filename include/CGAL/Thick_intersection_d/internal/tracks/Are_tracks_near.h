@@ -98,7 +98,7 @@ private:
     if(exact_bound_.is_open() && exact_bound_.is_zero()) // no distance is less than zero
       return false;
     const Leg<Legs::dimension> a = legs_.leg(i), b = legs_.leg(j);
-    const Interval distance = Relative_segment(a, b).distance();
+    const Interval distance = distance_of(a, b);
     const bool is_near = distance.high <= bound_.radius.low;
     if(is_near || distance.low > bound_.radius.high) {
       count(Arithmetic_tier::DOUBLE);

@@ -52,7 +52,7 @@ std::optional<Approach> find_closest_approach(const TrackA& a, const TrackB& b)
     const std::size_t second = legs.size();
     legs.add_track(b);
     const auto distance = [&](std::size_t i, std::size_t j) {
-      return Relative_segment(legs.leg(i), legs.leg(j)).distance();
+      return distance_of(legs.leg(i), legs.leg(j));
     };
     double least = std::numeric_limits<double>::infinity();
     for_common_times(legs, second, [&](std::size_t i, std::size_t j) {
