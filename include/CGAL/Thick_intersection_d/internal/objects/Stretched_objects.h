@@ -7,7 +7,6 @@
 
 // Two sets of objects as the box route reads them, with the segments of one set in stretches.
 
-#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
 #include <CGAL/Thick_intersection_d/internal/objects/Stretches.h>
@@ -92,12 +91,7 @@ private:
   {
     if(a.index == 0)
       return false;
-    const auto before = objects_.box({a.object, a.index - 1, a.count});
-    const auto other = objects_.box(b);
-    for(int axis = 0; axis < static_dimension; ++axis)
-      if(!do_meet(before[axis], other[axis]))
-        return false;
-    return true;
+    return do_boxes_meet(objects_.box({a.object, a.index - 1, a.count}), objects_.box(b));
   }
 
   const Objects& objects_;

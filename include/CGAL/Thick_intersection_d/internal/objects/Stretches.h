@@ -27,6 +27,12 @@ namespace internal {
 template <int Dimension>
 using Interval_box = std::array<Interval, Dimension>;
 
+template <std::size_t Axes>
+bool do_boxes_meet(const std::array<Interval, Axes>& a, const std::array<Interval, Axes>& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), do_meet);
+}
+
 // Returns an interval that encloses, along an axis, stretch `index` of `count` of a segment between
 // points in two intervals. `count` is a power of two. From each stretch to the next, an end of the
 // interval never falls or never rises, because rounding is monotone. So the stretches whose boxes
@@ -41,7 +47,7 @@ BOOST_NOINLINE inline Interval interval_of_stretch(const Interval& source, const
 {
   Interval whole = source;
   whole.add(target);
-  if(!std::isfinite(whole.length()))
+  if(count == 1 || !std::isfinite(whole.length()))
     return whole;
   const double slack = (std::max)(std::fabs(whole.low), std::fabs(whole.high)) * 0x1p-48
                        + (std::numeric_limits<double>::min)();

@@ -150,11 +150,7 @@ public:
       const std::pair<double, double> bounds = finite_interval(bounds_of(leg, k, axis));
       return {bounds.first, bounds.second};
     };
-    if(count != 1)
-      return interval_of_stretch(end(0), end(1), index, count);
-    Interval whole = end(0);
-    whole.add(end(1));
-    return whole;
+    return interval_of_stretch(end(0), end(1), index, count);
   }
 
   // Cuts each leg into a number of stretches. The legs must not be cut.

@@ -142,11 +142,6 @@ private:
     return count;
   }
 
-  static bool do_boxes_meet(const Interval_box<axes>& a, const Interval_box<axes>& b)
-  {
-    return std::equal(a.begin(), a.end(), b.begin(), do_meet);
-  }
-
   const Legs& legs_;
   const double reach_;
   std::vector<std::size_t> sample_;
