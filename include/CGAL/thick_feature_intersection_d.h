@@ -161,8 +161,8 @@ bool thick_feature_self_intersection_d(FeatureRange&& features, Callback&& callb
                                        const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
-  return internal::search_features(features, internal::Pieces_intersect(), callback, np,
-                                   internal::Threads(ConcurrencyTag()));
+  return internal::search_features(internal::Pieces_intersect(), callback, np,
+                                   internal::Threads(ConcurrencyTag()), features);
 }
 
 /*!
@@ -198,8 +198,8 @@ bool thick_feature_intersection_d(FeatureRangeA&& features_a, FeatureRangeB&& fe
                                   const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
-  return internal::search_features(features_a, features_b, internal::Pieces_intersect(),
-                                   callback, np, internal::Threads(ConcurrencyTag()));
+  return internal::search_features(internal::Pieces_intersect(), callback, np,
+                                   internal::Threads(ConcurrencyTag()), features_a, features_b);
 }
 
 /*!
@@ -234,8 +234,8 @@ bool fixed_radius_near_features(FeatureRange&& features, const Distance_bound<NT
                                 const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
-  return internal::search_features(features, bound, callback, np,
-                                   internal::Threads(ConcurrencyTag()));
+  return internal::search_features(bound, callback, np, internal::Threads(ConcurrencyTag()),
+                                   features);
 }
 
 /*!
@@ -264,8 +264,8 @@ bool fixed_radius_near_features(FeatureRangeA&& features_a, FeatureRangeB&& feat
                                 const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Thick_intersection_d::internal;
-  return internal::search_features(features_a, features_b, bound, callback, np,
-                                   internal::Threads(ConcurrencyTag()));
+  return internal::search_features(bound, callback, np, internal::Threads(ConcurrencyTag()),
+                                   features_a, features_b);
 }
 
 } // namespace CGAL

@@ -233,8 +233,8 @@ void check_tests(const std::string& name, const Soups& soups, std::size_t expect
   std::size_t pairs = 0;
   const auto report = [&](std::size_t, std::size_t) { ++pairs; };
   tests = 0;
-  internal::search_features(soups, Counted_test(), report, CGAL::parameters::default_values(),
-                            internal::Threads());
+  internal::search_features(Counted_test(), report, CGAL::parameters::default_values(),
+                            internal::Threads(), soups);
   BOOST_TEST_MESSAGE(name << ": " << tests << " tests of faces");
   BOOST_CHECK_EQUAL(pairs, expected);
   BOOST_CHECK_MESSAGE(tests <= most_tests, name << ": " << tests);

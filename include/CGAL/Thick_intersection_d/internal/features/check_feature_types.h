@@ -8,11 +8,10 @@
 // Checks the types of the features of a search, when a program is compiled.
 
 #include <CGAL/Thick_intersection_d/internal/features/feature_kinds.h>
-#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
-#include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
 
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -58,21 +57,14 @@ constexpr bool check_open_features()
   return have_interiors;
 }
 
-template <class Relation, class Callback, class NamedParameters, class First, class Second>
+// Checks the elements of one range, or of two.
+template <class Elements, class NamedParameters>
 constexpr bool check_feature_search()
 {
-  constexpr bool may_be_open = !is_bound_v<Relation>;
-  if constexpr(check_range<First, NamedParameters, may_be_open>()
-               && check_range<Second, NamedParameters, may_be_open>()) {
-    using A = Elements_of<First, NamedParameters>;
-    using B = Elements_of<Second, NamedParameters>;
-    if constexpr(!check_features<A, B, NamedParameters>())
-      return false;
-    else if constexpr(check_open_features<A>() && check_open_features<B>())
-      return check_callback<Callback, A, B>();
-    else
-      return false;
-  }
+  using A = std::decay_t<decltype(std::declval<const Elements&>().first())>;
+  using B = std::decay_t<decltype(std::declval<const Elements&>().second())>;
+  if constexpr(check_features<A, B, NamedParameters>())
+    return check_open_features<A>() && check_open_features<B>();
   else
     return false;
 }

@@ -23,11 +23,9 @@
 #include <CGAL/Thick_intersection_d/internal/features/check_feature_types.h>
 #include <CGAL/Thick_intersection_d/internal/features/feature_kinds.h>
 #include <CGAL/Thick_intersection_d/internal/features/piece_tests.h>
-#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Known_pairs.h>
-#include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 #include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
 
@@ -116,19 +114,16 @@ bool report_solid_pairs(const Features& features, const Sets& sets, const Test& 
 
 // Reports the pairs. `relation` is a bound, or the test of pieces itself. Returns false iff the
 // search was stopped.
-template <class Features, class Sets, class Relation, class Callback, class NamedParameters>
+template <class Features, class Sets, class Relation, class Report, class NamedParameters>
 bool report_feature_pairs(const Features& features, const Sets& sets, const Relation& relation,
-                          Callback& callback, const NamedParameters& np, const Threads& threads)
+                          Report& report, const NamedParameters& np, const Threads& threads)
 {
   check_denormals();
-  const auto& first = features.first();
-  const auto& second = features.second();
-  using First = std::decay_t<decltype(first)>;
-  using Second = std::decay_t<decltype(second)>;
+  using First = std::decay_t<decltype(features.first())>;
+  using Second = std::decay_t<decltype(features.second())>;
   using Piece = Common_piece<Piece_of_features<First>, Piece_of_features<Second>>;
   using Radius = Common_radius<Radius_of_features<First>, Radius_of_features<Second>>;
   using Thick = typename Thick_piece<Piece, Radius>::type;
-  auto&& report = pair_output(first, second, callback, threads);
   if constexpr(Vertex_count<Piece>::value == 2) {
     using Pieces = Feature_pieces<Piece, Radius>;
     using Test
@@ -144,32 +139,18 @@ bool report_feature_pairs(const Features& features, const Sets& sets, const Rela
   }
 }
 
-// Reports the pairs of features of a range.
-template <class Range, class Relation, class Callback, class NamedParameters>
-bool search_features(Range& range, const Relation& relation, Callback& callback,
-                     const NamedParameters& np, const Threads& threads)
+// Reports the pairs of features of one range, or of two, in the same way.
+template <class Relation, class Callback, class NamedParameters, class... Ranges>
+bool search_features(const Relation& relation, Callback& callback, const NamedParameters& np,
+                     const Threads& threads, Ranges&... ranges)
 {
-  if constexpr(check_feature_search<Relation, Callback, NamedParameters, Range, Range>())
-    return report_feature_pairs(make_elements(range, np), One_set(), relation, callback, np,
-                                threads);
-  else
-    return false;
-}
-
-// The same of two ranges.
-template <class First, class Second, class Relation, class Callback,
-          class NamedParameters>
-bool search_features(First& first, Second& second, const Relation& relation, Callback& callback,
-                     const NamedParameters& np, const Threads& threads)
-{
-  if constexpr(check_feature_search<Relation, Callback, NamedParameters, First, Second>()) {
-    const auto a = make_elements(first, np);
-    const auto b = make_elements(second, np);
-    return report_feature_pairs(Joined_elements(a, b), Two_sets{a.size()}, relation, callback, np,
-                                threads);
-  }
-  else
-    return false;
+  const auto search = [&](const auto& features, const auto& sets, auto& report) {
+    if constexpr(check_feature_search<std::decay_t<decltype(features)>, NamedParameters>())
+      return report_feature_pairs(features, sets, relation, report, np, threads);
+    else
+      return false;
+  };
+  return search_ranges<!is_bound_v<Relation>>(callback, np, threads, search, ranges...);
 }
 
 } // namespace internal
