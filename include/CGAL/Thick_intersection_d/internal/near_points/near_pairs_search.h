@@ -9,7 +9,6 @@
 // objects include objects/near_objects_search.h, which has the other one.
 
 #include <CGAL/Distance_bound.h>
-#include <CGAL/Scene_profile.h>
 
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
@@ -36,23 +35,19 @@ struct Near_pairs_of
 template <class Point>
 struct Near_pairs_of<Point, true>
 {
-  // Reports the near pairs. Returns false iff the search was stopped.
-  template <class Elements, class Sets, class NT, class Callback, class NamedParameters>
-  static bool report(const Elements& points, const Sets& sets, const Distance_bound<NT>& bound,
-                     Callback& callback, const NamedParameters& np, const Threads& threads)
-  {
-    return report_pairs_of_points(points, sets, bound, callback, np, threads);
-  }
-
-  // The same. Takes the tier that is forced in `profile`, and sets `profile` to the profile of the
-  // scene.
-  template <class Elements, class Sets, class NT, class Callback, class NamedParameters>
+  // Reports the near pairs. Returns false iff the search was stopped. Takes the tier that is forced
+  // in a profile, and sets it to the profile of the scene, if there is one.
+  template <class Elements, class Sets, class NT, class Callback, class NamedParameters,
+            class... Profile>
   static bool report(const Elements& points, const Sets& sets, const Distance_bound<NT>& bound,
                      Callback& callback, const NamedParameters& np, const Threads& threads,
-                     Scene_profile& profile)
+                     Profile&... profile)
   {
-    Near_pairs_search<Elements> search(points, bound, true, threads);
-    return search.report_profiled(sets, callback, np, &profile);
+    if constexpr(sizeof...(Profile) == 0)
+      return report_pairs_of_points(points, sets, bound, callback, np, threads);
+    else
+      return Near_pairs_search<Elements>(points, bound, true, threads)
+        .report_profiled(sets, callback, np, &profile...);
   }
 };
 

@@ -169,13 +169,19 @@ constexpr bool check_known_objects()
     return false;
 }
 
-// Checks the objects of a search for near ones, and the traits of the named parameters. Returns
-// whether the search can be compiled.
-template <class Object, class NT, class NamedParameters>
+// Checks the objects of a search for near ones, and the traits of the named parameters. With a
+// profile, no traits are taken: what coordinates other objects have is not known. Returns whether
+// the search can be compiled.
+template <class Object, class NT, class NamedParameters, bool Has_profile>
 constexpr bool check_near_objects()
 {
   if constexpr(!has_traits_v<Object, NamedParameters>)
     return check_known_objects<Object>();
+  else if constexpr(Has_profile) {
+    static_assert(!Has_profile,
+                  "A Scene_profile is for points and objects of a kernel, without geom_traits.");
+    return false;
+  }
   else {
     constexpr bool is_model = Has_distances<Given_traits<NamedParameters>, Object, Object,
                                             NT>::value;
@@ -184,19 +190,6 @@ constexpr bool check_near_objects()
                             "points.");
     return is_model;
   }
-}
-
-// Checks the objects of such a search with a profile. The coordinates of others are not known.
-template <class Object, class NamedParameters>
-constexpr bool check_profiled_near_objects()
-{
-  constexpr bool has_traits = has_traits_v<Object, NamedParameters>;
-  static_assert(!has_traits,
-                "A Scene_profile is for points and objects of a kernel, without geom_traits.");
-  if constexpr(has_traits)
-    return false;
-  else
-    return check_known_objects<Object>();
 }
 
 // Checks the objects, and makes their lazy coordinates final.
@@ -223,15 +216,42 @@ bool report_near_boxes(const Elements& objects, const Sets& sets, const Test& te
     return report_meeting_boxes(boxes, sets, callback, progress, threads);
 }
 
+// Reports the near pairs of objects that the package knows. Takes the tier that is forced in a
+// profile, and sets it to the profile of the scene, if there is one behind the threads.
+template <class Elements, class Sets, class NT, class Callback, class NamedParameters,
+          class... Profile>
+bool report_near_kinds(const Elements& objects, const Sets& sets, const Distance_bound<NT>& bound,
+                       Callback& callback, const NamedParameters& np, const Threads& threads,
+                       Profile&... profile)
+{
+  using Object = typename Elements::value_type;
+  check_near_kinds(objects, threads);
+  const auto search = [&](Arithmetic_tier least_tier, Shared_decision_counts* counts) {
+    const Are_objects_near<Object> test(bound, least_tier, counts);
+    return report_near_boxes(objects, sets, test, callback, np, threads);
+  };
+  if constexpr(sizeof...(Profile) == 0)
+    return search(Arithmetic_tier::INT64, nullptr);
+  else {
+    const double reach = Squared_bound<Common_exact_number_t<Object>>(bound).reach();
+    Object_scene scene = scan_objects(objects);
+    add_bound(scene, bounds(bound.value()), reach);
+    return search_profiled(profile..., {scene, degree_of<Distance_degree, Object>()}, search);
+  }
+}
+
 template <class Object>
 struct Near_pairs_of<Object, false>
 {
   // Reports the near pairs of objects. Returns false iff the search was stopped.
-  template <class Elements, class Sets, class NT, class Callback, class NamedParameters>
+  template <class Elements, class Sets, class NT, class Callback, class NamedParameters,
+            class... Profile>
   static bool report(const Elements& objects, const Sets& sets, const Distance_bound<NT>& bound,
-                     Callback& callback, const NamedParameters& np, const Threads& threads)
+                     Callback& callback, const NamedParameters& np, const Threads& threads,
+                     Profile&... profile)
   {
-    if constexpr(!check_near_objects<Object, NT, NamedParameters>())
+    constexpr bool has_profile = sizeof...(Profile) != 0;
+    if constexpr(!check_near_objects<Object, NT, NamedParameters, has_profile>())
       return false;
     else if constexpr(has_traits_v<Object, NamedParameters>) {
       const auto& traits = parameters::get_parameter_reference(np, internal_np::geom_traits);
@@ -240,33 +260,8 @@ struct Near_pairs_of<Object, false>
       check_objects(objects, traits, threads);
       return report_near_boxes(objects, sets, test, callback, np, threads);
     }
-    else {
-      const Are_objects_near<Object> test(bound, Arithmetic_tier::INT64, nullptr);
-      check_near_kinds(objects, threads);
-      return report_near_boxes(objects, sets, test, callback, np, threads);
-    }
-  }
-
-  // The same, with the tier that is forced in `profile`. Sets `profile` to the profile of the
-  // scene.
-  template <class Elements, class Sets, class NT, class Callback, class NamedParameters>
-  static bool report(const Elements& objects, const Sets& sets, const Distance_bound<NT>& bound,
-                     Callback& callback, const NamedParameters& np, const Threads& threads,
-                     Scene_profile& profile)
-  {
-    if constexpr(!check_profiled_near_objects<Object, NamedParameters>())
-      return false;
-    else {
-      check_near_kinds(objects, threads);
-      const double reach = Squared_bound<Common_exact_number_t<Object>>(bound).reach();
-      Object_scene scene = scan_objects(objects);
-      add_bound(scene, bounds(bound.value()), reach);
-      const auto search = [&](Arithmetic_tier least_tier, Shared_decision_counts* counts) {
-        const Are_objects_near<Object> test(bound, least_tier, counts);
-        return report_near_boxes(objects, sets, test, callback, np, threads);
-      };
-      return search_profiled(profile, {scene, degree_of<Distance_degree, Object>()}, search);
-    }
+    else
+      return report_near_kinds(objects, sets, bound, callback, np, threads, profile...);
   }
 };
 
