@@ -24,8 +24,41 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
+// The parts of a feature, for add_parts(), that have nothing inside, whatever its radius.
+struct Parts_without_inside
+{
+  template <class Iterator, class Sentinel>
+  void add_polyline(Iterator, Sentinel)
+  {}
+  template <class NT>
+  void begin_thick(const NT&)
+  {}
+  void end_thick() {}
+};
+
+// Whether a mesh of a feature may be closed. To see this takes less time than to make a tree.
+struct Inside_finder : Parts_without_inside
+{
+  template <class Mesh>
+  void add_mesh(const Mesh& mesh)
+  {
+    is_found = is_found || is_closed_by_count(mesh) || !has_odd_edge(mesh, feature);
+  }
+
+  std::size_t feature; // its position
+  bool is_found = false;
+};
+
+template <class Feature>
+bool may_have_inside(const Feature& feature, std::size_t position)
+{
+  Inside_finder finder{{}, position};
+  add_parts(feature, finder);
+  return finder.is_found;
+}
+
 template <class Triangle>
-class Closed_meshes
+class Closed_meshes : public Parts_without_inside
 {
 public:
   // Reads the feature at a position.
@@ -65,14 +98,6 @@ public:
     else
       trees_.remove_pieces(first);
   }
-
-  template <class Iterator, class Sentinel>
-  void add_polyline(Iterator, Sentinel)
-  {}
-  template <class NT>
-  void begin_thick(const NT&)
-  {}
-  void end_thick() {}
 
 private:
   const std::size_t feature_;

@@ -14,16 +14,20 @@
 
 #include <CGAL/Exact_rational.h>
 
+#include <CGAL/Thick_intersection_d/internal/arithmetic/Double_grid.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/hash.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/features/check_features.h>
 #include <CGAL/Thick_intersection_d/internal/features/feature_kinds.h>
+#include <CGAL/Thick_intersection_d/internal/features/mesh_faces.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/vertices.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <type_traits>
 #include <utility>
@@ -32,6 +36,30 @@
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
+
+// Whether an edge is known to belong to an odd number of faces: if the hashes of the edges of all
+// faces do not cancel out, modulo 2. An edge whose ends have one hash counts nowhere.
+template <class Mesh>
+bool has_odd_edge(const Mesh& mesh, std::size_t feature)
+{
+  const Sequence_hash<3> hash(3, seed_of_process());
+  bool are_doubles = true;
+  const auto hash_of = [&](const auto& point) {
+    std::uint64_t sum = 0;
+    for(int axis = 0; axis < 3; ++axis) {
+      const auto x = coordinate_bounds(point, axis);
+      are_doubles &= x.first == x.second;
+      sum = hash.add(sum, axis, x.first == 0 ? 0 : bits_of(x.first)); // -0. is 0.
+    }
+    return sum;
+  };
+  std::uint64_t rest = 0;
+  for_each_face(mesh, feature, [&](const auto& p, const auto& q, const auto& r) {
+    const std::uint64_t a = hash_of(p), b = hash_of(q), c = hash_of(r);
+    rest ^= (a != b ? a * b : 0) ^ (b != c ? b * c : 0) ^ (c != a ? c * a : 0);
+  });
+  return are_doubles && rest != 0;
+}
 
 class Mesh_shape
 {

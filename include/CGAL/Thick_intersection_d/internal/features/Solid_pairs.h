@@ -48,7 +48,7 @@ public:
               const Test& test, const Threads& threads)
     : features_(features), regions_(regions), pieces_(pieces), test_(test),
       read_counts_(features.size()), parts_(features.size(), threads),
-      solids_(features.size(), threads)
+      have_inside_(features.size(), threads), solids_(features.size(), threads)
   {}
 
   std::size_t size() const { return regions_.size(); }
@@ -69,7 +69,8 @@ public:
 
 private:
   // Whether a part of feature i is inside a solid of feature j. Finds the parts of the pieces that
-  // are in the box of that, as these may be few. After some pairs, finds all parts, once.
+  // are in the box of that, as these may be few. After some pairs, finds all parts, once. Without a
+  // piece that may be inside a solid, needs no parts.
   bool is_part_inside(std::size_t i, std::size_t j) const
   {
     const Space_box& box = regions_.box(j);
@@ -78,15 +79,17 @@ private:
     if(read_counts_[i] > 4 * std::size_t(tree.last - tree.first))
       return parts_.get(i, [&] { return Solid_parts(pieces_, places_of(tree)); })
         .is_any_inside(box, is_inside);
+    const auto is_piece_within = [&](Place p) { return is_within(pieces_.thick(p), box); };
+    if(!pieces_.trees().is_any_in_box(tree, box, is_piece_within)
+       || !have_inside_.get(j, [&] { return may_have_inside(features_[j], j); }))
+      return false;
     std::vector<Place> near;
-    bool is_any_within = false;
     pieces_.trees().is_any_in_box(tree, box, [&](Place p) {
       near.push_back(p);
-      is_any_within = is_any_within || is_within(pieces_.thick(p), box);
       return false;
     });
     read_counts_[i] += near.size();
-    return is_any_within && Solid_parts(pieces_, near).is_any_inside(box, is_inside);
+    return Solid_parts(pieces_, near).is_any_inside(box, is_inside);
   }
 
   static std::vector<Place> places_of(const Halved_range& tree)
@@ -108,6 +111,7 @@ private:
   const Test& test_;
   mutable std::vector<std::atomic<std::size_t>> read_counts_; // of pieces, for parts
   Values_on_demand<Solid_parts> parts_;
+  Values_on_demand<bool> have_inside_;
   Values_on_demand<Solids> solids_;
 };
 
