@@ -10,6 +10,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
+#include <CGAL/Thick_intersection_d/internal/input/base_kind.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 
@@ -25,10 +26,7 @@ namespace internal {
 
 // A fix as it is stored, or void for other types. Elements of a std::map have constant times.
 template <class Fix>
-struct Stored_fix
-{
-  using type = void;
-};
+struct Stored_fix : Named_type<void> {};
 template <class Time, class Point>
 struct Stored_fix<std::pair<Time, Point>>
 {
@@ -42,10 +40,7 @@ struct Stored_fix<std::pair<Time, Point>>
 
 // The type of the fixes of a track, or void for other types.
 template <class Track, class = void>
-struct Fix_of
-{
-  using type = void;
-};
+struct Fix_of : Named_type<void> {};
 template <class Track>
 struct Fix_of<Track, std::enable_if_t<Is_range<const Track>::value>>
   : Stored_fix<std::decay_t<Reference_of<Iterator_of<const Track>>>>
