@@ -117,9 +117,7 @@ bool fixed_radius_near_neighbors(PointRange&& points, const Distance_bound<NT>& 
 {
   namespace internal = Thick_intersection_d::internal;
   const internal::Threads threads{ConcurrencyTag()};
-  const auto search = [&](const auto& elements, const auto& sets, auto& report) {
-    return internal::report_near_pairs(elements, sets, bound, report, np, threads);
-  };
+  const auto search = internal::near_search(bound, np, threads);
   return internal::search_ranges(callback, np, threads, search, points);
 }
 
@@ -150,9 +148,7 @@ bool fixed_radius_near_neighbors(PointRange&& points, const Distance_bound<NT>& 
 {
   namespace internal = Thick_intersection_d::internal;
   const internal::Threads threads{ConcurrencyTag()};
-  const auto search = [&](const auto& elements, const auto& sets, auto& report) {
-    return internal::report_near_pairs(elements, sets, bound, report, np, threads, profile);
-  };
+  const auto search = internal::near_search(bound, np, threads, profile);
   return internal::search_ranges(callback, np, threads, search, points);
 }
 
@@ -189,9 +185,7 @@ bool fixed_radius_near_neighbors(PointRangeA&& points_a, PointRangeB&& points_b,
 {
   namespace internal = Thick_intersection_d::internal;
   const internal::Threads threads{ConcurrencyTag()};
-  const auto search = [&](const auto& elements, const auto& sets, auto& report) {
-    return internal::report_near_pairs(elements, sets, bound, report, np, threads);
-  };
+  const auto search = internal::near_search(bound, np, threads);
   return internal::search_ranges(callback, np, threads, search, points_a, points_b);
 }
 
@@ -210,9 +204,7 @@ bool fixed_radius_near_neighbors(PointRangeA&& points_a, PointRangeB&& points_b,
 {
   namespace internal = Thick_intersection_d::internal;
   const internal::Threads threads{ConcurrencyTag()};
-  const auto search = [&](const auto& elements, const auto& sets, auto& report) {
-    return internal::report_near_pairs(elements, sets, bound, report, np, threads, profile);
-  };
+  const auto search = internal::near_search(bound, np, threads, profile);
   return internal::search_ranges(callback, np, threads, search, points_a, points_b);
 }
 

@@ -33,24 +33,25 @@ inline void check_list_size(std::size_t size)
     throw std::length_error("There are more points than lists of neighbors have positions for.");
 }
 
-// Replaces `lists`, in the memory that they have, by those of so many elements. Of two sets, the
-// lists have positions in the second one, for each element of the first. search(callback) reports
-// pairs of positions, and returns false iff it was stopped. So does this function.
-template <class Sets, class Search>
-bool collect_pairs(Neighbor_lists& lists, std::size_t size, const Sets& sets, const Search& search,
-                   const Threads& threads)
+// Replaces `lists`, in the memory that they have, by those of numbered elements. Of two sets, the
+// lists have positions in the second one, for each element of the first. Reports of
+// search(elements, sets, callback) are pairs of positions, and it returns false iff it was stopped.
+// So does this function.
+template <class Elements, class Sets, class Search>
+bool collect_pairs(Neighbor_lists& lists, const Elements& elements, const Sets& sets,
+                   const Search& search, const Threads& threads)
 {
-  check_list_size(size);
+  check_list_size(elements.size());
   if constexpr(Sets::are_two) {
     Neighbor_collector collector(sets.first_size, threads);
     const Second_as_neighbor add(collector);
-    const bool is_complete = search(add);
+    const bool is_complete = search(elements, sets, add);
     lists = collector.lists(false, std::move(lists));
     return is_complete;
   }
   else {
-    Neighbor_collector collector(size, threads);
-    const bool is_complete = search(collector);
+    Neighbor_collector collector(elements.size(), threads);
+    const bool is_complete = search(elements, sets, collector);
     lists = collector.lists(true, std::move(lists));
     if(!is_complete)
       lists = mutual_neighbors(lists);
@@ -58,27 +59,14 @@ bool collect_pairs(Neighbor_lists& lists, std::size_t size, const Sets& sets, co
   }
 }
 
-// The same of the near pairs of numbered points.
-template <class Elements, class Sets, class NT, class NamedParameters>
-bool collect_neighbors_of(Neighbor_lists& lists, const Elements& points, const Sets& sets,
-                          const Distance_bound<NT>& bound, const NamedParameters& np,
-                          const Threads& threads)
-{
-  const auto search = [&](auto& callback) {
-    return report_near_pairs(points, sets, bound, callback, np, threads);
-  };
-  return collect_pairs(lists, points.size(), sets, search, threads);
-}
-
-// The same of the elements of one range or of two. search(elements, sets, callback) reports pairs.
+// The same of the elements of one range or of two.
 template <class NamedParameters, class Search, class... Ranges>
 bool collect_lists(Neighbor_lists& lists, const NamedParameters& np, const Threads& threads,
                    const Search& search, Ranges&... ranges)
 {
   if constexpr((check_range<Ranges, NamedParameters>() && ...)) {
     const auto collect = [&](const auto& elements, const auto& sets) {
-      const auto search_sets = [&](auto& callback) { return search(elements, sets, callback); };
-      return collect_pairs(lists, elements.size(), sets, search_sets, threads);
+      return collect_pairs(lists, elements, sets, search, threads);
     };
     return with_sets(collect, make_elements(ranges, np)...);
   }
@@ -91,10 +79,7 @@ template <class NT, class NamedParameters, class... Ranges>
 bool collect_neighbors(Neighbor_lists& lists, const Distance_bound<NT>& bound,
                        const NamedParameters& np, const Threads& threads, Ranges&... ranges)
 {
-  const auto search = [&](const auto& points, const auto& sets, auto& callback) {
-    return report_near_pairs(points, sets, bound, callback, np, threads);
-  };
-  return collect_lists(lists, np, threads, search, ranges...);
+  return collect_lists(lists, np, threads, near_search(bound, np, threads), ranges...);
 }
 
 } // namespace internal

@@ -15,6 +15,8 @@
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/near_points/near_points_search.h>
 
+#include <type_traits>
+
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
@@ -57,16 +59,16 @@ using Near_pairs_of_t
                   Is_point<typename Elements::value_type>::value
                     && !has_traits_v<typename Elements::value_type, NamedParameters>>;
 
-// Reports the near pairs of points or objects, and describes the search in a Scene_profile if there
-// is one behind the threads.
-template <class Elements, class Sets, class NT, class Callback, class NamedParameters,
-          class... Profile>
-bool report_near_pairs(const Elements& elements, const Sets& sets, const Distance_bound<NT>& bound,
-                       Callback& callback, const NamedParameters& np, const Threads& threads,
-                       Profile&... profile)
+// Returns search(elements, sets, callback) for the near pairs of points or objects, which describes
+// itself in a Scene_profile if there is one behind the threads.
+template <class NT, class NamedParameters, class... Profile>
+auto near_search(const Distance_bound<NT>& bound, const NamedParameters& np,
+                 const Threads& threads, Profile&... profile)
 {
-  return Near_pairs_of_t<Elements, NamedParameters>::report(elements, sets, bound, callback, np,
-                                                            threads, profile...);
+  return [&](const auto& elements, const auto& sets, auto& callback) {
+    using Search = Near_pairs_of_t<std::decay_t<decltype(elements)>, NamedParameters>;
+    return Search::report(elements, sets, bound, callback, np, threads, profile...);
+  };
 }
 
 } // namespace internal

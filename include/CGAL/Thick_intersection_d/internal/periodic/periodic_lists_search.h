@@ -14,6 +14,7 @@
 #include <CGAL/Thick_intersection_d/internal/lists/neighbor_lists_search.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Per_thread.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
+#include <CGAL/Thick_intersection_d/internal/near_points/near_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Periods.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/periodic_search.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/periodic_sets.h>
@@ -155,8 +156,9 @@ auto collect_periodic_neighbors(const Domain& domain, const Distance_bound<NT>& 
     bool is_complete = scene.find_images(np);
     if(is_complete)
       scene.with_homes([&](const auto& homes) {
-        is_complete = collect_neighbors_of(of_homes, homes, sets, bound,
-                                           scene.parameters_of_homes(np), threads);
+        const auto np_of_homes = scene.parameters_of_homes(np);
+        is_complete = collect_pairs(of_homes, homes, sets,
+                                    near_search(bound, np_of_homes, threads), threads);
       });
 
     Per_thread<std::vector<Neighbor>> parts(std::vector<Neighbor>(), threads);
