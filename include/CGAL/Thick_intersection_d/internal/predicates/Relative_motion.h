@@ -111,8 +111,8 @@ private:
 
   bool is_least_between() const { return begins_along_ < Number(0) && ends_along_ > Number(0); }
 
-  // The first one, if both are as near, and if the distance is not least between them.
-  std::size_t nearest_end() const { return ends_along_ <= Number(0) && begins_along_ < Number(0); }
+  // The first one if both are as near. Only if the distance is not least between them.
+  std::size_t nearest_end() const { return begins_along_ < Number(0); }
 
   Number square_of_cross() const
   {
