@@ -11,14 +11,12 @@
 // Each tree halves the pieces of a feature along axes, and has the boxes of the parts. Pieces meet,
 // and a ray crosses faces, only in parts whose boxes do.
 
-#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/box_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/features/Halved_range.h>
 #include <CGAL/Thick_intersection_d/internal/features/Space_box.h>
 #include <CGAL/Thick_intersection_d/internal/features/does_ray_cross_face.h>
-#include <CGAL/Thick_intersection_d/internal/input/vertices.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/machine/hints.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
@@ -100,18 +98,14 @@ public:
   template <class Source>
   bool is_inside(const Source& source, const Halved_range& faces) const
   {
-    const Box& box = nodes_[faces.node];
-    for(int axis = 0; axis < 3; ++axis) {
-      const auto x = vertex_bounds(source, 0, axis);
-      const Interval& interval = box[static_cast<std::size_t>(axis)];
-      if(x.first > interval.high || (axis < 2 && x.second < interval.low))
-        return false;
-    }
+    if(!may_ray_meet(source, nodes_[faces.node]))
+      return false;
     if(!faces.is_leaf())
       return is_inside(source, faces.first_half()) != is_inside(source, faces.second_half());
     return std::count_if(pieces_.begin() + faces.first, pieces_.begin() + faces.last,
                          [&](const Boxed_piece& face) {
-                           return does_ray_cross_face(source, face.piece);
+                           return may_ray_meet(source, face.box)
+                                  && does_ray_cross_face(source, face.piece);
                          })
              % 2 != 0;
   }
@@ -224,7 +218,8 @@ private:
 
   // The same in so many steps. Where pieces are long, most boxes of subtrees may meet, but those of
   // no pieces. So the subtrees that are left after the steps take the box route: there are a few of
-  // each size, so that the pieces of all of them are a few times those of both trees.
+  // each size, so that the pieces of all of them are a few times those of both trees. Halves the
+  // larger box first: that of a shell around another one may meet it, and none of its halves.
   template <class Test>
   bool is_any_pair(const Halved_range& a, const Halved_range& b, const Test& test,
                    Place& steps) const
@@ -233,10 +228,17 @@ private:
       return false;
     if(a.is_leaf() && b.is_leaf())
       return is_any_pair_of_leaves(a, b, test);
+    const auto is_leaf_elsewhere = [&](const Halved_range& leaf, const Box& box) {
+      return leaf.is_leaf()
+             && std::none_of(pieces_.begin() + leaf.first, pieces_.begin() + leaf.last,
+                             [&](const Boxed_piece& p) { return do_boxes_meet(p.box, box); });
+    };
+    if(is_leaf_elsewhere(a, nodes_[b.node]) || is_leaf_elsewhere(b, nodes_[a.node]))
+      return false;
     if(steps == 0)
       return is_any_pair_by_boxes(a, b, test);
     --steps;
-    if(b.is_leaf() || (!a.is_leaf() && a.last - a.first >= b.last - b.first))
+    if(b.is_leaf() || (!a.is_leaf() && extent(nodes_[a.node]) >= extent(nodes_[b.node])))
       return is_any_pair(a.first_half(), b, test, steps)
              || is_any_pair(a.second_half(), b, test, steps);
     return is_any_pair(a, b.first_half(), test, steps)

@@ -59,6 +59,12 @@ inline bool do_boxes_meet(const Space_box& a, const Space_box& b)
   return do_meet(a[0], b[0]) && do_meet(a[1], b[1]) && do_meet(a[2], b[2]);
 }
 
+// Half the sum of the lengths of the edges from a corner.
+inline double extent(const Space_box& box)
+{
+  return box[0].half_length() + box[1].half_length() + box[2].half_length();
+}
+
 inline Space_box common_part(const Space_box& a, const Space_box& b)
 {
   Space_box common;

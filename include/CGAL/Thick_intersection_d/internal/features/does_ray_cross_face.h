@@ -5,14 +5,18 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_DOES_RAY_CROSS_FACE_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_FEATURES_DOES_RAY_CROSS_FACE_H
 
-// Does a ray upwards from a vertex cross a triangle?
+// Does a ray upwards from a vertex cross a triangle, and may it meet a box?
 
 #include <CGAL/enum.h>
 
+#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/features/Space_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/vertices.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Kernel_orientation.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Staged_orientation.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_kernel_objects_intersect.h>
+
+#include <boost/config.hpp> // BOOST_FORCEINLINE
 
 #include <array>
 #include <cstddef>
@@ -80,6 +84,19 @@ bool does_ray_cross_face(const Source& source, const Face& face)
     = {exact_vertex<Kernel, 3>(face, 0), exact_vertex<Kernel, 3>(face, 1),
        exact_vertex<Kernel, 3>(face, 2), exact_vertex<Kernel, source_size>(source, 0)};
   return does_ray_cross_face<Exact_orientation>(exact_vertices);
+}
+
+// Whether that ray may meet a box.
+template <class Source>
+BOOST_FORCEINLINE bool may_ray_meet(const Source& source, const Space_box& box)
+{
+  for(int axis = 0; axis < 3; ++axis) {
+    const auto x = vertex_bounds(source, 0, axis);
+    const Interval& interval = box[static_cast<std::size_t>(axis)];
+    if(x.first > interval.high || (axis < 2 && x.second < interval.low))
+      return false;
+  }
+  return true;
 }
 
 } // namespace internal
