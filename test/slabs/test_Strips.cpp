@@ -96,4 +96,21 @@ BOOST_AUTO_TEST_CASE(lanes_copy_the_points_in_an_interval)
   });
 }
 
+// Points of the border of a column have a strip of their own. Without such points there is none,
+// and no place for one: most strips in space have none.
+BOOST_AUTO_TEST_CASE(strips_have_a_border_if_there_are_points_in_it)
+{
+  for(const internal::Place border_size : {0u, 1u, 3u, 5u}) {
+    std::vector<Doubles<3>> points = slab_points<3>(uniform_points(3, 5, 0, 1, 1));
+    for(internal::Place i = 0; i < border_size; ++i)
+      points[i].position |= internal::Point_sets::border_bit;
+    internal::Strips<Doubles<3>> strips;
+    strips.reset(5, 2);
+    strips.append(points.data(), points.data() + 5, {internal::Point_sets().first_size, true});
+    BOOST_CHECK_EQUAL(strips.size(), 5u);
+    BOOST_CHECK_EQUAL(strips.own_size(), 5 - border_size);
+    BOOST_CHECK_EQUAL(strips.place_count(), 5 + (border_size == 0 ? 1 : 2) * internal::lanes);
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

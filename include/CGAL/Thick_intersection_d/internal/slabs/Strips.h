@@ -95,7 +95,8 @@ public:
   }
 
   // Appends a strip of the points [first, last), which are sorted along axis 0. If there are two
-  // sets, or a border, appends a strip for each. Takes the bit of the border away from positions.
+  // sets, or some of the points are in a border, appends a strip for each. Takes the bit of the
+  // border away from positions.
   void append(const Point* first, const Point* last, const Point_sets& sets)
   {
     if(sets.are_two())
@@ -103,13 +104,17 @@ public:
         append_if(first, last, side, [&](Place position) {
           return (position < sets.first_size) == (side == 1);
         });
-    else if(Point::may_be_shared && sets.have_border)
-      for(const Place side : {Place(0), Point_sets::side_of_border})
-        append_if(first, last, side, [&](Place& position) {
+    else if(Point::may_be_shared && sets.have_border) {
+      const auto append_side = [&](Place side) {
+        return append_if(first, last, side, [&](Place& position) {
           const bool is_in_border = (position & Point_sets::border_bit) != 0;
           position &= Point_sets::border_bit - 1;
           return is_in_border == (side != 0);
         });
+      };
+      if(append_side(0) != last - first)
+        append_side(Point_sets::side_of_border);
+    }
     else
       append_if(first, last, 0, [](Place) { return true; });
   }
@@ -151,9 +156,9 @@ public:
   }
 
 private:
-  // Appends a strip of the points whose position is kept.
+  // Appends a strip of the points whose position is kept. Returns how many they are.
   template <class Keep>
-  void append_if(const Point* first, const Point* last, Place sides, const Keep& keep)
+  std::ptrdiff_t append_if(const Point* first, const Point* last, Place sides, const Keep& keep)
   {
     Strip_of_points strip{end_, end_, {}, sides};
     for(; first != last; ++first) {
@@ -168,6 +173,7 @@ private:
       strip.end += is_kept; // no branch: the next point takes the place of one not kept
     }
     close(strip);
+    return strip.size();
   }
 
   // Writes the points that end a run (Run.h) behind a strip. Keeps the strip unless it is empty.
