@@ -60,8 +60,12 @@ BOOST_AUTO_TEST_CASE(each_candidate_is_counted_once)
     with_sweep(question, ignore, [&](auto& sweep) {
       sweep.within(a.run());
       const bool by_lanes = question.inside == 1;
-      BOOST_CHECK_EQUAL(sweep.counts()[CGAL::Arithmetic_tier::DOUBLE], by_lanes ? 4950u : 0u);
-      BOOST_CHECK_EQUAL(sweep.counts()[CGAL::Arithmetic_tier::INT64], by_lanes ? 0u : 4950u);
+      const internal::Decision_counts counts = sweep.take_counts();
+      BOOST_CHECK_EQUAL(counts[CGAL::Arithmetic_tier::DOUBLE], by_lanes ? 4950u : 0u);
+      BOOST_CHECK_EQUAL(counts[CGAL::Arithmetic_tier::INT64], by_lanes ? 0u : 4950u);
+      const internal::Decision_counts later = sweep.take_counts();
+      BOOST_CHECK_EQUAL(later[CGAL::Arithmetic_tier::DOUBLE], 0u);
+      BOOST_CHECK_EQUAL(later[CGAL::Arithmetic_tier::INT64], 0u);
     });
 }
 

@@ -38,6 +38,18 @@ void parallel_for(const blocked_range<T>& range, const Body& body)
   });
 }
 
+// Each block has one number.
+struct simple_partitioner
+{};
+
+template <class T, class Body>
+void parallel_for(const blocked_range<T>& range, const Body& body, simple_partitioner)
+{
+  stand_in::run(range.end() - range.begin(), [&](std::size_t b) {
+    body(blocked_range<T>(range.begin() + b, range.begin() + b + 1));
+  });
+}
+
 template <class T>
 using cache_aligned_allocator = std::allocator<T>;
 

@@ -6,7 +6,10 @@
 #include "tbb_in_turn.h"
 #include "unit_test.h"
 
+#include "point_source.h"
+
 #include <CGAL/Thick_intersection_d/internal/machine/Per_thread.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/sweep_blocks.h>
 
 BOOST_AUTO_TEST_SUITE(Task_record)
 
@@ -76,6 +79,18 @@ BOOST_AUTO_TEST_CASE(a_range_is_divided_into_four_blocks_for_each_processor)
   BOOST_CHECK_EQUAL(cost_of(16, [] { take_time_for_each(0, 1); }).work, 0);
 }
 
+BOOST_AUTO_TEST_CASE(a_range_may_be_divided_into_all_of_its_indices)
+{
+  const Cost cost = cost_of(2, [] {
+    threads.run_each(100, [](std::size_t first, std::size_t last) {
+      BOOST_CHECK_EQUAL(last, first + 1);
+      take_time(first == 7 ? 9 : 1);
+    });
+  });
+  BOOST_CHECK_EQUAL(cost.work, 99 + 9);
+  BOOST_CHECK_EQUAL(cost.span, 9);
+}
+
 BOOST_AUTO_TEST_CASE(tasks_within_tasks_are_on_the_chain)
 {
   const Cost cost = cost_of(2, [] {
@@ -99,6 +114,30 @@ BOOST_AUTO_TEST_CASE(tasks_within_tasks_are_on_the_chain)
                                  [] { return true; });
   });
   BOOST_CHECK_EQUAL(inner.span, 3 + 9);
+}
+
+// What a processor has ready is not taken by another one, although tasks run in turn.
+BOOST_AUTO_TEST_CASE(each_processor_begins_with_its_slabs_once)
+{
+  const Points points = uniform_points(2, 20000, 0, 1, 1);
+  std::vector<internal::Place> begins;
+  record_of(4, [&] {
+    const auto slabs = slabs_of<2>(points, 0.001);
+    internal::Stop_flag stop;
+    internal::sweep_blocks<internal::Place>(
+      slabs, threads, stop,
+      [&](internal::Place, internal::Place first) {
+        begins.push_back(first);
+        return std::make_unique<internal::Place>(first);
+      },
+      [](internal::Place& next, internal::Place last) {
+        BOOST_CHECK_LE(next, last);
+        next = last;
+      });
+    BOOST_CHECK_GT(slabs.count(), 100u);
+  });
+  BOOST_CHECK_EQUAL(begins.size(), 4u);
+  BOOST_CHECK(std::is_sorted(begins.begin(), begins.end()));
 }
 
 BOOST_AUTO_TEST_CASE(each_processor_has_its_value)

@@ -67,6 +67,7 @@ struct One_thread
   static constexpr bool are_many = false;
   static std::size_t block_count() { return 1; }
   static void run(std::size_t count, const Block_task& task) { task(0, count); }
+  static void run_each(std::size_t count, const Block_task& task) { task(0, count); }
   static std::unique_ptr<Thread_pointers> make_pointers() { return nullptr; }
 };
 
@@ -86,6 +87,13 @@ struct Threads_of_tbb
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count), [&](const auto& block) {
       task(block.begin(), block.end());
     });
+  }
+
+  static void run_each(std::size_t count, const Block_task& task)
+  {
+    const auto run_block = [&](const auto& block) { task(block.begin(), block.end()); };
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count), run_block,
+                      tbb::simple_partitioner());
   }
 
   static std::unique_ptr<Thread_pointers> make_pointers()
@@ -129,8 +137,8 @@ public:
             class Kind
             = std::conditional_t<is_parallel<ConcurrencyTag>(), Threads_of_tbb, One_thread>>
   explicit Threads(ConcurrencyTag)
-    : block_count_(&Kind::block_count), run_(&Kind::run), make_pointers_(&Kind::make_pointers),
-      are_many_(Kind::are_many)
+    : block_count_(&Kind::block_count), run_(&Kind::run), run_each_(&Kind::run_each),
+      make_pointers_(&Kind::make_pointers), are_many_(Kind::are_many)
   {}
 
   bool are_many() const { return are_many_; }
@@ -149,6 +157,14 @@ public:
   void run_blocks(std::size_t count, const Task& task) const
   {
     run_(count, Block_task(task));
+  }
+
+  // As run_blocks(), but in parallel each index is a block. A thread takes one after another, and
+  // when there is none left, the second half of those of another thread.
+  template <class Task>
+  void run_each(std::size_t count, const Task& task) const
+  {
+    run_each_(count, Block_task(task));
   }
 
   // Calls task(block, first, last) for `blocks` blocks that cover the indices [0, count).
@@ -204,6 +220,7 @@ public:
 private:
   std::size_t (*block_count_)();
   void (*run_)(std::size_t, const Block_task&);
+  void (*run_each_)(std::size_t, const Block_task&);
   std::unique_ptr<Thread_pointers> (*make_pointers_)();
   bool are_many_;
 };
@@ -220,7 +237,19 @@ public:
   template <class Task>
   void run_blocks(const Threads& threads, std::size_t count, const Task& task)
   {
-    threads.run_blocks(count, [&](std::size_t first, std::size_t last) {
+    threads.run_blocks(count, stopping(task));
+  }
+  template <class Task>
+  void run_each(const Threads& threads, std::size_t count, const Task& task)
+  {
+    threads.run_each(count, stopping(task));
+  }
+
+private:
+  template <class Task>
+  auto stopping(const Task& task)
+  {
+    return [this, &task](std::size_t first, std::size_t last) {
       try {
         task(first, last);
       }
@@ -228,10 +257,9 @@ public:
         set();
         throw;
       }
-    });
+    };
   }
 
-private:
   std::atomic<bool> is_set_ = false;
 };
 

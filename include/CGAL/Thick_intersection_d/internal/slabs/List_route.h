@@ -20,11 +20,12 @@
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_window.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slabs.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/report_all_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/sweep_blocks.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/tuning.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
+#include <memory>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -61,7 +62,7 @@ private:
   {
     const std::size_t max_size = (std::max)(static_cast<std::size_t>(tuning_.max_slab_size),
                                             2 * static_cast<std::size_t>(slabs.size()) / blocks);
-    for(Place slab = 0; slab < slabs.count() * slabs.columns().count(); ++slab)
+    for(Place slab = 0; slab < slabs.slab_count(); ++slab)
       if(slabs.size(slab) > max_size)
         return false;
     return true;
@@ -74,43 +75,56 @@ private:
     const std::size_t count = task_.threads.block_count();
     if(!are_small(slabs, count))
       return false;
-    route_.stop().run_blocks(task_.threads, count, [&](std::size_t block, std::size_t end) {
-      for(; block != end; ++block) {
-        const std::pair<Place, Place> range = slabs.block(block, count);
-        for_each_column(slabs, range.first, range.second, route_.reach(), true,
-                        [&](const Slab_column<Point>& column, Place first, Place last) {
-                          sweep_slabs(column, first, last, taker.local_lists());
-                        });
-      }
-    });
+    sweep_blocks<Sweeper>(
+      slabs, task_.threads, route_.stop(),
+      [&](Place column, Place first) {
+        const Slab_column<Point> column_of_slabs(slabs, column, route_.reach(), true);
+        return std::make_unique<Sweeper>(*this, column_of_slabs, first);
+      },
+      [&](Sweeper& sweeper, Place last) { sweep_slabs(sweeper, last, taker.local_lists()); });
     return true;
   }
 
-  // Makes the lists of the points in the slabs [first, last). The slab before them belongs to
-  // another block, whose thread makes its lists. So it is swept with these slabs once more, but not
-  // with itself. Slabs are two reaches high, so further slabs are beyond reach.
-  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
-  void sweep_slabs(const Slab_column<Point>& slabs, Place first, Place last, List_bins& bins)
+  // What makes the lists of slabs that follow each other, from the slab `first` on. The slab before
+  // it belongs to another block, whose thread makes its lists. So it is swept with these slabs once
+  // more, but not with itself. Slabs are two reaches high, so further slabs are beyond reach.
+  struct Sweeper
   {
-    Slab_lists lists(slabs.count());
-    Near_sweep<Point> near_sweep(route_.question(), points_, task_, lists, route_.stop(),
-                                 lists.positions());
-    Slab_sweep<Point> sweep(route_.reach(), near_sweep);
-    Slab_window<Point> window(slabs, route_.reach(), first == 0 ? 0 : first - 1, tuning_, &lists);
+    CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+    Sweeper(List_route& route, const Slab_column<Point>& slabs, Place first)
+      : first(first), lists(slabs.count()),
+        near_sweep(route.route_.question(), route.points_, route.task_, lists, route.route_.stop(),
+                   lists.positions()),
+        slab_sweep(route.route_.reach(), near_sweep),
+        window(slabs, route.route_.reach(), first == 0 ? 0 : first - 1, route.tuning_, &lists)
+    {}
+
+    const Place first;
+    Slab_lists lists;
+    Near_sweep<Point> near_sweep;
+    Slab_sweep<Point> slab_sweep;
+    Slab_window<Point> window;
+  };
+
+  // Makes the lists of the points in the slabs before `last`.
+  CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+  void sweep_slabs(Sweeper& sweeper, Place last, List_bins& bins)
+  {
+    Slab_window<Point>& window = sweeper.window;
     Slabs_nearby<Point> nearby;
     for(; window.slab() < last && !route_.stop().is_set(); window.pop()) {
       window.find_within_reach(window.front()->interval(axis).high, nearby);
-      if(window.slab() < first) {
-        nearby.drop_before(first);
-        sweep.between(*window.front(), nearby);
-        lists.drop();
+      if(window.slab() < sweeper.first) {
+        nearby.drop_before(sweeper.first);
+        sweeper.slab_sweep.between(*window.front(), nearby);
+        sweeper.lists.drop();
       }
       else {
-        route_.sweep_slab(*window.front(), nearby, sweep, near_sweep);
-        lists.finish(*window.front(), bins);
+        route_.sweep_slab(*window.front(), nearby, sweeper.slab_sweep, sweeper.near_sweep);
+        sweeper.lists.finish(*window.front(), bins);
       }
     }
-    route_.publish(near_sweep.counts());
+    route_.publish(sweeper.near_sweep.take_counts());
   }
 
   Near_points<dimension>& points_;

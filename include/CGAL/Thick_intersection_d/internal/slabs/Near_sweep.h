@@ -70,8 +70,8 @@ public:
 
   bool is_stopped() const { return stop_.is_set(); }
 
-  // How many pairs each arithmetic has decided so far.
-  const Decision_counts& counts() const { return counts_; }
+  // Returns how many pairs each arithmetic has decided since the last call.
+  Decision_counts take_counts() { return std::exchange(counts_, Decision_counts()); }
 
   // Gives the pairs of a run to the taker.
   BOOST_NOINLINE void within(const Run& run)

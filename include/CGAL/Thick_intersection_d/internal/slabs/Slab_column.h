@@ -97,20 +97,6 @@ private:
   double high_ = infinity;
 };
 
-// Calls task(column, first, last) for the parts of the slabs [first, last) in each column.
-template <class Point, class Task>
-void for_each_column(const Slabs<Point>& slabs, Place first, Place last, double reach,
-                     bool have_borders_below, const Task& task)
-{
-  while(first != last) {
-    const Place column = first / slabs.count();
-    const Place begin = column * slabs.count();
-    const Place end = (std::min)(last, begin + slabs.count());
-    task(Slab_column<Point>(slabs, column, reach, have_borders_below), first - begin, end - begin);
-    first = end;
-  }
-}
-
 } // namespace internal
 } // namespace Thick_intersection_d
 } // namespace CGAL

@@ -24,13 +24,14 @@
 #include <CGAL/Thick_intersection_d/internal/slabs/Slabs.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Strips.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/report_all_pairs.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/sweep_blocks.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/tuning.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <type_traits>
-#include <utility>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -100,29 +101,38 @@ public:
 private:
   static constexpr int axis = Point::slab_axis;
 
+  // What sweeps slabs that follow each other, from one on.
+  struct Sweeper
+  {
+    CGAL_THICK_INTERSECTION_D_RARELY_CALLED
+    Sweeper(Slab_route& route, const Slab_column<Point>& slabs, Place first, Pair_taker& taker)
+      : window(slabs, route.reach(), first, route.tuning_),
+        near_sweep(route.question_, route.points_, route.task_, taker, route.stop_),
+        slab_sweep(route.reach(), near_sweep)
+    {}
+
+    Slab_window<Point> window;
+    Near_sweep<Point> near_sweep;
+    Slab_sweep<Point> slab_sweep;
+  };
+
   // Sweeps all slabs, in blocks that threads may sweep at the same time.
   void sweep_all_slabs(const Slabs<Point>& slabs, Pair_taker& taker)
   {
-    const std::size_t count = task_.threads.block_count();
-    stop_.run_blocks(task_.threads, count, [&](std::size_t block, std::size_t end) {
-      for(; block != end; ++block) {
-        const std::pair<Place, Place> range = slabs.block(block, count);
-        for_each_column(slabs, range.first, range.second, reach(), false,
-                        [&](const Slab_column<Point>& column, Place first, Place last) {
-                          sweep_slabs(column, first, last, taker);
-                        });
-      }
-    });
+    sweep_blocks<Sweeper>(
+      slabs, task_.threads, stop_,
+      [&](Place column, Place first) {
+        const Slab_column<Point> column_of_slabs(slabs, column, reach(), false);
+        return std::make_unique<Sweeper>(*this, column_of_slabs, first, taker);
+      },
+      [&](Sweeper& sweeper, Place last) { sweep_slabs(sweeper, last, taker); });
   }
 
-  // Sweeps each of the slabs [first, last) with itself and with the slabs within reach behind it.
+  // Sweeps each of the slabs before `last` with itself and with the slabs within reach behind it.
   CGAL_THICK_INTERSECTION_D_RARELY_CALLED
-  void sweep_slabs(const Slab_column<Point>& slabs, Place first, Place last,
-                                      Pair_taker& taker)
+  void sweep_slabs(Sweeper& sweeper, Place last, Pair_taker& taker)
   {
-    Slab_window<Point> window(slabs, reach(), first, tuning_);
-    Near_sweep<Point> near_sweep(question_, points_, task_, taker, stop_);
-    Slab_sweep<Point> sweep(reach(), near_sweep);
+    Slab_window<Point>& window = sweeper.window;
     Slabs_nearby nearby;
     for(; window.slab() < last && !stop_.is_set(); window.pop()) {
       window.find_within_reach(window.front()->interval(axis).high, nearby);
@@ -132,9 +142,9 @@ private:
           sweep_in_blocks(*window.front(), nearby, count, taker);
           continue;
         }
-      sweep_slab(*window.front(), nearby, sweep, near_sweep);
+      sweep_slab(*window.front(), nearby, sweeper.slab_sweep, sweeper.near_sweep);
     }
-    publish(near_sweep.counts());
+    publish(sweeper.near_sweep.take_counts());
   }
 
   // As sweep_slab(), in blocks that threads may sweep at the same time.
@@ -147,7 +157,7 @@ private:
       Slab_sweep<Point> sweep_of_block(reach(), near_sweep);
       for(; block != last && !stop_.is_set(); ++block)
         sweep_block(slab, nearby, block, count, sweep_of_block, near_sweep);
-      publish(near_sweep.counts());
+      publish(near_sweep.take_counts());
     });
   }
 

@@ -142,7 +142,7 @@ private:
     std::reverse(pending_.begin() + bottom, pending_.end());
   }
 
-  const Slab_column<Point>& slabs_;
+  const Slab_column<Point> slabs_;
   const double reach_;
   const Slab_tuning tuning_;
   Place next_slab_;

@@ -62,8 +62,10 @@ public:
   // The points of a column have a border if there are several columns.
   Point_sets sets() const { return {sets_.first_size, columns_.count() > 1}; }
 
-  // The number of slabs in each column. The slabs of a column follow those of the column before.
-  Place count() const { return (static_cast<Place>(begins_.size()) - 1) / columns_.count(); }
+  // The number of slabs in each column, and in all of them. The slabs of a column follow those of
+  // the column before.
+  Place count() const { return slab_count() / columns_.count(); }
+  Place slab_count() const { return static_cast<Place>(begins_.size()) - 1; }
   const Slab_columns& columns() const { return columns_; }
 
   Place size() const { return begins_.back(); }

@@ -16,6 +16,7 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 
 #include <algorithm>
+#include <cstddef>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -61,6 +62,10 @@ inline constexpr double max_stretch = 4;               // in ranges of the sampl
 // reach, because of their borders.
 inline constexpr double slabs_per_block = 4;
 inline constexpr double min_column_width = 8; // in reaches
+
+// So many blocks of slabs take the place of a block that threads usually take. They cost hardly any
+// work of their own if the thread has taken the one before as well (sweep_blocks.h).
+inline constexpr std::size_t slab_blocks_per_block = 4;
 
 // A slab is swept in at most so many blocks: the progress functor is called a thousand times.
 inline constexpr double max_block_count = 1024;
