@@ -263,7 +263,7 @@ private:
     const std::size_t blocks = threads_.block_count();
     const double most = (std::min)(slabs_per_block * static_cast<double>(blocks),
                                    double((std::numeric_limits<Slab_number>::max)()));
-    if(2 * static_cast<std::size_t>(slabs) < blocks)
+    if(slabs < min_slabs_per_block(Point::dimension) * static_cast<double>(blocks))
       columns_ = Slab_columns(interval, reach, (std::min)(most, size / points_per_column) / slabs);
   }
 

@@ -57,9 +57,10 @@ inline constexpr Place sample_tail = sample_size / 64; // points left out at eit
 inline constexpr double sample_margin = 1. / 16;       // in ranges of the sample
 inline constexpr double max_stretch = 4;               // in ranges of the sample
 
-// In parallel, slabs that are less than half as many as the blocks that threads take are cut into
-// columns, so that there are about four for each block. The columns must be much wider than the
-// reach, because of their borders.
+// In parallel, slabs that are too few for the blocks that threads take are cut into columns, so
+// that there are about four for each block. The columns must be much wider than the reach, because
+// of their borders. In space, few strips of a slab have points of a border.
+constexpr double min_slabs_per_block(int dimension) { return dimension == 3 ? 2 : 0.5; }
 inline constexpr double slabs_per_block = 4;
 inline constexpr double min_column_width = 8; // in reaches
 
