@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <mutex>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -40,6 +41,9 @@ public:
   {
     boxes_.reserve(features.size());
     for(std::size_t position = 0; position < features.size(); ++position) {
+      if constexpr(std::is_lvalue_reference_v<decltype(features[position])>) // others are made
+        if(position + 2 < features.size())
+          prefetch_points(features[position + 2]);
       box_ = Space_box();
       radius_ = 0;
       point_count_ = 0;

@@ -12,6 +12,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/features/check_features.h>
 #include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
+#include <CGAL/Thick_intersection_d/internal/machine/hints.h>
 
 #include <boost/config.hpp> // BOOST_FORCEINLINE
 #include <boost/graph/graph_traits.hpp>
@@ -20,6 +21,7 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
@@ -40,6 +42,20 @@ BOOST_FORCEINLINE void for_each_point(const std::pair<Points, Triples>& soup, co
 {
   for(const auto& point : soup.first)
     take(point);
+}
+
+// Prefetches the first hundred points of a feature, as a mesh of CGAL has them one behind another.
+template <class Feature>
+void prefetch_points(const Feature& feature)
+{
+  if constexpr(graph_has_property<Feature, boost::vertex_point_t>::value) {
+    const auto points = get(boost::vertex_point, feature);
+    const auto range = vertices(feature);
+    if constexpr(std::is_lvalue_reference_v<decltype(get(points, *range.first))>)
+      if(range.first != range.second)
+        for(std::size_t line = 0; line < 2400 / cache_line_size; ++line)
+          prefetch_to_read(&get(points, *range.first), line);
+  }
 }
 
 // Calls take(p, q, r) for the points of each face. `feature` is the position of the mesh, for
