@@ -99,6 +99,8 @@ private:
         window(slabs, route.route_.reach(), first == 0 ? 0 : first - 1, route.tuning_, &lists)
     {}
 
+    CGAL_THICK_INTERSECTION_D_RARELY_CALLED ~Sweeper() {}
+
     const Place first;
     Slab_lists lists;
     Near_sweep<Point> near_sweep;

@@ -111,6 +111,8 @@ private:
         slab_sweep(route.reach(), near_sweep)
     {}
 
+    CGAL_THICK_INTERSECTION_D_RARELY_CALLED ~Sweeper() {}
+
     Slab_window<Point> window;
     Near_sweep<Point> near_sweep;
     Slab_sweep<Point> slab_sweep;
