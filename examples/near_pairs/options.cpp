@@ -440,7 +440,6 @@ std::string help_text()
           "FILE is a table (.csv), .xyz, .off, .ply, .obj, .pdb, .cif, .tsp, also .gz or -,\n"
           "or three doubles per point, least byte first (.bin). Points, lines and polygons\n"
           "of .wkt and .geojson are near if some of their points are: --distance 0 to meet.\n"
-          "--solids reads .obj, .off, .ply and .stl.\n"
        << visible << notes << "Exit status: 0, or 2 with one line on the standard error.\n";
   return text.str();
 }
