@@ -1,10 +1,14 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Whether faces are closed, as hashes of their edges tell, and as the sorted edges do.
+// Whether faces are closed, as hashes of their edges tell, and as the sorted edges do; and which
+// faces are connected.
 
 #include "support/unit_test.h"
 #include "support/usual_kernels.h"
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Simple_cartesian.h>
 
 #include <CGAL/Thick_intersection_d/internal/features/Closed_meshes.h>
 #include <CGAL/Thick_intersection_d/internal/features/Mesh_shape.h>
@@ -22,13 +26,19 @@ template <class Point>
 using Soup = std::pair<std::vector<Point>, std::vector<std::array<std::size_t, 3>>>;
 
 template <class Kernel>
-bool is_closed(const Soup<typename Kernel::Point_3>& soup)
+internal::Mesh_shape shape_of(const Soup<typename Kernel::Point_3>& soup)
 {
   const auto face_at = [&](std::size_t i) {
     const auto& [p, q, r] = soup.second[i];
     return typename Kernel::Triangle_3(soup.first[p], soup.first[q], soup.first[r]);
   };
-  return internal::Mesh_shape(soup.second.size(), face_at).is_closed();
+  return internal::Mesh_shape(soup.second.size(), face_at);
+}
+
+template <class Kernel>
+bool is_closed(const Soup<typename Kernel::Point_3>& soup)
+{
+  return shape_of<Kernel>(soup).is_closed();
 }
 
 // A cube between 0 and `size`. Faces without `size` have a zero of each sign.
@@ -96,6 +106,26 @@ BOOST_AUTO_TEST_CASE(numbers_that_are_no_doubles_are_sorted)
   const Soup<Point> once = {twice.first, {{0, 2, 3}}};
   const Epeck::Segment_3 source(Point(.1, .1, -1), Point(.1, .1, 0)); // below the face
   BOOST_CHECK(!internal::Closed_meshes<Epeck::Triangle_3>(once, 0).is_inside(source));
+}
+
+// Their bounds in doubles are equal.
+BOOST_AUTO_TEST_CASE(vertices_that_differ_by_less_than_doubles_are_not_equal)
+{
+  using Kernel = CGAL::Simple_cartesian<CGAL::Exact_rational>;
+  const CGAL::Exact_rational third = CGAL::Exact_rational(1) / 3, more = third + 0x1p-200;
+  const Soup<Kernel::Point_3> soup
+    = {{{third, 0, 0}, {more, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 3}, {1, 2, 3}}};
+  const Soup<Kernel::Point_3> twice = {soup.first, {{0, 2, 3}, {0, 2, 3}}};
+  BOOST_CHECK(!is_closed<Kernel>(soup));
+  BOOST_CHECK(is_closed<Kernel>(twice));
+}
+
+BOOST_AUTO_TEST_CASE(any_common_vertex_connects_faces)
+{
+  Soup<Epick::Point_3> soup = {{}, {{0, 1, 2}, {1, 3, 4}, {9, 8, 7}, {2, 5, 6}}};
+  for(int k = 0; k < 10; ++k)
+    soup.first.emplace_back(k / 2, k, k * k);
+  BOOST_CHECK((shape_of<Epick>(soup).part_numbers() == std::vector<internal::Place>{0, 0, 1, 0}));
 }
 
 BOOST_AUTO_TEST_CASE(features_have_an_inside_if_one_of_their_meshes_may_be_closed)

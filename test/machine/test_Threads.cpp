@@ -10,17 +10,16 @@
 #include <atomic>
 #include <vector>
 
-BOOST_AUTO_TEST_SUITE(Threads_tests)
+BOOST_AUTO_TEST_SUITE(Threads)
 
 using namespace test_support;
-using internal::Threads;
 
 // How often each index is in a block that run(threads, take) makes, by take(first, last).
 template <class ConcurrencyTag, class Run>
 void check_indices(std::size_t count, const Run& run)
 {
   std::vector<std::atomic<int>> times(count);
-  run(Threads(ConcurrencyTag()), [&](std::size_t first, std::size_t last) {
+  run(internal::Threads(ConcurrencyTag()), [&](std::size_t first, std::size_t last) {
     BOOST_REQUIRE_LE(last, count);
     for(; first < last; ++first)
       ++times[first];
@@ -32,14 +31,14 @@ template <class ConcurrencyTag>
 void check_all_indices()
 {
   for(const std::size_t count : {0, 1, 2, 7, 1000}) {
-    check_indices<ConcurrencyTag>(count, [&](const Threads& threads, const auto& take) {
+    check_indices<ConcurrencyTag>(count, [&](const internal::Threads& threads, const auto& take) {
       threads.run_blocks(count, take);
     });
-    check_indices<ConcurrencyTag>(count, [&](const Threads& threads, const auto& take) {
+    check_indices<ConcurrencyTag>(count, [&](const internal::Threads& threads, const auto& take) {
       threads.run_each(count, take);
     });
     for(const std::size_t blocks : {1, 3, 64})
-      check_indices<ConcurrencyTag>(count, [&](const Threads& threads, const auto& take) {
+      check_indices<ConcurrencyTag>(count, [&](const internal::Threads& threads, const auto& take) {
         threads.run_numbered_blocks(
           blocks, count, [&](std::size_t, std::size_t first, std::size_t last) {
             take(first, last);
