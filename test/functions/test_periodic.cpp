@@ -129,6 +129,22 @@ BOOST_AUTO_TEST_CASE(the_profile_does_not_change_if_a_callback_throws)
   BOOST_CHECK_EQUAL(profile.size(), 0u);
 }
 
+// Then a search of many images can be cancelled before the first pair is reported.
+BOOST_AUTO_TEST_CASE(reading_the_images_for_a_profile_is_a_step_of_progress)
+{
+  const std::vector<Plain::Point_2> points = {{0, 0}, {0.5, 0.5}, {0.75, 0}};
+  const auto bound = CGAL::within_distance(0.25);
+  std::size_t pairs = 0, tells = 0, tells_with_profile = 0;
+  CGAL::Scene_profile profile;
+  CGAL::periodic_fixed_radius_near_neighbors(
+    points, unit_square, bound, counter(pairs),
+    CGAL::parameters::callback([&](double) { return ++tells > 0; }));
+  CGAL::periodic_fixed_radius_near_neighbors(
+    points, unit_square, bound, counter(pairs), profile,
+    CGAL::parameters::callback([&](double) { return ++tells_with_profile > 0; }));
+  BOOST_CHECK_EQUAL(tells_with_profile, tells + 1);
+}
+
 // Threads are used if oneTBB is there.
 BOOST_AUTO_TEST_CASE(several_threads_find_the_same)
 {

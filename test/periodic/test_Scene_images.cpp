@@ -37,10 +37,10 @@ struct Counts
   }
 };
 
-// Of points anywhere. With two sets, the first `first_size` points are one.
-template <class Points, class Lattice, class Sets = internal::One_set>
-Counts counts_of(const Points& points, const Lattice& lattice, double reach,
-                 const Sets& sets = Sets())
+// Calls task(images, threads, elements) for points anywhere, before their images are found.
+template <class Points, class Lattice, class Sets, class Task>
+void with_images(const Points& points, const Lattice& lattice, double reach, const Sets&,
+                 const Task& task)
 {
   const internal::Threads threads;
   const auto elements = internal::make_elements(points, CGAL::parameters::default_values());
@@ -49,15 +49,26 @@ Counts counts_of(const Points& points, const Lattice& lattice, double reach,
   const internal::Cell_boundary<Lattice::dimension> boundary(threads, basis, elements, scene, reach,
                                                              true);
   internal::Scene_images<Lattice::dimension> images(basis, boundary, Sets::are_two);
-  internal::Unwatched_progress progress;
-  BOOST_CHECK(images.find(threads, elements, sets, progress));
-  Counts counts = {images.near_home_count(), static_cast<std::size_t>(images.count()), 0,
-                   images.are_moved()};
-  images.for_each_batch(elements, [&](const auto& batch, double first, double last) {
-    BOOST_CHECK_EQUAL(static_cast<double>(counts.made), first);
-    counts.made += batch.size() - counts.homes;
-    BOOST_CHECK_EQUAL(static_cast<double>(counts.made), last);
-    return true;
+  task(images, threads, elements);
+}
+
+// Of points anywhere. With two sets, the first `first_size` points are one.
+template <class Points, class Lattice, class Sets = internal::One_set>
+Counts counts_of(const Points& points, const Lattice& lattice, double reach,
+                 const Sets& sets = Sets())
+{
+  Counts counts;
+  with_images(points, lattice, reach, sets, [&](auto& images, auto& threads, auto& elements) {
+    internal::Unwatched_progress progress;
+    BOOST_CHECK(images.find(threads, elements, sets, progress));
+    counts = {images.near_home_count(), static_cast<std::size_t>(images.count()), 0,
+              images.are_moved()};
+    images.for_each_batch(elements, [&](const auto& batch, double first, double last) {
+      BOOST_CHECK_EQUAL(static_cast<double>(counts.made), first);
+      counts.made += batch.size() - counts.homes;
+      BOOST_CHECK_EQUAL(static_cast<double>(counts.made), last);
+      return true;
+    });
   });
   BOOST_CHECK_EQUAL(counts.made, counts.counted);
   return counts;
@@ -135,6 +146,30 @@ BOOST_AUTO_TEST_CASE(a_box_has_the_images_that_are_near_it)
   const Counts counts = counts_of(points, lattice, .25);
   BOOST_CHECK_EQUAL(counts.counted, 3u);
   BOOST_CHECK_EQUAL(counts.homes, 2u);
+}
+
+// The progress of a search that is cancelled when it is told for the first time.
+struct Cancelled_at_once
+{
+  int tells = 0;
+  bool advance(std::size_t)
+  {
+    ++tells;
+    return false;
+  }
+  bool is_cancelled() const { return tells > 0; }
+};
+
+BOOST_AUTO_TEST_CASE(no_point_is_read_after_the_search_is_cancelled)
+{
+  const std::vector<Plain::Point_2> points(10000, Plain::Point_2(.5, .5));
+  const CGAL::Periodic_lattice_d lattice(Plain::Vector_2(1, 0), Plain::Vector_2(0, 1));
+  const internal::One_set sets;
+  with_images(points, lattice, .25, sets, [&](auto& images, auto& threads, auto& elements) {
+    Cancelled_at_once progress;
+    BOOST_CHECK(!images.find(threads, elements, sets, progress));
+    BOOST_CHECK_EQUAL(progress.tells, 1);
+  });
 }
 
 BOOST_AUTO_TEST_SUITE_END()
