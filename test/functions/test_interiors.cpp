@@ -254,6 +254,41 @@ BOOST_AUTO_TEST_CASE(a_profile_counts_each_pair_whose_boxes_meet)
   BOOST_CHECK_EQUAL(profile.decided(CGAL::Arithmetic_tier::DOUBLE), 3u);
 }
 
+// Boxes alone are not asked about, but those that are flat.
+BOOST_AUTO_TEST_CASE(boxes_decide_about_boxes)
+{
+  Random random(1);
+  const auto side = [&] {
+    const double x = static_cast<double>(random.below(6)), y = static_cast<double>(random.below(6));
+    return std::minmax({x, y});
+  };
+  std::vector<CGAL::Bbox_2> boxes;
+  for(int i = 0; i < 300; ++i) {
+    const auto x = side(), y = side();
+    boxes.emplace_back(x.first, y.first, x.second, y.second);
+  }
+  const auto has_interior = [](const CGAL::Bbox_2& b) {
+    return b.xmin() < b.xmax() && b.ymin() < b.ymax();
+  };
+  const auto do_overlap = [&](std::size_t i, std::size_t j) {
+    const CGAL::Bbox_2 &a = boxes[i], &b = boxes[j];
+    return a.xmin() < b.xmax() && b.xmin() < a.xmax() && a.ymin() < b.ymax() && b.ymin() < a.ymax();
+  };
+  Pairs open, mixed, expected_mixed;
+  CGAL::thick_self_intersection_d(CGAL::interiors(boxes), std::back_inserter(open));
+  CGAL::thick_intersection_d(CGAL::interiors(boxes), boxes, std::back_inserter(mixed));
+  for(std::size_t i = 0; i < boxes.size(); ++i)
+    for(std::size_t j = 0; j < boxes.size(); ++j)
+      if(has_interior(boxes[i]) && do_overlap(i, j))
+        expected_mixed.emplace_back(i, j);
+  const Pairs expected = pairs_where(boxes.size(), [&](std::size_t i, std::size_t j) {
+    return has_interior(boxes[i]) && has_interior(boxes[j]) && do_overlap(i, j);
+  });
+  BOOST_CHECK_GT(expected_mixed.size(), expected.size());
+  BOOST_CHECK(sorted(open) == expected);
+  BOOST_CHECK(sorted(mixed) == expected_mixed);
+}
+
 BOOST_AUTO_TEST_CASE(epick_2) { check_interiors<Epick, 2>(); }
 BOOST_AUTO_TEST_CASE(epick_3) { check_interiors<Epick, 3>(); }
 BOOST_AUTO_TEST_CASE(epeck_3) { check_interiors<Epeck, 3>(); }

@@ -354,6 +354,15 @@ BOOST_AUTO_TEST_CASE(points_are_within_a_distance_of_long_segments)
   check_pairs("points", expected, found);
   BOOST_CHECK_GT(found.size(), 400u);
   BOOST_CHECK_LT(3 * decided_by_all(profile), 2 * meeting_boxes);
+
+  std::vector<std::pair<Epick::Segment_3, double>> capsules;
+  for(const Epick::Segment_3& segment : segments)
+    capsules.emplace_back(segment, 3);
+  Pairs inside;
+  Scene_profile profile_of_capsules;
+  CGAL::thick_intersection_d(capsules, points, Pair_collector{inside}, profile_of_capsules);
+  check_pairs("points in capsules", expected, inside);
+  BOOST_CHECK_LT(3 * decided_by_all(profile_of_capsules), 2 * meeting_boxes);
 }
 
 BOOST_AUTO_TEST_CASE(objects_of_several_kinds_may_be_segments)

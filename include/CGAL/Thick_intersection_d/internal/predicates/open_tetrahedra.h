@@ -15,7 +15,6 @@
 #include <CGAL/Thick_intersection_d/internal/predicates/planar_objects.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/tetrahedra.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -137,7 +136,9 @@ Uncertain<bool> do_edges_cross(Orientation& orientation, const Simplex<Orientati
   return do_cross;
 }
 
-// Whether an edge of a tetrahedron crosses a triangle.
+// Whether an edge of a tetrahedron crosses a triangle. Vertices in the plane of the triangle need
+// no other look: a plane that meets the interior crosses an edge. If it crosses none in the
+// triangle, where it meets the tetrahedron is not all in the triangle, whose edges cross faces.
 template <class Orientation>
 Uncertain<bool> do_edges_cross(Orientation& orientation, const Simplex<Orientation, 4>& tetrahedron,
                                const Simplex<Orientation, 3>& triangle)
@@ -146,7 +147,7 @@ Uncertain<bool> do_edges_cross(Orientation& orientation, const Simplex<Orientati
   std::array<Sign, 4> sides;
   for(std::size_t i = 0; i < 4; ++i)
     sides[i] = orientation.side(plane, tetrahedron[i]);
-  Uncertain<bool> do_cross(false, std::count(sides.begin(), sides.end(), ZERO) != 0);
+  Uncertain<bool> do_cross = false;
   for(std::size_t i = 0; i < 4; ++i)
     for(std::size_t j = i + 1; j < 4; ++j)
       if(sides[i] * sides[j] < 0)
