@@ -254,7 +254,7 @@ BOOST_AUTO_TEST_CASE(a_profile_counts_each_pair_whose_boxes_meet)
   BOOST_CHECK_EQUAL(profile.decided(CGAL::Arithmetic_tier::DOUBLE), 3u);
 }
 
-// Boxes alone are not asked about, but those that are flat.
+// In ranges of nothing but boxes, only the flat ones are asked about.
 BOOST_AUTO_TEST_CASE(boxes_decide_about_boxes)
 {
   Random random(1);

@@ -136,9 +136,10 @@ Uncertain<bool> do_edges_cross(Orientation& orientation, const Simplex<Orientati
   return do_cross;
 }
 
-// Whether an edge of a tetrahedron crosses a triangle. Vertices in the plane of the triangle need
-// no other look: a plane that meets the interior crosses an edge. If it crosses none in the
-// triangle, where it meets the tetrahedron is not all in the triangle, whose edges cross faces.
+// Whether an edge of a tetrahedron crosses a triangle. Vertices of it in the plane of the triangle
+// leave nothing open. If the plane meets the interior, edges cross it. If none does so in the
+// triangle, that has not all of what the plane cuts out of the tetrahedron. So where it meets the
+// interior, an edge of it crosses a face, or a vertex of it is inside.
 template <class Orientation>
 Uncertain<bool> do_edges_cross(Orientation& orientation, const Simplex<Orientation, 4>& tetrahedron,
                                const Simplex<Orientation, 3>& triangle)
