@@ -20,9 +20,8 @@ void check_indices(std::size_t count, const Run& run)
 {
   std::vector<std::atomic<int>> times(count);
   run(internal::Threads(ConcurrencyTag()), [&](std::size_t first, std::size_t last) {
-    BOOST_REQUIRE_LE(last, count);
     for(; first < last; ++first)
-      ++times[first];
+      ++times.at(first); // several threads may not call Boost.Test at the same time
   });
   BOOST_CHECK(std::all_of(times.begin(), times.end(), [](const auto& n) { return n == 1; }));
 }

@@ -33,6 +33,7 @@ constexpr int max_threads = 4;
 inline std::size_t block_count() { return 16; }
 
 inline std::atomic<int> idle_threads = max_threads - 1;
+inline std::atomic<int> slot_count = max_threads; // of the arena that all are in
 
 // A number for each thread. Identifiers of the standard library come back when a thread has ended.
 inline std::atomic<std::size_t> thread_count = 0;
@@ -91,8 +92,31 @@ inline void run(std::size_t count, const std::function<void(std::size_t)>& task)
 namespace tbb {
 
 namespace this_task_arena {
-inline int max_concurrency() { return stand_in::max_threads; }
+inline int max_concurrency() { return stand_in::slot_count.load(std::memory_order_relaxed); }
 } // namespace this_task_arena
+
+// Some slots are for threads that come from outside. Only for tests in which one thread does.
+class task_arena
+{
+public:
+  explicit task_arena(int slots, int slots_for_others = 1)
+    : slots_(slots), helper_count_((std::min)(slots - slots_for_others, stand_in::max_threads - 1))
+  {}
+
+  template <class Function>
+  void execute(const Function& function) const
+  {
+    const int slots = stand_in::slot_count.exchange(slots_);
+    const int idle = stand_in::idle_threads.exchange(helper_count_);
+    function();
+    stand_in::idle_threads = idle;
+    stand_in::slot_count = slots;
+  }
+
+private:
+  const int slots_;
+  const int helper_count_;
+};
 
 // Tests set the number of threads by this; here there are always as many.
 struct global_control
