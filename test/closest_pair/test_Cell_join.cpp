@@ -127,6 +127,22 @@ BOOST_AUTO_TEST_CASE(joins_visit_pairs_at_the_distance_across_borders_of_cells)
     BOOST_CHECK_EQUAL(taker.pairs.count({i, i + 1}), 1u);
 }
 
+// Each point is in four cells, three times as many as are expected of points anywhere.
+BOOST_AUTO_TEST_CASE(parallel_joins_have_room_for_points_at_corners_of_cells)
+{
+  Points points;
+  for(int i = 0; i < 50; ++i)
+    for(int j = 0; j < 50; ++j)
+      for(const double side : {-.5, .5})
+        points.push_back({16. * (i + 1) + side, 16. * (j + 1)});
+  Set_taker taker;
+  join_all<2, CGAL::Parallel_tag>(plain_points(points), 2, 16, taker);
+  std::size_t missing = 0;
+  for(std::size_t i = 0; i < points.size(); i += 2)
+    missing += taker.pairs.count({i, i + 1}) == 0;
+  BOOST_CHECK_EQUAL(missing, 0u);
+}
+
 // Each list has pairs of twins.
 BOOST_AUTO_TEST_CASE(joins_end_when_the_taker_says_so)
 {

@@ -145,7 +145,8 @@ public:
     : points_(points), threads_(task.threads),
       cells_(task.box, task.error,
              std::nextafter(distance / 2, std::numeric_limits<double>::infinity()), cell_side,
-             seed)
+             seed),
+      entries_per_point_(std::pow(1 + distance / cell_side, Dimension))
   {}
 
   // Enters the points of a sample, and gives pairs of these points to the taker. Each point is two
@@ -154,7 +155,7 @@ public:
   Joined operator()(const Some_positions& sample, std::size_t max_steps, Pair_taker& taker)
   {
     const Cell_lists lists(
-      sample.size(), threads_,
+      sample.size(), entries_per_point_, threads_,
       [&](std::size_t first, std::size_t last, auto& writer) {
         enter(sample, first, last, writer);
       });
@@ -225,8 +226,7 @@ private:
     else
       for(std::size_t i = 0; i < block.size; ++i)
         add(i, cells_.first_cell_around(block.point(i)));
-    for(std::size_t i = 0; i < block.size; ++i)
-      writer.append(hashes[i], block.numbers[i]);
+    writer.append(hashes.data(), block.numbers, block.size);
     for(std::size_t k = 0; k < several_count; ++k) {
       const Place position = block.numbers[several[k]];
       bool is_first = true;
@@ -241,6 +241,7 @@ private:
   Near_points<Dimension>& points_;
   const Threads threads_;
   const Hashed_cells<Dimension> cells_;
+  const double entries_per_point_; // if points lie anywhere in their cells
   std::atomic<bool> goes_on_ = true;
 };
 

@@ -8,19 +8,23 @@
 // The entries of a join of cells, distributed over lists by their hashes. In sequence, the lists
 // grow as the entries come. In parallel, each block of points has a part of every list: it writes
 // its entries down, counts them, and puts them in the order of lists, while they are in a cache.
-// Growing lists of each thread would take a chunk of memory for each list and thread.
+// Growing lists of each thread would take a chunk of memory for each list and thread. All blocks
+// have one array, because its pages are huge.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/Chunked_lists.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/prefix_sums.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/tuning.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Per_thread.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
+#include <CGAL/Thick_intersection_d/internal/machine/hints.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -36,11 +40,6 @@ struct Cell_entry
 
 class Cell_lists
 {
-  struct Entry_of_list
-  {
-    Cell_entry entry;
-    std::uint32_t list;
-  };
   using Growing_lists = Chunked_lists<Cell_entry, 4096 / sizeof(Cell_entry)>; // chunks of a page
 
 public:
@@ -55,32 +54,46 @@ public:
       const std::uint64_t bits = (hash >> 32) * list_count; // the list, and 32 bits below it
       lists.append(bits >> 32, {static_cast<std::uint32_t>(bits), position});
     }
+    void append(const std::uint64_t* hashes, const Place* positions, std::size_t size)
+    {
+      for(std::size_t i = 0; i < size; ++i)
+        append(hashes[i], positions[i]);
+    }
   };
 
-  // Writes down the entries of a block of points and counts them by list, in parallel.
+  // Writes down the entries of a block of points and counts them by list, in parallel. They keep
+  // the bits of their lists until they are put in order.
   struct Writer
   {
     std::size_t list_count;
     std::uint32_t* counts;
-    std::vector<Entry_of_list> entries;
+    std::vector<Cell_entry> entries;
 
     void append(std::uint64_t hash, Place position)
     {
-      const std::uint64_t bits = (hash >> 32) * list_count;
-      const auto list = static_cast<std::uint32_t>(bits >> 32);
-      entries.push_back({{static_cast<std::uint32_t>(bits), position}, list});
-      ++counts[list];
+      entries.push_back({static_cast<std::uint32_t>(hash >> 32), position});
+      ++counts[(hash >> 32) * list_count >> 32];
+    }
+    void append(const std::uint64_t* hashes, const Place* positions, std::size_t size)
+    {
+      entries.resize(entries.size() + size);
+      Cell_entry* const first = entries.data() + (entries.size() - size);
+      for(std::size_t i = 0; i < size; ++i) {
+        first[i] = {static_cast<std::uint32_t>(hashes[i] >> 32), positions[i]};
+        ++counts[(hashes[i] >> 32) * list_count >> 32];
+      }
     }
   };
 
   // Makes lists for the entries of `size` points. enter(first, last, writer) gives the entries of
-  // the points [first, last) to an Appender or a Writer.
+  // the points [first, last) to an Appender or a Writer. About so many per point are expected.
   template <class Enter>
-  Cell_lists(std::size_t size, const Threads& threads, const Enter& enter)
+  Cell_lists(std::size_t size, double entries_per_point, const Threads& threads,
+             const Enter& enter)
     : count_(list_count(size, threads)), lists_(count_)
   {
     if(threads.are_many())
-      enter_in_blocks(size, threads, enter);
+      enter_in_blocks(size, entries_per_point, threads, enter);
     else {
       Appender appender = {count_, lists_};
       enter(std::size_t(0), size, appender);
@@ -126,50 +139,73 @@ private:
   // The entries of a block of points, list after list.
   struct Block
   {
-    std::unique_ptr<Cell_entry[]> entries;
-    const std::uint32_t* ends; // of the lists
+    Cell_entry* entries;
+    std::uint32_t* ends; // of the lists
+    std::unique_ptr<Cell_entry[]> own_memory; // if there are more than expected
 
     const Cell_entry* begin(std::size_t list) const
     {
-      return entries.get() + (list == 0 ? 0 : ends[list - 1]);
+      return entries + (list == 0 ? 0 : ends[list - 1]);
     }
-    const Cell_entry* end(std::size_t list) const { return entries.get() + ends[list]; }
+    const Cell_entry* end(std::size_t list) const { return entries + ends[list]; }
   };
 
   template <class Enter>
-  void enter_in_blocks(std::size_t size, const Threads& threads, const Enter& enter)
+  void enter_in_blocks(std::size_t size, double entries_per_point, const Threads& threads,
+                       const Enter& enter)
   {
-    blocks_.resize((std::min)((std::max)(threads.block_count(), size / max_entry_block_size + 1),
-                              size / min_entry_block_size + 1));
-    ends_ = make_uninitialized<std::uint32_t>(blocks_.size() * count_);
-    threads.run_blocks(blocks_.size(), [&](std::size_t block, std::size_t last) {
-      Writer writer = {count_, nullptr, {}};
-      for(; block != last; ++block) {
-        const std::size_t begin = block * size / blocks_.size();
-        const std::size_t end = (block + 1) * size / blocks_.size();
-        writer.counts = ends_.get() + block * count_;
-        std::fill_n(writer.counts, count_, 0);
-        writer.entries.clear();
-        writer.entries.reserve((end - begin) + (end - begin) / 4); // some are in several cells
-        enter(begin, end, writer);
-        blocks_[block] = put_in_order(writer);
+    const std::size_t block_count = entry_block_count(size, threads);
+    const auto room = static_cast<std::size_t>(static_cast<double>(size / block_count + 1)
+                                               * entries_per_point * entry_room) + min_entry_room;
+    entries_ = make_uninitialized<Cell_entry>(block_count * room);
+    ends_ = make_uninitialized<std::uint32_t>(block_count * count_);
+    blocks_.resize(block_count);
+    // A thread that waits in a callback may take another block, and finds no memory here then.
+    Per_thread<std::vector<Cell_entry>> spare_memory({}, threads);
+    threads.run_numbered_blocks(block_count, size,
+                                [&](std::size_t index, std::size_t first, std::size_t last) {
+      Block& block = blocks_[index];
+      block.entries = entries_.get() + index * room;
+      block.ends = ends_.get() + index * count_;
+      std::fill_n(block.ends, count_, 0);
+      Writer writer = {count_, block.ends, std::move(spare_memory.local())};
+      writer.entries.clear();
+      writer.entries.reserve(room);
+      enter(first, last, writer);
+      if(writer.entries.size() > room) {
+        block.own_memory = make_uninitialized<Cell_entry>(writer.entries.size());
+        block.entries = block.own_memory.get();
       }
+      put_in_order(writer, block.entries);
+      spare_memory.local() = std::move(writer.entries);
     });
   }
 
-  static Block put_in_order(const Writer& writer)
+  // Returns how many blocks `size` points are entered in.
+  static std::size_t entry_block_count(std::size_t size, const Threads& threads)
   {
+    return (std::min)((std::max)(threads.block_count() / 2, size / max_entry_block_size + 1),
+                      size / min_entry_block_size + 1);
+  }
+
+  static void put_in_order(const Writer& writer, Cell_entry* result)
+  {
+    // Lists would wait for these lines one after another.
+    for(std::size_t line = 0; line <= writer.entries.size() * sizeof(Cell_entry) / cache_line_size;
+        ++line)
+      prefetch_to_write(result, line);
     std::uint32_t* const next = writer.counts;
     replace_by_prefix_sums(next, next + writer.list_count);
-    Block block = {make_uninitialized<Cell_entry>(writer.entries.size()), next};
-    for(const Entry_of_list& e : writer.entries)
-      block.entries[next[e.list]++] = e.entry;
-    return block;
+    for(const Cell_entry& e : writer.entries) {
+      const std::uint64_t bits = e.cell * std::uint64_t(writer.list_count);
+      result[next[bits >> 32]++] = {static_cast<std::uint32_t>(bits), e.position};
+    }
   }
 
   const std::size_t count_;
   Growing_lists lists_;       // in sequence
   std::vector<Block> blocks_; // in parallel
+  std::unique_ptr<Cell_entry[]> entries_;
   std::unique_ptr<std::uint32_t[]> ends_;
 };
 

@@ -66,6 +66,11 @@ inline constexpr std::size_t min_entries_per_list = 512;
 inline constexpr std::size_t min_entry_block_size = 512;
 inline constexpr std::size_t max_entry_block_size = 32768;
 
+// A block has room for this many times the entries that are expected, and for some more. Those of a
+// block with more entries have memory of their own.
+inline constexpr double entry_room = 1.0625;
+inline constexpr std::size_t min_entry_room = 64;
+
 // In parallel, a sample is drawn from so many points at a time.
 inline constexpr std::size_t sample_stratum_size = 8192;
 
