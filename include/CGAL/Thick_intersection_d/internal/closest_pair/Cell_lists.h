@@ -16,7 +16,6 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/prefix_sums.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/closest_pair/tuning.h>
-#include <CGAL/Thick_intersection_d/internal/machine/Per_thread.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/machine/hints.h>
 
@@ -63,26 +62,59 @@ public:
 
   // Writes down the entries of a block of points and counts them by list, in parallel. They keep
   // the bits of their lists until they are put in order.
-  struct Writer
+  class Writer
   {
-    std::size_t list_count;
-    std::uint32_t* counts;
-    std::vector<Cell_entry> entries;
+  public:
+    // There are counts of all lists, which are 0, and room for so many entries at first.
+    Writer(std::size_t list_count, std::uint32_t* counts, std::size_t room)
+      : list_count_(list_count), counts_(counts), room_(room),
+        entries_(make_uninitialized<Cell_entry>(room))
+    {}
 
-    void append(std::uint64_t hash, Place position)
-    {
-      entries.push_back({static_cast<std::uint32_t>(hash >> 32), position});
-      ++counts[(hash >> 32) * list_count >> 32];
-    }
+    void append(std::uint64_t hash, Place position) { append(&hash, &position, 1); }
     void append(const std::uint64_t* hashes, const Place* positions, std::size_t size)
     {
-      entries.resize(entries.size() + size);
-      Cell_entry* const first = entries.data() + (entries.size() - size);
+      if(room_ - size_ < size)
+        make_room(size);
+      Cell_entry* const first = entries_.get() + size_;
       for(std::size_t i = 0; i < size; ++i) {
         first[i] = {static_cast<std::uint32_t>(hashes[i] >> 32), positions[i]};
-        ++counts[(hashes[i] >> 32) * list_count >> 32];
+        ++counts_[(hashes[i] >> 32) * list_count_ >> 32];
+      }
+      size_ += size;
+    }
+
+    std::size_t size() const { return size_; }
+
+    // Writes the entries of the block in the order of their lists, and turns the counts into ends.
+    void put_in_order(Cell_entry* result) const
+    {
+      // Lists would wait for these lines one after another.
+      for(std::size_t line = 0; line <= size_ * sizeof(Cell_entry) / cache_line_size; ++line)
+        prefetch_to_write(result, line);
+      std::uint32_t* const next = counts_;
+      replace_by_prefix_sums(next, next + list_count_);
+      for(std::size_t i = 0; i < size_; ++i) {
+        const Cell_entry e = entries_[i];
+        const std::uint64_t bits = e.cell * std::uint64_t(list_count_);
+        result[next[bits >> 32]++] = {static_cast<std::uint32_t>(bits), e.position};
       }
     }
+
+  private:
+    CGAL_THICK_INTERSECTION_D_RARELY_CALLED void make_room(std::size_t more)
+    {
+      room_ = 2 * size_ + more;
+      std::unique_ptr<Cell_entry[]> entries = make_uninitialized<Cell_entry>(room_);
+      std::copy_n(entries_.get(), size_, entries.get());
+      entries_ = std::move(entries);
+    }
+
+    const std::size_t list_count_;
+    std::uint32_t* const counts_;
+    std::size_t room_;
+    std::unique_ptr<Cell_entry[]> entries_;
+    std::size_t size_ = 0;
   };
 
   // Makes lists for the entries of `size` points. enter(first, last, writer) gives the entries of
@@ -160,25 +192,20 @@ private:
     entries_ = make_uninitialized<Cell_entry>(block_count * room);
     ends_ = make_uninitialized<std::uint32_t>(block_count * count_);
     blocks_.resize(block_count);
-    // A thread that waits in a callback may take another block, and finds no memory here then.
-    Per_thread<std::vector<Cell_entry>> spare_memory({}, threads);
-    threads.run_numbered_blocks(block_count, size,
-                                [&](std::size_t index, std::size_t first, std::size_t last) {
-      Block& block = blocks_[index];
-      block.entries = entries_.get() + index * room;
-      block.ends = ends_.get() + index * count_;
-      std::fill_n(block.ends, count_, 0);
-      Writer writer = {count_, block.ends, std::move(spare_memory.local())};
-      writer.entries.clear();
-      writer.entries.reserve(room);
-      enter(first, last, writer);
-      if(writer.entries.size() > room) {
-        block.own_memory = make_uninitialized<Cell_entry>(writer.entries.size());
-        block.entries = block.own_memory.get();
-      }
-      put_in_order(writer, block.entries);
-      spare_memory.local() = std::move(writer.entries);
-    });
+    threads.run_numbered_blocks(
+      block_count, size, [&](std::size_t index, std::size_t first, std::size_t last) {
+        Block& block = blocks_[index];
+        block.ends = ends_.get() + index * count_;
+        std::fill_n(block.ends, count_, 0);
+        Writer writer(count_, block.ends, room);
+        enter(first, last, writer);
+        block.entries = entries_.get() + index * room;
+        if(writer.size() > room) {
+          block.own_memory = make_uninitialized<Cell_entry>(writer.size());
+          block.entries = block.own_memory.get();
+        }
+        writer.put_in_order(block.entries);
+      });
   }
 
   // Returns how many blocks `size` points are entered in.
@@ -186,20 +213,6 @@ private:
   {
     return (std::min)((std::max)(threads.block_count() / 2, size / max_entry_block_size + 1),
                       size / min_entry_block_size + 1);
-  }
-
-  static void put_in_order(const Writer& writer, Cell_entry* result)
-  {
-    // Lists would wait for these lines one after another.
-    for(std::size_t line = 0; line <= writer.entries.size() * sizeof(Cell_entry) / cache_line_size;
-        ++line)
-      prefetch_to_write(result, line);
-    std::uint32_t* const next = writer.counts;
-    replace_by_prefix_sums(next, next + writer.list_count);
-    for(const Cell_entry& e : writer.entries) {
-      const std::uint64_t bits = e.cell * std::uint64_t(writer.list_count);
-      result[next[bits >> 32]++] = {static_cast<std::uint32_t>(bits), e.position};
-    }
   }
 
   const std::size_t count_;
