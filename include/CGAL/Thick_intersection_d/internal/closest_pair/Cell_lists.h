@@ -208,7 +208,8 @@ private:
       });
   }
 
-  // Returns how many blocks `size` points are entered in.
+  // Returns how many blocks `size` points are entered in: half as many as threads usually take,
+  // because a list is read in as many runs.
   static std::size_t entry_block_count(std::size_t size, const Threads& threads)
   {
     return (std::min)((std::max)(threads.block_count() / 2, size / max_entry_block_size + 1),
