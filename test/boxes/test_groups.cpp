@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(groups_are_in_the_order_of_their_first_boxes)
 class Grouped_objects : public Number_objects
 {
 public:
-  static constexpr bool have_groups = true;
+  static constexpr bool may_have_groups = true;
 
   Grouped_objects(const Number_boxes& boxes, int dimension, const std::vector<std::size_t>& groups,
                   std::size_t rarity)

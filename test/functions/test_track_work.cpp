@@ -57,9 +57,9 @@ double check_work(const std::string& name, const Tracks& tracks, double bound, c
   Legs legs;
   legs.add_tracks(tracks);
   const auto n = static_cast<double>(legs.size());
+  internal::cut_legs(legs, bound);
   const Counted boxes(legs, CGAL::within_distance(bound), CGAL::Arithmetic_tier::INT64, nullptr,
                       one);
-  internal::cut_legs(legs, boxes.reach());
   double pairs = 0;
   const auto take = [&](std::size_t, std::size_t) { ++pairs; };
   internal::Unwatched_progress progress;

@@ -113,6 +113,39 @@ BOOST_AUTO_TEST_CASE(a_track_exists_from_its_first_fix_to_its_last)
   BOOST_CHECK(!CGAL::closest_approach(tracks[1], tracks[3]));
 }
 
+// Doubles do not tell these times apart.
+BOOST_AUTO_TEST_CASE(tracks_without_a_common_time_are_not_near_at_any_bound)
+{
+  const Epick::Point_2 p(0, 0), q(1, 0);
+  const std::int64_t t = 1700000000000000000; // nanoseconds since 1970
+  const std::vector<std::vector<std::pair<std::int64_t, Epick::Point_2>>> tracks
+    = {{{t, p}, {t + 10, q}}, {{t + 20, p}, {t + 30, q}}, {{t + 10, q}, {t + 20, p}}};
+  check_pairs("nanoseconds", {{0, 2}, {1, 2}},
+              near_tracks(tracks, CGAL::within_distance(infinity)));
+  check_pairs("nanoseconds, squared", {{0, 2}, {1, 2}},
+              near_tracks(tracks, CGAL::within_squared_distance(infinity)));
+}
+
+// Most pairs of boxes are of two tracks that are a known pair. So the search gives up to compare
+// them one by one, and begins anew when it has found the first two tracks.
+BOOST_AUTO_TEST_CASE(short_tracks_beside_many_that_stay_are_found_once)
+{
+  const Epick::Point_2 p(0, 0);
+  Track_2 port;
+  for(int time = 0; time <= 20; ++time)
+    port.emplace_back(time, p);
+  std::vector<Track_2> tracks(2, Track_2{{0, p}, {1, p}});
+  tracks.resize(702, port);
+  std::size_t count = 0, count_of_first = 0;
+  CGAL::fixed_radius_near_tracks(tracks, CGAL::within_distance(1),
+                                 [&](std::size_t i, std::size_t j) {
+                                   ++count;
+                                   count_of_first += i == 0 && j == 1;
+                                 });
+  BOOST_CHECK_EQUAL(count, tracks.size() * (tracks.size() - 1) / 2);
+  BOOST_CHECK_EQUAL(count_of_first, 1u);
+}
+
 // The first time counts: the tracks are side by side all the time, or twice at one place.
 BOOST_AUTO_TEST_CASE(the_first_of_several_closest_approaches_is_returned)
 {

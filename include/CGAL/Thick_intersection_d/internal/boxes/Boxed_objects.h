@@ -44,9 +44,11 @@ struct Objects_in_boxes
   // Decides about most pairs by their boxes, as Ball_box_filter does; or void.
   using Box_filter = void;
 
-  // Whether objects have groups, as Box_client says. Then they are not exact, and have no filter.
-  static constexpr bool have_groups = false;
+  // Whether objects may have groups, as Box_client says. Then they are not exact, and have no
+  // filter, and have_groups() says whether they have.
+  static constexpr bool may_have_groups = false;
 
+  bool have_groups() const { return true; }
   std::size_t group_of(std::size_t) const { return 0; }
   bool is_wanted(std::size_t, std::size_t) const { return true; }
 
@@ -75,7 +77,7 @@ public:
   {
     this->size = objects.size();
     this->are_decided = are_exact_ && dimension() <= Axes;
-    this->have_groups = Objects::have_groups;
+    this->have_groups = Objects::may_have_groups && objects.have_groups();
   }
 
   // Makes the objects two sets, of which the first has so many.
@@ -160,7 +162,7 @@ private:
                [[maybe_unused]] std::uint64_t& wanted_count) const
   {
     const Place i = a.positions[pair.i], j = b.positions[pair.j];
-    if constexpr(Objects::have_groups) {
+    if constexpr(Objects::may_have_groups) {
       if(!objects_.is_wanted(i, j))
         return false;
       ++wanted_count;

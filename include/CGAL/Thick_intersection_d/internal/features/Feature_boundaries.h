@@ -45,7 +45,7 @@ public:
   void prefetch(std::size_t position) const { prefetch_to_read(&pieces_[position]); }
 
   // The pieces of a feature are a group. To look for a pair takes less time than most tests do.
-  static constexpr bool have_groups = true;
+  static constexpr bool may_have_groups = true;
   Place group_of(std::size_t position) const { return pieces_.feature_of(position); }
   bool is_wanted(std::size_t i, std::size_t j) const
   {

@@ -71,7 +71,7 @@ public:
   }
 
   // What a feature has is a group.
-  static constexpr bool have_groups = true;
+  static constexpr bool may_have_groups = true;
   Place group_of(std::size_t position) const { return feature_of(position); }
   bool is_wanted(std::size_t i, std::size_t j) const
   {

@@ -6,7 +6,8 @@
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_TRACKS_ARE_TRACKS_NEAR_H
 
 // The legs of tracks as the box route reads them, in space and time: two of them are a pair if they
-// are within the bound at a common time, and no others of their tracks have told it before.
+// are within the bound at a common time, and no others of their tracks have told it before. Pairs
+// of tracks are remembered for this, unless each track is one stretch.
 
 #include <CGAL/Arithmetic_tier.h>
 #include <CGAL/Distance_bound.h>
@@ -23,7 +24,9 @@
 #include <CGAL/Thick_intersection_d/internal/predicates/Relative_motion.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Known_pairs.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <optional>
 
 namespace CGAL {
@@ -40,53 +43,48 @@ public:
   static constexpr int static_dimension = Legs::dimension + 1;
 
   // Counts in `counts` which arithmetic decides, unless `counts` is null. Integers are left out if
-  // `least_tier` is that of exact numbers.
+  // `least_tier` is that of exact numbers. The legs have been cut.
   template <class NT>
   Are_tracks_near(const Legs& legs, const Distance_bound<NT>& bound, Arithmetic_tier least_tier,
                   Shared_decision_counts* counts, const Threads& threads)
-    : legs_(legs), exact_bound_(bound), least_tier_(least_tier), counts_(counts), known_(threads)
+    : legs_(legs), exact_bound_(bound), least_tier_(least_tier), counts_(counts),
+      have_groups_(!legs.have_one_stretch_each()), known_(threads)
   {
     set_hull_bound(bound_, bound, exact_bound_);
+    // Legs that have no time in common are farther apart than an infinite bound.
+    bound_.radius.low = (std::min)(bound_.radius.low, (std::numeric_limits<double>::max)());
   }
 
   std::size_t size() const { return legs_.size(); }
   int dimension() const { return static_dimension; }
 
-  // How much longer boxes are than legs along the axes of space.
-  double reach() const { return exact_bound_.reach(); }
-
   auto intervals(std::size_t position) const
   {
     return [this, position](int axis) -> Interval {
       const Interval interval = legs_.interval(position, axis);
-      return axis == time_axis ? interval : longer(interval, reach());
+      return axis == time_axis ? interval : longer(interval, exact_bound_.reach());
     };
   }
 
   void prefetch(std::size_t position) const { legs_.prefetch(position); }
 
-  static constexpr bool have_groups = true;
+  static constexpr bool may_have_groups = true;
+  bool have_groups() const { return have_groups_; }
   Place group_of(std::size_t position) const { return legs_.track_of(position); }
   bool is_wanted(std::size_t i, std::size_t j) const
   {
     const Place a = legs_.track_of(i), b = legs_.track_of(j);
-    return a != b && (is_only_pair(i, j) || !known_.has(a, b));
+    return a != b && (!have_groups_ || !known_.has(a, b));
   }
 
   // Several threads ask at once. What is known grows by the answers.
   bool do_intersect(std::size_t i, std::size_t j) const
   {
     return are_near(i, j)
-           && (is_only_pair(i, j) || known_.add(legs_.track_of(i), legs_.track_of(j)));
+           && (!have_groups_ || known_.add(legs_.track_of(i), legs_.track_of(j)));
   }
 
 private:
-  // Whether no other stretches are of the same two tracks. Then nobody asks for the pair again.
-  bool is_only_pair(std::size_t i, std::size_t j) const
-  {
-    return legs_.is_alone(i) && legs_.is_alone(j);
-  }
-
   void count(Arithmetic_tier tier) const
   {
     if(counts_ != nullptr)
@@ -133,6 +131,7 @@ private:
   Hull_bound bound_;
   const Arithmetic_tier least_tier_;
   Shared_decision_counts* const counts_;
+  const bool have_groups_;
   mutable Known_pairs known_; // grows while threads ask
 };
 

@@ -88,12 +88,12 @@ public:
       std::partition_point(stretches_.begin(), stretches_.end(), is_before) - stretches_.begin());
   }
 
-  // Whether a stretch is all of its track.
-  bool is_alone(std::size_t stretch) const
+  bool have_one_stretch_each() const
   {
-    const Place track = track_of(stretch);
-    return (stretch == 0 || track_of(stretch - 1) != track)
-           && (stretch + 1 == size() || track_of(stretch + 1) != track);
+    const auto are_of_one = [](const Stretch_of_leg& a, const Stretch_of_leg& b) {
+      return a.track == b.track;
+    };
+    return std::adjacent_find(stretches_.begin(), stretches_.end(), are_of_one) == stretches_.end();
   }
 
   void prefetch(std::size_t stretch) const { prefetch_to_read(&fix(stretch, 0)); }

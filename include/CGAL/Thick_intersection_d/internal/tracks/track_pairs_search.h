@@ -61,16 +61,16 @@ bool report_near_tracks(const Elements& elements, const Sets& sets,
   check_denormals();
   Legs legs;
   legs.add_tracks(elements);
+  const double reach = Squared_bound<typename Legs::Exact>(bound).reach();
   const auto search = [&](Arithmetic_tier least_tier, Shared_decision_counts* counts) {
+    cut_legs(legs, reach);
     const Are_tracks_near<Legs> boxes(legs, bound, least_tier, counts, threads);
-    cut_legs(legs, boxes.reach());
     const std::size_t second = legs.first_stretch_from(sets.first_of_second());
     auto progress = make_progress(np, legs.size());
     return report_meeting_groups(boxes, sets, second, report, progress, threads);
   };
   if(profile == nullptr)
     return search(Arithmetic_tier::INT64, nullptr);
-  const double reach = Squared_bound<typename Legs::Exact>(bound).reach();
   const Object_scene scene = scan_legs(legs, bounds(bound.value()), reach);
   return search_profiled(*profile, {scene, legs.have_common_times() ? 4 : 10}, search);
 }
