@@ -61,11 +61,11 @@ paired with itself. The search gives the result of real arithmetic on the coordi
 points hold, as `thick_self_intersection_d()` does, for every kernel.
 
 In a range `interiors(features)`, all features are polygons or unions of them, and have their
-interiors alone. The interior of a polygon has the points off its edges that a ray leaves through an
-odd number of edges. The interior of a union is the union of the interiors of its members: what they
-share of their boundaries is in none. So the pairs of such a range are those that overlap. Polygons
-that share borders are none, and equal ones are. Polygons without area have no interior, and are in
-no pair.
+interiors alone. Neither they nor the features of another range have a radius then. The interior of
+a polygon has the points off its edges that a ray leaves through an odd number of edges. The
+interior of a union is the union of the interiors of its members: what they share of their
+boundaries is in none. So the pairs of such a range are those that overlap. Polygons that share
+borders are none, and equal ones are. Polygons without area have no interior, and are in no pair.
 
 The search takes the segments of all features through the divide and conquer of
 `thick_self_intersection_d()`. It tests those whose boxes meet, as long as their features are not

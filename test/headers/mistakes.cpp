@@ -98,6 +98,7 @@ const std::vector<std::string> strings;
 const std::vector<std::variant<Kernel::Segment_2, Kernel::Segment_3>> variants;
 const std::vector<CGAL::Bbox_2> boxes;
 const std::vector<std::pair<std::pair<std::vector<Point>, double>, double>> thickened_twice;
+const std::vector<std::pair<std::vector<Point>, double>> roads_with_widths;
 const std::vector<CGAL::Box_intersection_d::Box_d<double, 2>> boxes_with_ids;
 const auto bound = CGAL::within_distance(1);
 const auto report = [](std::size_t, std::size_t) {};
@@ -312,6 +313,11 @@ void make_mistakes()
   // error: Features in interiors() must be polygons in the plane: points and polylines have no
   // interior, and solids are always closed.
   CGAL::thick_feature_intersection_d(CGAL::interiors(polygons), CGAL::interiors(points), report);
+
+  // error: Beside interiors(), features must have no radius: one overlaps a polygon iff this is
+  // closer than the radius. If all have the same one, pass features and polygons without radii, and
+  // bound.open(), to fixed_radius_near_features().
+  CGAL::thick_feature_intersection_d(CGAL::interiors(polygons), roads_with_widths, report);
 
   // error: This function does not take interiors(). Two interiors are within a distance iff the
   // closed objects are closer: pass the ranges, and bound.open().

@@ -57,6 +57,19 @@ constexpr bool check_open_features()
   return have_interiors;
 }
 
+// Checks that no feature is thickened if those of a range are open.
+template <class First, class Second>
+constexpr bool check_thick_features()
+{
+  using Radius = Common_radius<Radius_of_features<First>, Radius_of_features<Second>>;
+  constexpr bool are_thin = (!First::are_open && !Second::are_open) || std::is_void_v<Radius>;
+  static_assert(are_thin, "Beside interiors(), features must have no radius: one overlaps a "
+                          "polygon iff this is closer than the radius. If all have the same one, "
+                          "pass features and polygons without radii, and bound.open(), to "
+                          "fixed_radius_near_features().");
+  return are_thin;
+}
+
 // Checks the elements of one range, or of two.
 template <class Elements, class NamedParameters>
 constexpr bool check_feature_search()
@@ -64,7 +77,7 @@ constexpr bool check_feature_search()
   using A = std::decay_t<decltype(std::declval<const Elements&>().first())>;
   using B = std::decay_t<decltype(std::declval<const Elements&>().second())>;
   if constexpr(check_features<A, B, NamedParameters>())
-    return check_open_features<A>() && check_open_features<B>();
+    return check_open_features<A>() && check_open_features<B>() && check_thick_features<A, B>();
   else
     return false;
 }
