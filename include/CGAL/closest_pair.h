@@ -37,8 +37,9 @@ In the plane and in space the search takes expected \f$ O(n) \f$ time, for point
 closest pair of a random sample bounds how far to look \cgalCite{r-pa-76}, and few points have
 another point so near. If doubles cannot bound the least distance, because they are too coarse for
 the coordinates, and in other dimensions, the search is the divide and conquer of
-\cgalCite{l-cp}. In fixed dimension the search takes \f$ O(n \log n) \f$ time in the worst case, and
-uses \f$ O(n) \f$ space. The algebraic degree is 2.
+\cgalCite{l-cp}. In fixed dimension the search takes \f$ O(n \log n) \f$ time in the worst case, but
+for equal points, which are found by hashing: it is then the expected time for each input. The
+search uses \f$ O(n) \f$ space. The algebraic degree is 2.
 
 \tparam ConcurrencyTag is `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`.
 `Parallel_tag` requires \tbb.

@@ -50,5 +50,22 @@ void check_parallel_scenes()
 
 } // namespace
 
+// Coordinates over the distance overflow.
+BOOST_AUTO_TEST_CASE(usual_points_and_a_tiny_distance)
+{
+  using Points_in_plane = std::vector<Epick::Point_2>;
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 4);
+  Points_in_plane points;
+  for(int i = 0; i < 10000; ++i)
+    points.emplace_back(10 + i * 1e-3, 10 + (i * 7919 % 10000) * 1e-3);
+  for(const double distance : {(std::numeric_limits<double>::min)(), 1e-305, 1e-290})
+    BOOST_CHECK(!CGAL::has_close_pair<CGAL::Parallel_tag>(points, CGAL::within_distance(distance)));
+
+  points = {{1.5, 0}, {1.5, 1e-310}};
+  for(int i = 1; i < 10000; ++i)
+    points.emplace_back(1 + i * 1e-5, .5 + i * 1e-5);
+  check_pair("parallel", Pair(0, 1), CGAL::closest_pair<CGAL::Parallel_tag>(points));
+}
+
 BOOST_AUTO_TEST_CASE(same_pair_in_the_plane) { check_parallel_scenes<2>(); }
 BOOST_AUTO_TEST_CASE(same_pair_in_space) { check_parallel_scenes<3>(); }
