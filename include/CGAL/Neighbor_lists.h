@@ -128,14 +128,14 @@ public:
   /// neighbors of the last point end.
   const Begins& begins() const& { return begins_; }
 
-  /// moves the array out: `std::move(lists).begins()`. The lists can then only be assigned to or
+  /// moves the array out: `std::move(lists).begins()`. The lists can then only be replaced or
   /// destroyed, and the other array be moved out.
   Begins begins() && { return std::move(begins_); }
 
   /// returns the neighbors of all points, one list after another.
   const Positions& positions() const& { return positions_; }
 
-  /// moves the array out: `std::move(lists).positions()`. The lists can then only be assigned to or
+  /// moves the array out: `std::move(lists).positions()`. The lists can then only be replaced or
   /// destroyed, and the other array be moved out. A `std::vector` is a copy of it, unless the lists
   /// were constructed from one.
   Positions positions() && { return std::move(positions_); }

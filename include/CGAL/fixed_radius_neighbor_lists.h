@@ -62,7 +62,7 @@ the system hands out and clears each page anew.
 
 \param points,bound,np as in the version above.
 \param lists are replaced, whatever points they are of. They do not change if the function throws,
-unless memory runs out: then they can only be assigned to or destroyed.
+unless memory runs out: then they can only be replaced or destroyed.
 
 \return `false` iff the progress functor stopped the search.
 */

@@ -79,4 +79,20 @@ BOOST_AUTO_TEST_CASE(vectors_are_moved_in_and_out)
   BOOST_CHECK((of_own_memory == Vector{0, 1}));
 }
 
+BOOST_AUTO_TEST_CASE(arrays_that_were_moved_from_are_empty)
+{
+  for(Array array : {array_of(5), Array(Vector{0, 1, 2, 3, 4})}) {
+    Array moved = std::move(array), assigned;
+    BOOST_CHECK(array.empty());
+    BOOST_CHECK(array.require(3) != moved.data());
+    assigned = std::move(moved);
+    BOOST_CHECK(moved.empty());
+    BOOST_CHECK(moved.require(3) != assigned.data());
+    BOOST_CHECK((assigned == Array(Vector{0, 1, 2, 3, 4})));
+    const Vector out = std::move(assigned);
+    BOOST_CHECK(assigned.require(3) != out.data());
+    BOOST_CHECK((out == Vector{0, 1, 2, 3, 4}));
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

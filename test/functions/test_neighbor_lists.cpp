@@ -225,6 +225,21 @@ BOOST_AUTO_TEST_CASE(lists_of_other_points_have_no_distances)
                                                std::vector<Kernel::Point_2>()).empty());
 }
 
+BOOST_AUTO_TEST_CASE(lists_that_were_moved_from_get_arrays_of_their_own)
+{
+  const Points scene_points = uniform_points(2, 500, 0, 1, 12);
+  const auto points = make_points<Plane>(scene_points);
+  CGAL::Neighbor_lists lists;
+  std::vector<CGAL::Neighbor_lists> all;
+  const std::vector<double> radii = {0.1, 0.08, 0.05};
+  for(const double r : radii) {
+    CGAL::fixed_radius_neighbor_lists(points, CGAL::within_distance(r), lists);
+    all.push_back(std::move(lists));
+  }
+  for(std::size_t i = 0; i < radii.size(); ++i)
+    check_lists(all[i], scene_points, radii[i]);
+}
+
 // The arrays of lists are those of the lists before, if these are as long.
 BOOST_AUTO_TEST_CASE(lists_are_replaced_in_their_memory)
 {

@@ -21,7 +21,7 @@ namespace Thick_intersection_d {
 namespace internal {
 
 // The numbers are in the vector that they came in, or in memory of the array's own. An array that
-// was moved from can only be assigned to or destroyed.
+// was moved from is empty.
 template <class T>
 class Plain_array
 {
@@ -39,9 +39,12 @@ public:
     : vector_(std::move(numbers)), data_(vector_.data()), size_(vector_.size()), capacity_(size_)
   {}
   Plain_array(const Plain_array& other) : Plain_array(std::vector<T>(other)) {}
-  Plain_array(Plain_array&&) = default;
-  Plain_array& operator=(const Plain_array& other) { return *this = Plain_array(other); }
-  Plain_array& operator=(Plain_array&&) = default;
+  Plain_array(Plain_array&& other) noexcept { swap(other); }
+  Plain_array& operator=(Plain_array other) noexcept
+  {
+    swap(other);
+    return *this;
+  }
 
   // Makes room for so many numbers, and returns where to write them. Those before are lost.
   T* require(std::size_t size)
@@ -72,8 +75,9 @@ public:
   {
     if(own_)
       return std::vector<T>(begin(), end());
-    vector_.resize(size_);
-    return std::move(vector_);
+    Plain_array moved(std::move(*this));
+    moved.vector_.resize(moved.size_);
+    return std::move(moved.vector_);
   }
 
   friend bool operator==(const Plain_array& a, const Plain_array& b)
@@ -83,6 +87,15 @@ public:
   friend bool operator!=(const Plain_array& a, const Plain_array& b) { return !(a == b); }
 
 private:
+  void swap(Plain_array& other) noexcept
+  {
+    vector_.swap(other.vector_);
+    own_.swap(other.own_);
+    std::swap(data_, other.data_);
+    std::swap(size_, other.size_);
+    std::swap(capacity_, other.capacity_);
+  }
+
   std::vector<T> vector_;
   std::unique_ptr<T[]> own_;
   T* data_ = nullptr;
