@@ -30,7 +30,11 @@ std::vector<std::vector<Place>> groups_of(const Boxes_by_group& list)
 BOOST_AUTO_TEST_CASE(groups_are_in_the_order_of_their_first_boxes)
 {
   Boxes_by_group list;
+  list.set_group_count(9);
+  list.restart(1);
+  list.push_front(0, 8);
   list.set_group_count(7);
+  BOOST_CHECK(groups_of(list).empty());
   for(unsigned int seed = 0; seed < 200; ++seed) {
     Generator random(seed);
     const auto size = static_cast<Place>(random() % 30);

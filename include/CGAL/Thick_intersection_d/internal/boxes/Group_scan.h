@@ -31,8 +31,12 @@ class Boxes_by_group
 public:
   static constexpr Place none = max_place;
 
-  // Groups have the numbers from 0 to `count` - 1.
-  void set_group_count(Place count) { first_of_group_.assign(count, none); }
+  // Groups have the numbers from 0 to `count` - 1. No box is here.
+  void set_group_count(Place count)
+  {
+    first_of_group_.assign(count, none);
+    first_ = none;
+  }
 
   // Begins a list of `size` boxes, none of which is here yet.
   void restart(Place size)
