@@ -335,6 +335,18 @@ Pairs meeting_disks(const std::vector<Disk>& disks)
   });
 }
 
+// A tile meets a segment if their boxes meet.
+struct Tile
+{
+  CGAL::Bbox_2 box;
+  CGAL::Bbox_2 bbox() const { return box; }
+};
+
+bool do_intersect(const Tile& tile, const plans::Segment& segment)
+{
+  return CGAL::do_overlap(tile.box, segment.bbox());
+}
+
 // Traits like those of the package, without intervals: three predicates are left.
 struct Traits_without_intervals : CGAL::Thick_object_traits_d<Disk>
 {
@@ -349,6 +361,28 @@ BOOST_AUTO_TEST_CASE(a_class_with_a_box_and_a_test_is_searched_without_traits)
   BOOST_REQUIRE_GT(expected.size(), disks.size() / 2);
   check_pairs("in sequence", expected, pairs_of(disks));
   check_pairs("in parallel", expected, pairs_of<CGAL::Parallel_if_available_tag>(disks));
+}
+
+// Segments are not cut: what the stretches of them meet does not matter to the test.
+BOOST_AUTO_TEST_CASE(a_class_is_asked_about_all_segments_whose_boxes_it_meets)
+{
+  Random random(3);
+  std::vector<plans::Segment> segments;
+  for(int i = 0; i < 20; ++i)
+    segments.emplace_back(plans::Point(random.uniform(), random.uniform()),
+                          plans::Point(random.uniform(), random.uniform()));
+  std::vector<Tile> tiles;
+  for(int i = 0; i < 1000; ++i) {
+    const double x = random.uniform(), y = random.uniform();
+    tiles.push_back({CGAL::Bbox_2(x, y, x + .01, y + .01)});
+  }
+  Pairs expected, found;
+  for(std::size_t i = 0; i < tiles.size(); ++i)
+    for(std::size_t j = 0; j < segments.size(); ++j)
+      if(do_intersect(tiles[i], segments[j]))
+        expected.emplace_back(i, j);
+  CGAL::thick_intersection_d(tiles, segments, std::back_inserter(found));
+  check_pairs("tiles and segments", expected, found);
 }
 
 BOOST_AUTO_TEST_CASE(derived_traits_without_intervals_take_the_recursive_route)

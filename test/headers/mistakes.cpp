@@ -64,6 +64,17 @@ struct Traits_of_strings
   Is_within_distance_d is_within_distance_d_object() const;
 };
 
+// Classes that derive from objects of a kernel, with a test of their own.
+struct Owned_parcel : Kernel::Triangle_2
+{
+  int owner;
+};
+struct Owned_road : Kernel::Segment_2
+{
+  int owner;
+};
+bool do_intersect(const Owned_parcel&, const Owned_road&);
+
 // Traits whose functor has another name than the concept says.
 struct Traits_with_wrong_name : Traits_of_strings
 {
@@ -99,6 +110,8 @@ const std::vector<std::variant<Kernel::Segment_2, Kernel::Segment_3>> variants;
 const std::vector<CGAL::Bbox_2> boxes;
 const std::vector<std::pair<std::pair<std::vector<Point>, double>, double>> thickened_twice;
 const std::vector<std::pair<std::vector<Point>, double>> roads_with_widths;
+const std::vector<Owned_parcel> owned_parcels;
+const std::vector<Owned_road> owned_roads;
 const std::vector<CGAL::Box_intersection_d::Box_d<double, 2>> boxes_with_ids;
 const auto bound = CGAL::within_distance(1);
 const auto report = [](std::size_t, std::size_t) {};
@@ -255,6 +268,13 @@ void make_mistakes()
   // error: interiors() takes objects with an interior: triangles in the plane, tetrahedra,
   // iso-boxes, and objects with a radius. Beside them may be other objects of a kernel.
   CGAL::thick_intersection_d(CGAL::interiors(points), boxes, report);
+
+  // error: interiors() takes objects with an interior: triangles in the plane, tetrahedra,
+  // iso-boxes, and objects with a radius. Beside them may be other objects of a kernel.
+  CGAL::thick_intersection_d(CGAL::interiors(owned_parcels), owned_roads, report);
+
+  // error: A Scene_profile is for objects of a kernel or boxes, without geom_traits.
+  CGAL::thick_intersection_d(owned_parcels, owned_roads, report, profile);
 
   // error: A weighted point is no ball: make it a pair of a center and a radius.
   CGAL::thick_self_intersection_d(weighted_points, report);

@@ -176,6 +176,17 @@ struct Kind_list<std::tuple<Kinds...>>
 template <class Object>
 using Kinds = Kind_list<typename Kinds_of<Object>::type>;
 
+// Whether the package knows what objects of a kind are.
+template <class Kind>
+struct Is_known_kind
+  : std::bool_constant<Vertex_count<Kind>::value != 0 || Is_thickened<Kind>::value>
+{};
+
+// Whether the package decides about all pairs of objects of a range, or of two.
+template <class Object>
+inline constexpr bool are_tests_known_v
+  = Kinds<Object>::template are_all<Is_known_kind> && !has_own_tests_v<Object>;
+
 template <class Object>
 struct Is_variant : std::false_type {};
 template <class... Kinds>

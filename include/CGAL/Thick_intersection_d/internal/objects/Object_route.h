@@ -205,7 +205,7 @@ bool report_objects(const Elements& objects, const Sets& sets, const Traits& tra
     if(are_finite || !may_recurse) {
       if constexpr(Sets::are_two && Has_boxes<Traits>::value
                    && Has_segments<typename Elements::value_type>::value
-                   && !has_own_tests_v<typename Elements::value_type>)
+                   && are_tests_known_v<typename Elements::value_type>)
         return report_segment_pairs(boxes, objects, sets, callback, progress, threads);
       else
         return report_meeting_boxes(boxes, sets, callback, progress, threads);

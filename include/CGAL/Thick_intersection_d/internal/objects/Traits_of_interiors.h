@@ -220,7 +220,8 @@ constexpr bool check_open_objects()
   constexpr bool has_traits
     = !parameters::is_default_parameter<NamedParameters, internal_np::geom_traits_t>::value;
   constexpr bool are_kinds = are_kinds_with_interiors<First_range<Elements>>()
-                             && are_kinds_with_interiors<Second_range<Elements>>();
+                             && are_kinds_with_interiors<Second_range<Elements>>()
+                             && are_tests_known_v<typename Elements::value_type>;
   static_assert(have_none || !has_traits,
                 "geom_traits decide about objects as they are: pass them without interiors().");
   static_assert(have_none || has_traits || are_kinds,

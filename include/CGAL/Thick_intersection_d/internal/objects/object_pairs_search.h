@@ -205,7 +205,7 @@ constexpr bool check_objects_and_traits()
 template <class Object, class NamedParameters>
 constexpr bool check_profiled_objects()
 {
-  constexpr bool is_known = Kinds<Object>::template are_all<Is_known_kind>;
+  constexpr bool is_known = are_tests_known_v<Object>;
   constexpr bool has_traits
     = !parameters::is_default_parameter<NamedParameters, internal_np::geom_traits_t>::value;
   static_assert(is_known && !has_traits,

@@ -29,12 +29,6 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Whether the package knows what objects of a kind are.
-template <class Kind>
-struct Is_known_kind
-  : std::bool_constant<Vertex_count<Kind>::value != 0 || Is_thickened<Kind>::value>
-{};
-
 // The algebraic degree of the squared distance of two objects of the kinds A and B.
 template <class A, class B>
 struct Distance_degree
