@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(what_is_refused)
                     "takes it.");
   BOOST_CHECK_EQUAL(message_of({{0, 0}, {0, 1}}, CGAL::Periodic_lattice_d(unit_square), 0.1), "");
   BOOST_CHECK_EQUAL(message_of(points, unit_square, infinity),
-                    "The bound of a periodic search is infinite.");
+                    "The distance of a periodic search is infinite, or beyond the largest double.");
   BOOST_CHECK_EQUAL(message_of(points, unit_square, -1),
                     "The distance bound is negative or NaN.");
   BOOST_CHECK_EQUAL(message_of(points, unit_square, 1e9),
@@ -106,6 +106,70 @@ BOOST_AUTO_TEST_CASE(what_is_refused)
                     "A period is NaN or infinite.");
   BOOST_CHECK_THROW(CGAL::periodic_closest_pair(std::vector<Plain::Point_2>(), unit_square),
                     std::invalid_argument);
+}
+
+// Their root is beyond the doubles, not their distance squared.
+BOOST_AUTO_TEST_CASE(closest_pairs_beyond_the_doubles_are_refused)
+{
+  const std::vector<Plain::Point_2> point = {{0, 0}};
+  const auto square = [](double x) { return Plain::Iso_rectangle_2(-x, -x, x, x); };
+  BOOST_CHECK(CGAL::periodic_closest_pair(point, square(0.85e308))
+              == (Image_pair<2>{0, 0, {0, 1}}));
+  BOOST_CHECK_THROW(CGAL::periodic_closest_pair(point, square(1.7e308)), std::invalid_argument);
+}
+
+// Points that are equal, or are when they are moved: all n (n - 1) / 2 pairs would take minutes.
+BOOST_AUTO_TEST_CASE(the_first_of_many_equal_points_are_found)
+{
+  const CGAL::Periodic_lattice_d lattice(unit_square);
+  std::vector<Plain::Point_2> points(500000, Plain::Point_2(.5, .5));
+  BOOST_CHECK(CGAL::periodic_closest_pair(points, unit_square) == (Image_pair<2>{0, 1, {}}));
+  for(std::size_t i = 0; i < points.size(); ++i)
+    points[i] = Plain::Point_2(static_cast<double>(i % 7), static_cast<double>(i % 3));
+  BOOST_CHECK(CGAL::periodic_closest_pair(points, lattice) == (Image_pair<2>{0, 1, {-1, -1}}));
+}
+
+// Places on the boundary, and points that are whole periods apart. The offset of a first pair is
+// the only one.
+BOOST_AUTO_TEST_CASE(the_first_of_equal_images_are_found)
+{
+  Random random(1);
+  const auto coordinate = [&] { return static_cast<double>(random.below(24)) / 6 - 2; };
+  for(int round = 0; round < 2000; ++round) {
+    std::vector<Plain::Point_2> points;
+    for(std::size_t n = 2 + random.below(40); points.size() < n;)
+      points.emplace_back(coordinate(), coordinate());
+    const CGAL::Periodic_lattice_d lattice(unit_square);
+    std::optional<Image_pair<2>> first;
+    CGAL::periodic_fixed_radius_near_neighbors(
+      points, lattice, CGAL::within_distance(0),
+      [&](std::size_t i, std::size_t j, const Offset_of<2>& offset) {
+        const Image_pair<2> pair(i, j, offset);
+        first = first ? (std::min)(*first, pair) : pair;
+      });
+    if(first)
+      BOOST_REQUIRE(CGAL::periodic_closest_pair(points, lattice) == *first);
+  }
+}
+
+// Both the points and the images are decided by doubles alone, but not all of them at once.
+BOOST_AUTO_TEST_CASE(a_tier_is_refused_before_a_pair_is_reported)
+{
+  using Vector = Plain::Vector_3;
+  const std::vector<Plain::Point_3> points
+    = {{0, 0, 0}, {290000000, 0, 0}, {150000000, 40000000, 0}};
+  const CGAL::Periodic_lattice_d<Vector> lattice(
+    std::array<Vector, 3>{Vector(300000000, 0, 3), Vector(0, 0, 0), Vector(0, 0, 0)},
+    {true, false, false});
+  CGAL::Scene_profile profile;
+  profile.force_tier(CGAL::Arithmetic_tier::DOUBLE);
+  std::size_t count = 0;
+  BOOST_CHECK_THROW(
+    CGAL::periodic_fixed_radius_near_neighbors(
+      points, lattice, CGAL::within_distance(6e7),
+      [&](std::size_t, std::size_t, const Offset_of<3>&) { ++count; }, profile),
+    std::invalid_argument);
+  BOOST_CHECK_EQUAL(count, 0u);
 }
 
 BOOST_AUTO_TEST_CASE(a_callback_stops_the_search)

@@ -106,6 +106,22 @@ public:
     return images_->find(threads_, points_, sets_, progress);
   }
 
+  // Keeps images of the first of equal homes alone.
+  void keep_first_of_equal_homes()
+  {
+    const auto less = [this](const Image<dimension>& a, const Image<dimension>& b) {
+      for(int axis = 0; axis < dimension; ++axis) {
+        const Exact x = periods_.moved(coordinate(points_[a.position], axis), a.offset, axis);
+        const Exact y = periods_.moved(coordinate(points_[b.position], axis), b.offset, axis);
+        if(x != y)
+          return x < y;
+      }
+      return false;
+    };
+    if(images_)
+      images_->keep_first_of_equal_homes(points_, less);
+  }
+
   // Calls task(batch, first, last) with the images, as Scene_images does.
   template <class Task>
   bool for_each_batch(const Task& task) const

@@ -75,6 +75,28 @@ public:
     return true;
   }
 
+  // Keeps one of the homes that are equal, the first one, of those near which images may be, and of
+  // those of which there are images. less(a, b) orders the places of two homes.
+  template <class Elements, class Less>
+  void keep_first_of_equal_homes(const Elements& points, const Less& less)
+  {
+    for(Near_list& list : near_) {
+      std::stable_sort(list.begin(), list.end(), [&](const Near_home& a, const Near_home& b) {
+        return less(a.image, b.image);
+      });
+      const auto are_equal = [&](const Near_home& a, const Near_home& b) {
+        return !less(a.image, b.image); // as the list is in order
+      };
+      list.erase(std::unique(list.begin(), list.end(), are_equal), list.end());
+    }
+    counts_[moving_] = 0;
+    for(const Near_home& home : near_[moving_])
+      moves_.for_each_image(points, home.image, home.sides, [this](const Image<Dimension>&) {
+        ++counts_[moving_];
+        return true;
+      });
+  }
+
   // Whether the home of a point is not the point itself. Only then there are homes.
   bool are_moved() const { return !homes_.empty(); }
   const Image_list& homes() const { return homes_; }

@@ -59,7 +59,9 @@ public:
       throw std::invalid_argument("There is no closest pair of fewer than two points.");
 
     // Closer pairs are few, and if there are any, they make all others no matter. Otherwise nothing
-    // is left but pairs that are as close.
+    // is left but pairs that are as close. They are few as well, unless they are of equal points. Of
+    // equal homes, the first two are the pair. Only the first of them can be in an earlier pair with
+    // another home.
     const Pair bound_pair = *minimum.pair;
     const auto bound = within_squared_distance(minimum.square);
     if(!is_cancelled)
@@ -135,8 +137,11 @@ private:
     const auto report = [&](std::size_t i, std::size_t j, const Offsets& offset) {
       offer(minima.local(), Pair(i, j, offset));
     };
-    Search<NT>(points_, One_set(), domain_, bound, false, threads_)
-      .report(report, np, nullptr);
+    Search<NT> search(points_, One_set(), domain_, bound, false, threads_);
+    if(bound.value() == NT(0)) // then homes that are equal are known
+      search.report_equal(report, np);
+    else
+      search.report(report, np, nullptr);
     minima.for_each([&](const Minimum& own) { minimum.offer(*own.pair, own.square); });
   }
 

@@ -105,12 +105,24 @@ public:
     if(!scan_near(of_near, np))
       return false;
     if(of_near && profile->forced_tier())
-      of_near->force_tier(*profile->forced_tier()); // refused before anything is reported
+      force_tier(*profile->forced_tier(), *of_near); // refused before anything is reported
     const bool is_complete = report_homes(report, np, &of_homes)
                              && report_near(report, np, of_near ? &*of_near : nullptr);
     *profile = of_near ? joined_profile(scene_.size(), dimension, reach_, of_homes, *of_near)
                        : of_homes;
     return is_complete;
+  }
+
+  // Reports the pairs of equal images that an offset between homes moves, but of equal homes the
+  // first one alone. So there are O(n) of them, however many points are equal.
+  template <class Report, class NamedParameters>
+  bool report_equal(Report& report, const NamedParameters& np)
+  {
+    if(!scene_.find_images(np))
+      return false;
+    scene_.keep_first_of_equal_homes();
+    auto progress = make_progress(scene_.parameters_of_homes(np), scene_.size());
+    return progress.advance(scene_.size()) && report_near(report, np, nullptr);
   }
 
   // Reports the pairs of a home and a moved home: all but those that no offset between homes moves.
@@ -141,6 +153,20 @@ public:
 private:
   using Moved = typename Periodic_scene::Moved;
   using Image_list = typename Periodic_scene::Image_list;
+
+  // Throws if the tier is not exact for all homes and images.
+  void force_tier(Arithmetic_tier tier, Scene_profile& of_near) const
+  {
+    const auto scene_of_homes = [&] {
+      return scene_.are_homes_moved()
+               ? scan_points(scene_.moved(scene_.homes()), "home", true, threads_)
+               : search_of_points_.scene();
+    };
+    Scene_profile of_homes(scene_of_homes(), reach_);
+    of_homes.force_tier(tier);
+    of_near.force_tier(tier);
+    joined_profile(scene_.size(), dimension, reach_, of_homes, of_near);
+  }
 
   // Sets the profile to that of the homes near images, and of these images, if there are some.
   // Returns false iff the progress was cancelled.
@@ -219,7 +245,8 @@ private:
   {
     const double reach = Squared_bound<Exact>(bound).reach();
     if(!std::isfinite(reach))
-      throw std::invalid_argument("The bound of a periodic search is infinite.");
+      throw std::invalid_argument("The distance of a periodic search is infinite, or beyond the "
+                                  "largest double.");
     return reach;
   }
 
