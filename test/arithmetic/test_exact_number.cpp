@@ -28,8 +28,28 @@ BOOST_AUTO_TEST_CASE(numbers_are_converted_without_rounding)
   const double head = static_cast<double>(third);
   BOOST_CHECK(to_exact_rational(third)
               == Exact(head) + Exact(static_cast<double>(third - static_cast<long double>(head))));
+  const Exact large = power_of_two(1000) * power_of_two(1000) * power_of_two(1001);
+  BOOST_CHECK(internal::rational_power_of_two(3001) == large);
+  BOOST_CHECK(internal::rational_power_of_two(-3001) * large == 1);
   BOOST_CHECK(to_exact_rational(CGAL::Quotient<int>(1, 3)) == Exact(1) / 3);
 }
+
+#ifdef __SIZEOF_INT128__
+// They are built in for compilers with extensions of their own.
+BOOST_AUTO_TEST_CASE(integers_of_128_bits_are_converted_without_rounding)
+{
+  using internal::rational_of_integer;
+  __extension__ typedef __int128 Int;
+  __extension__ typedef unsigned __int128 Unsigned;
+  const Int square = (Int(1) << 100) + (Int(1) << 32) + 1;
+  const CGAL::Exact_rational expected
+    = CGAL::Exact_rational(0x1p100) + CGAL::Exact_rational(0x1p32) + 1;
+  BOOST_CHECK(rational_of_integer(square) == expected);
+  BOOST_CHECK(rational_of_integer(-square) == -expected);
+  BOOST_CHECK(rational_of_integer(~Unsigned(0))
+              == CGAL::Exact_rational(0x1p100) * CGAL::Exact_rational(0x1p28) - 1);
+}
+#endif
 
 // A bound of 1.5 is to be held as well.
 BOOST_AUTO_TEST_CASE(exact_numbers_hold_doubles)

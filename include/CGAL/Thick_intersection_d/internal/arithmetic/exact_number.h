@@ -20,6 +20,7 @@
 
 #include <cfloat>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <limits>
 #include <sstream>
@@ -82,27 +83,34 @@ NT mantissa(const NT& x, int& exponent)
 }
 } // namespace floating
 
+inline Exact_rational rational_power_of_two(int exponent)
+{
+  if(std::abs(exponent) <= 1000)
+    return Exact_rational(std::ldexp(1., exponent));
+  const Exact_rational root = rational_power_of_two(exponent / 2);
+  return root * root * rational_power_of_two(exponent % 2);
+}
+
 // Returns the rational value of a finite floating-point number of any precision. Takes the leading
-// 53 bits off the mantissa until no bits are left. Nothing is rounded.
+// 53 bits off the mantissa, and makes the rest a mantissa again, until no bits are left. Nothing is
+// rounded.
 template <class NT>
 Exact_rational rational_of_floating(const NT& x)
 {
-  int exponent = 0;
-  NT rest = floating::mantissa(x, exponent);
+  static_assert(std::numeric_limits<NT>::radix != 10,
+                "Decimal floating-point numbers are not taken: pass rational numbers.");
   Exact_rational value(0);
+  NT rest = x;
+  int exponent = 0; // invariant: x = value + rest * 2^exponent
   while(rest != NT(0)) {
+    int shift = 0;
+    rest = floating::mantissa(rest, shift);
+    exponent += shift;
     const double head = static_cast<double>(rest);
-    value += Exact_rational(head);
+    value += Exact_rational(head) * rational_power_of_two(exponent);
     rest -= NT(head);
   }
-  Exact_rational scale(1);
-  Exact_rational power(exponent < 0 ? 0.5 : 2.); // invariant: scale * power^e = 2^exponent
-  for(unsigned int e = std::abs(exponent); e != 0; e >>= 1) {
-    if(e & 1)
-      scale *= power;
-    power *= power;
-  }
-  return value * scale;
+  return value;
 }
 
 // Returns the rational value of a built-in integer of any width.
@@ -111,11 +119,24 @@ Exact_rational rational_of_integer(Integer x)
 {
   if constexpr(is_held_by_double_v<Integer>)
     return Exact_rational(static_cast<double>(x));
-  else {
-    const Integer low = x & 0xffffffff;
-    return Exact_rational(static_cast<double>((x - low) / 4294967296)) * Exact_rational(4294967296.)
-           + Exact_rational(static_cast<double>(low));
+  else { // two halves, of which the high one has the sign
+    constexpr int bits = 4 * sizeof(Integer);
+    using Low = std::conditional_t<bits == 32, std::uint32_t, std::uint64_t>;
+    using High = std::conditional_t<(Integer(-1) < Integer(0)), std::make_signed_t<Low>, Low>;
+    return rational_of_integer(static_cast<High>(x >> bits)) * rational_power_of_two(bits)
+           + rational_of_integer(static_cast<Low>(x));
   }
+}
+
+// Returns a big integer or a rational as another such type. All can be written and read as text.
+template <class Number, class NT>
+Number by_text(const NT& x)
+{
+  std::stringstream text;
+  text << x;
+  Number value;
+  text >> value;
+  return value;
 }
 
 // Returns the exact value of x, which must be a rational number.
@@ -136,14 +157,8 @@ Exact_rational to_exact_rational(const NT& x)
     return to_exact_rational(x.numerator()) / to_exact_rational(x.denominator());
   else if constexpr(std::is_constructible_v<Exact_rational, const NT&>)
     return Exact_rational(x);
-  else {
-    // All big integers and rationals can be written and read as decimal text.
-    std::stringstream text;
-    text << x;
-    Exact_rational value;
-    text >> value;
-    return value;
-  }
+  else
+    return by_text<Exact_rational>(x);
 }
 
 // Integers of any length: exact, but they do not hold a bound such as 1.5.
@@ -200,8 +215,7 @@ decltype(auto) to_exact_number(const NT& x)
     return Exact(static_cast<double>(x));
 }
 
-// Returns the big integer x in another exact type. Integer types of different libraries share
-// nothing but decimal text.
+// Returns the big integer x in another exact type.
 template <class Number, class Integer>
 Number convert_integer(const Integer& x)
 {
@@ -209,20 +223,12 @@ Number convert_integer(const Integer& x)
     return Number(0);
   if constexpr(std::is_constructible_v<Number, const Integer&>)
     return Number(x);
-  else {
-    std::stringstream text;
-    text << x;
 #ifdef CGAL_HAS_MPZF
-    if constexpr(std::is_same_v<Number, Mpzf>)
-      return Mpzf(Gmpz(text.str()));
-    else
+  else if constexpr(std::is_same_v<Number, Mpzf>)
+    return Mpzf(by_text<Gmpz>(x));
 #endif
-    {
-      Number value;
-      text >> value;
-      return value;
-    }
-  }
+  else
+    return by_text<Number>(x);
 }
 
 #ifdef CGAL_HAS_MPZF
