@@ -35,7 +35,8 @@ radius \f$ r/2 \f$. \cgalCite{v-riato-03} allows \f$ 2D \f$, for any choice of r
 Objects of this class may be used by several threads at once.
 
 \tparam Point is `Point_2`, `Point_3` or `Point_d` of a kernel of \cgal. Its coordinates are of a
-built-in floating-point type, of an exact number type, or of a binary floating-point type of any precision.
+built-in floating-point type, of an exact number type, or of a binary floating-point type of any
+precision.
 
 \cgalModels{ThickIntersectionTraits_d}
 */

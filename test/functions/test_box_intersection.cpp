@@ -305,6 +305,36 @@ BOOST_AUTO_TEST_CASE(few_boxes_need_no_memory)
   }
 }
 
+// The bytes that a search takes for each of n boxes of two sets. No two of them meet, but nearly
+// all of one set end in the same half of each half of the other set.
+double bytes_per_box(int n)
+{
+  using Box = CGAL::Box_intersection_d::Box_d<double, 2>;
+  Random random(1);
+  const double last = std::floor(2 * n / 3.);
+  const auto left = [&](double low, double high) {
+    return CGAL::Bbox_2(-1000 + 990 * random.uniform(), low, 1, high);
+  };
+  std::vector<Box> a, b;
+  for(double y = 0; y < n; ++y) {
+    a.emplace_back(left(-n * random.uniform() - 1, last + .5));
+    b.emplace_back(y > last ? left(y, y + .1)
+                            : CGAL::Bbox_2(2 + 980 * random.uniform(), y, 1000, y + .1));
+  }
+  std::size_t pairs = 0;
+  const std::size_t bytes = bytes_taken_by([&] {
+    CGAL::thick_box_intersection_d(a.begin(), a.end(), b.begin(), b.end(),
+                                   [&](const Box&, const Box&) { ++pairs; });
+  });
+  BOOST_CHECK_EQUAL(pairs, 0u);
+  return static_cast<double>(bytes) / (2 * n);
+}
+
+BOOST_AUTO_TEST_CASE(crowded_boxes_take_linear_memory)
+{
+  BOOST_CHECK_LE(bytes_per_box(80000), 1.02 * bytes_per_box(10000));
+}
+
 BOOST_AUTO_TEST_CASE(boxes_of_CGAL_are_taken_as_they_are)
 {
   using Iterator = std::vector<CGAL::Bbox_3>::const_iterator;

@@ -21,6 +21,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -122,19 +123,15 @@ private:
   BOOST_NOINLINE static std::vector<Box> sorted_copies(Boxes boxes)
   {
     sort(boxes, 0);
-    std::vector<Box> copies;
-    copies.reserve(boxes.size());
-    for(const Box* box : boxes)
-      copies.push_back(*box);
+    std::vector<Box> copies(boxes.size());
+    std::transform(boxes.begin(), boxes.end(), copies.begin(), [](const Box* box) { return *box; });
     return copies;
   }
 
   static Boxes pointers(const std::vector<Box>& boxes)
   {
-    Boxes pointers;
-    pointers.reserve(boxes.size());
-    for(const Box& box : boxes)
-      pointers.push_back(&box);
+    Boxes pointers(boxes.size());
+    std::iota(pointers.begin(), pointers.end(), boxes.data());
     return pointers;
   }
 
@@ -155,7 +152,8 @@ private:
       return client_.have_groups ? groups_.search(holding, starting) : scan(holding, starting);
     Boxes by_start = starting;
     sort(by_start, axis);
-    return search(holding, starting, by_start.begin(), by_start.end(), axis);
+    Half all = {holding, starting, by_start.begin(), by_start.end()};
+    return begin(all, axis) && halve(std::move(all), axis);
   }
 
   // The same along axis 0.
@@ -174,52 +172,68 @@ private:
 
   bool give(const Box* a, const Box* b) { return client_.take_pair(a->position, b->position); }
 
-  // The same, where [first, last) are the boxes `starting`, sorted along `axis`. Sweeps along this
-  // axis or along axis 0, if few boxes meet along it. Otherwise halves the boxes that start: what
-  // holds all lower ends of a half meets it along the axis, and need not be searched along it.
-  bool search(const Boxes& holding, const Boxes& starting, Iterator first, Iterator last, int axis)
+  // Some boxes that start, [first, last) in their order along an axis, and boxes that hold lower
+  // ends of these along it. Both lists are sorted along axis 0.
+  struct Half
   {
+    Boxes holding;
+    Boxes starting;
+    Iterator first;
+    Iterator last;
+  };
+
+  // Sweeps along `axis` or along axis 0, if few boxes meet along it, and leaves none. Otherwise
+  // takes out the boxes that hold all lower ends: they meet what starts along the axis, and need
+  // not be searched along it.
+  BOOST_NOINLINE bool begin(Half& half, int axis)
+  {
+    const Boxes &holding = half.holding, &starting = half.starting;
+    const Iterator first = half.first, last = half.last;
     if(holding.empty() || starting.empty())
       return true;
-    const auto test_along_axis = [&](const Box* a, const Box* b) {
-      return !do_meet_below(a, b, axis) || give(a, b);
-    };
+    bool goes_on;
     if((starting.size() < few || held_count(holding, first, last, axis) <= max_held)
        && find_held(holding, first, last, axis, held_))
-      return for_held(holding, held_, test_along_axis);
-    if(held_count(holding, starting.begin(), starting.end(), 0)
-             + held_count(starting, holding.begin(), holding.end(), 0) <= max_held
-       && find_held(holding, starting.begin(), starting.end(), 0, held_)
-       && find_held(starting, holding.begin(), holding.end(), 0, held_by_starting_))
-      return sweep_along_axis_0(holding, starting, axis);
-
-    const Iterator middle = first + (last - first) / 2;
-    Boxes spanning, holding_low, holding_high, starting_low, starting_high;
-    for(const Box* box : holding)
-      if(begins_before(box, *first, axis) && low(last[-1], axis) <= high(box, axis))
-        spanning.push_back(box);
-      else {
-        if(begins_before(box, *middle, axis) && low(*first, axis) <= high(box, axis))
-          holding_low.push_back(box);
-        if(begins_before(box, last[-1], axis) && low(*middle, axis) <= high(box, axis))
-          holding_high.push_back(box);
-      }
-    for(const Box* box : starting)
-      (begins_before(box, *middle, axis) ? starting_low : starting_high).push_back(box);
-    return search_both(spanning, starting, axis - 1)
-           && search(holding_low, starting_low, first, middle, axis)
-           && search(holding_high, starting_high, middle, last, axis);
+      goes_on = for_held(holding, held_, [&](const Box* a, const Box* b) {
+        return !do_meet_below(a, b, axis) || give(a, b);
+      });
+    else if(held_count(holding, starting.begin(), starting.end(), 0)
+                  + held_count(starting, holding.begin(), holding.end(), 0) <= max_held
+            && find_held(holding, starting.begin(), starting.end(), 0, held_)
+            && find_held(starting, holding.begin(), holding.end(), 0, held_by_starting_))
+      goes_on = sweep_along_axis_0(holding, starting, axis);
+    else {
+      Boxes spanning;
+      auto kept = half.holding.begin();
+      for(const Box* box : holding)
+        if(begins_before(box, *first, axis) && low(last[-1], axis) <= high(box, axis))
+          spanning.push_back(box);
+        else
+          *kept++ = box;
+      half.holding.erase(kept, holding.end());
+      return search_both(spanning, starting, axis - 1);
+    }
+    half.holding = Boxes();
+    return goes_on;
   }
 
-  // The boxes of [first, last) whose lower ends a box holds. They are consecutive.
-  static Range held(const Box* box, Iterator first, Iterator last, int axis)
+  // Halves what begin() left. A box that is left in one of two halves holds some of its lower ends,
+  // and not all. So it is in two of all halves that wait to be halved, and these have O(n) boxes.
+  bool halve(Half half, int axis)
   {
-    first = std::upper_bound(first, last, box, [&](const Box* a, const Box* b) {
-      return begins_before(a, b, axis);
-    });
-    const double end = high(box, axis);
-    return {first, std::partition_point(first, last,
-                                        [&](const Box* b) { return low(b, axis) <= end; })};
+    if(half.holding.empty() || half.starting.empty())
+      return true;
+    const Iterator middle = half.first + (half.last - half.first) / 2;
+    std::array<Half, 2> halves = {{{{}, {}, half.first, middle}, {{}, {}, middle, half.last}}};
+    for(Half& part : halves)
+      for(const Box* box : half.holding)
+        if(begins_before(box, part.last[-1], axis) && low(*part.first, axis) <= high(box, axis))
+          part.holding.push_back(box);
+    for(const Box* box : half.starting)
+      halves[begins_before(box, *middle, axis) ? 0 : 1].starting.push_back(box);
+    half = {};
+    return begin(halves[0], axis) && begin(halves[1], axis)
+           && halve(std::move(halves[0]), axis) && halve(std::move(halves[1]), axis);
   }
 
   // How many lower ends a box holds, on average over a sample, which takes a part of the time that
@@ -230,7 +244,7 @@ private:
     const std::size_t search_cost = 16 * static_cast<std::size_t>(std::ilogb(last - first) + 1);
     const std::size_t step = holding.size() / (min_sample + holding.size() / search_cost) + 1;
     for(std::size_t i = 0; i < holding.size(); i += step) {
-      const Range range = held(holding[i], first, last, axis);
+      const Range range = boxes_held_by(holding[i], first, last, axis);
       count += static_cast<std::size_t>(range.second - range.first);
     }
     return count * step / holding.size();
@@ -244,7 +258,7 @@ private:
     std::size_t count = 0;
     ranges.clear();
     for(const Box* a : holding) {
-      ranges.push_back(held(a, first, last, axis));
+      ranges.push_back(boxes_held_by(a, first, last, axis));
       count += static_cast<std::size_t>(ranges.back().second - ranges.back().first);
     }
     return count <= 4 * max_held * holding.size();
@@ -267,9 +281,9 @@ private:
       const bool is_held = begins_before(a, b, axis) && low(b, axis) <= high(a, axis);
       return !is_held || !do_meet_below(a, b, axis) || give(a, b);
     };
-    const auto test_mirrored = [&](const Box* b, const Box* a) { return test(a, b); };
     return for_held(holding, held_, test)
-           && for_held(starting, held_by_starting_, test_mirrored);
+           && for_held(starting, held_by_starting_,
+                       [&](const Box* b, const Box* a) { return test(a, b); });
   }
 
   Client& client_;

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -42,6 +43,19 @@ bool begins_before(const Box* a, const Box* b, int axis)
   const double x = a->low[axis];
   const double y = b->low[axis];
   return x < y || (x == y && a->position < b->position);
+}
+
+// Returns the boxes of [first, last), sorted along an axis, whose lower ends a box holds. They are
+// consecutive.
+template <class Box, class Iterator>
+std::pair<Iterator, Iterator> boxes_held_by(const Box* box, Iterator first, Iterator last, int axis)
+{
+  first = std::upper_bound(first, last, box, [&](const Box* a, const Box* b) {
+    return begins_before(a, b, axis);
+  });
+  return {first, std::partition_point(first, last, [&](const Box* b) {
+            return b->low[axis] <= box->high[axis];
+          })};
 }
 
 // Consecutive boxes of one set.

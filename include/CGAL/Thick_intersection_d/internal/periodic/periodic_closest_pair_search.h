@@ -59,9 +59,9 @@ public:
       throw std::invalid_argument("There is no closest pair of fewer than two points.");
 
     // Closer pairs are few, and if there are any, they make all others no matter. Otherwise nothing
-    // is left but pairs that are as close. They are few as well, unless they are of equal points. Of
-    // equal homes, the first two are the pair. Only the first of them can be in an earlier pair with
-    // another home.
+    // is left but pairs that are as close. They are few as well, unless they are of equal points:
+    // then the pair is of the first two of equal homes, or an image of the first one is in another
+    // pair.
     const Pair bound_pair = *minimum.pair;
     const auto bound = within_squared_distance(minimum.square);
     if(!is_cancelled)
