@@ -80,10 +80,21 @@ std::string place(const Degrees& degrees)
   return "[" + shortest_text(degrees[0]) + "," + shortest_text(degrees[1]) + "]";
 }
 
-// A line across the 180th meridian has two parts: one that was drawn on a map would run around it.
-void write_line(std::ostream& out, const Degrees& a, const Degrees& b)
+// Whether the shorter way around the globe is that across the 180th meridian. Longitudes beyond it
+// count on, and the way is the straight one then.
+bool is_across_meridian(const Degrees& a, const Degrees& b)
 {
-  if(std::abs(a[0] - b[0]) <= 180) {
+  return std::abs(a[0] - b[0]) > 180 && std::abs(a[0]) <= 180 && std::abs(b[0]) <= 180;
+}
+
+// A line across the 180th meridian has two parts: one that was drawn on a map would run around it.
+// A place on the meridian is on the side of the other one.
+void write_line(std::ostream& out, Degrees a, Degrees b)
+{
+  for(Degrees* const end : {&b, &a})
+    if(std::abs((*end)[0]) == 180 && is_across_meridian(a, b))
+      (*end)[0] = -(*end)[0];
+  if(!is_across_meridian(a, b)) {
     out << R"({"type":"LineString","coordinates":[)" << place(a) << ',' << place(b) << "]}";
     return;
   }
