@@ -7,6 +7,7 @@
 
 #include "decimal.h"
 #include "error.h"
+#include "input.h"
 #include "row_reader.h"
 
 #include <algorithm>
@@ -111,12 +112,16 @@ Points read_lines(const std::string& file, std::uint64_t size, int part, int par
     byte += line.size();
   }
   Points points;
-  for(; byte < last && std::getline(stream, line); byte += line.size() + 1) {
+  while(byte < last && std::getline(stream, line)) {
+    const std::uint64_t begin = byte;
+    byte += line.size() + 1;
+    if(begin == 0)
+      take_mark(line, file);
     const std::vector<std::string> fields = fields_of(line);
     const bool is_comment = fields.empty() || fields.front().front() == '#';
-    const bool is_header = byte == 0 && !is_comment && !parse_decimal(fields.front());
+    const bool is_header = begin == 0 && !is_comment && !parse_decimal(fields.front());
     if(!is_comment && !is_header)
-      points.push_back(point_of(file, byte, line));
+      points.push_back(point_of(file, begin, line));
   }
   if(stream.bad())
     throw Error(file, "cannot be read to its end");

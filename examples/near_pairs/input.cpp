@@ -36,17 +36,6 @@ std::string all_bytes(std::istream& stream, const std::string& name)
   return bytes;
 }
 
-// Takes off the mark that some programs begin UTF-8 files with.
-void take_mark(std::string& line, const std::string& file)
-{
-  const std::string mark = "\xEF\xBB\xBF";
-  const std::string begin = line.substr(0, 2);
-  if(begin == "\xFF\xFE" || begin == "\xFE\xFF")
-    throw Error(file, "is in UTF-16; save it in UTF-8");
-  if(line.compare(0, mark.size(), mark) == 0)
-    line.erase(0, mark.size());
-}
-
 // CR if that is the last letter of the lines at the beginning of a text, and LF otherwise.
 char end_of_lines(const Input& input)
 {
@@ -59,6 +48,16 @@ char end_of_lines(const Input& input)
 }
 
 } // namespace
+
+void take_mark(std::string& line, const std::string& file)
+{
+  const std::string mark = "\xEF\xBB\xBF";
+  const std::string begin = line.substr(0, 2);
+  if(begin == "\xFF\xFE" || begin == "\xFE\xFF")
+    throw Error(file, "is in UTF-16; save it in UTF-8");
+  if(line.compare(0, mark.size(), mark) == 0)
+    line.erase(0, mark.size());
+}
 
 Input::Input(const std::string& name, bool shows_progress)
   : name_(name), shows_progress_(shows_progress)

@@ -44,6 +44,10 @@ private:
   std::string bytes_; // what can be read only once, if is_kept_
 };
 
+// Takes off the mark that some programs begin UTF-8 files with. Throws Error if the file is in
+// UTF-16.
+void take_mark(std::string& line, const std::string& file);
+
 // The lines of an input, with their numbers and without line ends: LF, CR LF, or CR if the
 // beginning of the input has no LF.
 class Lines
