@@ -197,6 +197,8 @@ int run_and_tell(int argc, char** argv)
     is_ours = true;
     if(arguments)
       run(*arguments);
+    if(!std::cout.flush())
+      throw Error("the standard output", "cannot be written to its end");
     return 0;
   }
   catch(const CGAL::Remote_error&) {
