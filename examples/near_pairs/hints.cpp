@@ -55,7 +55,7 @@ void print_hints(std::ostream& out, const Scene& scene, const Options& options,
 {
   if(options.geographic)
     print_chord(out, reach_of(options));
-  if(scene.unit == "deg" && !options.decimal)
+  if(scene.has_degrees && !options.decimal)
     out << "near_pairs: hint: degrees are taken as numbers in the plane; --geographic puts them on "
            "a sphere and measures meters\n";
   if(scene.cell && !scene.cell->space_group.empty())

@@ -71,8 +71,9 @@ Picture::Picture(const Scene& scene, const Options& options, const std::string& 
   for(std::size_t i = 0; i < scene.size(); ++i)
     positions_.push_back(position_of(scene, i));
   const bool is_map = geographic_ || unit_ == "deg";
-  axis_names_[0] = is_map ? "longitude (deg)" : shortened(scene.names[0], longest_axis_name);
-  axis_names_[1] = is_map ? "latitude (deg)" : shortened(scene.names[1], longest_axis_name);
+  const std::array<std::string, 3>& names = scene.names.front();
+  axis_names_[0] = is_map ? "longitude (deg)" : shortened(names[0], longest_axis_name);
+  axis_names_[1] = is_map ? "latitude (deg)" : shortened(names[1], longest_axis_name);
   if(scene.dimension == 3)
     caption_ += geographic_ ? ", along the chord" : ", in space; drawn without z";
   place_main_panel();

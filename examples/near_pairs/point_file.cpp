@@ -88,10 +88,7 @@ private:
       return;
     }
     const auto reader = open_rows(input, reading);
-    begin(input, reader->dimension);
-    scene_.names = reader->names;
-    if(!options_.geographic)
-      scene_.unit = reader->unit;
+    begin(input, reader->dimension, reader->names, reader->unit);
     const bool names_points
       = options_.closest || !options_.pairs.empty() || !options_.points.empty();
     const bool keeps_ids = reader->has_ids && names_points;
@@ -141,15 +138,16 @@ private:
   void add_binary(const Input& input, const Read_options& reading)
   {
     Point_stream points(input, reading);
-    begin(input, points.dimension());
+    begin(input, points.dimension(), {"x", "y", "z"}, "");
     scene_.frames.push_back(points.frame());
-    scene_.names = {"x", "y", "z"};
     for(std::array<double, 3> point; points.next(point); )
       scene_.doubles.insert(scene_.doubles.end(), point.begin(),
                             point.begin() + scene_.dimension);
   }
 
-  void begin(const Input& input, int dimension)
+  // A distance has a unit if both files have it.
+  void begin(const Input& input, int dimension, const std::array<std::string, 3>& names,
+             const std::string& unit_of_file)
   {
     if(scene_.first_size && dimension != inputs_dimension_ && !options_.geographic)
       throw Error(input.name(), "has " + std::to_string(dimension) + " coordinates, and "
@@ -158,7 +156,10 @@ private:
     inputs_dimension_ = dimension;
     scene_.dimension = options_.geographic ? 3 : dimension;
     scene_.is_geographic = options_.geographic;
-    scene_.unit = options_.geographic ? "m" : "";
+    scene_.names.push_back(names);
+    const std::string unit = options_.geographic ? "m" : unit_of_file;
+    scene_.unit = scene_.first_size && unit != scene_.unit ? "" : unit;
+    scene_.has_degrees = scene_.has_degrees || unit == "deg";
   }
 
   void add_point(const Place& place)

@@ -42,9 +42,10 @@ struct Scene
   std::vector<Frame> frames; // that were read, of each file
 
   std::vector<std::string> ids; // of the points, if pairs are to be named and a file has ids
-  std::array<std::string, 3> names;
+  std::vector<std::array<std::string, 3>> names; // of the coordinates, in each file
   bool is_geographic = false; // coordinates are computed, in meters from the center of a sphere
-  std::string unit; // of the distance; empty if the file does not tell
+  std::string unit; // of the distance; empty if the files do not tell one
+  bool has_degrees = false; // in one of the files, taken as numbers in the plane
 
   // What a distance may be wrong by because decimals of few digits are rounded to doubles; 0 if
   // none are, as with --decimal.

@@ -26,10 +26,11 @@ void write_coordinates(std::ostream& out, const Scene& scene, std::size_t point)
     out << shortest_text(scene.column(point, axis)) << ',';
 }
 
-void write_names(std::ostream& out, const Scene& scene, const std::string& suffix)
+void write_names(std::ostream& out, const Scene& scene,
+                 const std::array<std::string, 3>& names, const std::string& suffix)
 {
   for(int axis = 0; axis < scene.columns(); ++axis)
-    out << csv_field(scene.names[axis] + suffix) << ',';
+    out << csv_field(names[axis] + suffix) << ',';
 }
 
 class Pair_table : public Pair_writer
@@ -44,8 +45,8 @@ public:
       stream_ << "offset_" << k << ',';
     stream_ << (scene.ids.empty() ? "" : "id_i,id_j,");
     if(with_coordinates_) {
-      write_names(stream_, scene_, "_i");
-      write_names(stream_, scene_, "_j");
+      write_names(stream_, scene_, scene_.names.front(), "_i");
+      write_names(stream_, scene_, scene_.names.back(), "_j");
     }
     stream_ << "distance\n";
   }
@@ -175,7 +176,7 @@ void write_point_table(std::ostream& out, const Scene& scene, const Groups& grou
 {
   out << (scene.first_size ? "i,file," : "i,") << (scene.ids.empty() ? "" : "id,");
   if(with_coordinates)
-    write_names(out, scene, "");
+    write_names(out, scene, scene.names.front(), "");
   out << "neighbors,component\n";
   for(std::size_t i = 0; i < scene.size(); ++i) {
     out << scene.position(i) << ',';

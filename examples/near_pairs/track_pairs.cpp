@@ -16,11 +16,13 @@
 #include "tracks.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <memory>
+#include <string>
 
 namespace near_pairs {
 namespace {
@@ -37,9 +39,10 @@ public:
   {
     out_.precision(10);
     out_ << "i,j," << (has_ids_ ? "id_i,id_j," : "");
-    for(const char* const suffix : {"_i", "_j"})
-      for(int axis = 0; with_coordinates_ && axis < tracks_.scene.columns(); ++axis)
-        out_ << csv_field(tracks_.scene.names[axis] + suffix) << ',';
+    if(with_coordinates_) {
+      write_names(tracks_.scene.names.front(), "_i");
+      write_names(tracks_.scene.names.back(), "_j");
+    }
     out_ << (tracks_.are_looked_ahead ? "seconds" : "time") << ",distance\n";
   }
 
@@ -56,6 +59,12 @@ public:
   }
 
 private:
+  void write_names(const std::array<std::string, 3>& names, const char* suffix)
+  {
+    for(int axis = 0; axis < tracks_.scene.columns(); ++axis)
+      out_ << csv_field(names[axis] + suffix) << ',';
+  }
+
   void write_place(const std::array<double, 3>& place)
   {
     const Scene& scene = tracks_.scene;
@@ -147,7 +156,7 @@ void print_hints(const Tracks& tracks, const Track_result& result, const Options
   if(!tracks.are_looked_ahead && tracks.fixes > 1 && tracks.fixes == tracks.tracks.size())
     std::cerr << "near_pairs: hint: no two rows are of one track; --track names the column that "
                  "tells what moves\n";
-  if(tracks.scene.unit == "deg" && !options.decimal)
+  if(tracks.scene.has_degrees && !options.decimal)
     std::cerr << "near_pairs: hint: degrees are taken as numbers in the plane; --geographic puts "
                  "them on a sphere and measures meters\n";
   if(result.has_lost_ties)

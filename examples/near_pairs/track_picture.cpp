@@ -10,6 +10,7 @@
 #include "text.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -117,8 +118,9 @@ private:
          << "<rect width='100%' height='100%' fill='white'/>\n";
     write_text(svg_, {panel_.left, 30}, title, "font-size='19'");
     write_text(svg_, {panel_.left, 51}, counts);
-    write_axes(svg_, panel_, is_map() ? "longitude (deg)" : shortened(tracks_.scene.names[0], 30),
-               is_map() ? "latitude (deg)" : shortened(tracks_.scene.names[1], 30));
+    const std::array<std::string, 3>& names = tracks_.scene.names.front();
+    write_axes(svg_, panel_, is_map() ? "longitude (deg)" : shortened(names[0], 30),
+               is_map() ? "latitude (deg)" : shortened(names[1], 30));
   }
 
   void write_path(std::string& path, const char* color, double width)
