@@ -139,6 +139,8 @@ private:
   {
     Point_stream points(input, reading);
     begin(input, points.dimension(), {"x", "y", "z"}, "");
+    scene_.skipped.push_back(0);
+    scene_.guessed.emplace_back();
     scene_.frames.push_back(points.frame());
     for(std::array<double, 3> point; points.next(point); )
       scene_.doubles.insert(scene_.doubles.end(), point.begin(),
