@@ -11,6 +11,7 @@
 #include "row_reader.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <initializer_list>
 #include <memory>
 #include <utility>
@@ -18,6 +19,7 @@
 namespace near_pairs {
 namespace {
 
+// Rows that are left out are features, too, so that the others have their positions.
 std::vector<Feature> read_points(const Input& input, const Read_options& options)
 {
   if(is_binary(input, options))
@@ -26,13 +28,18 @@ std::vector<Feature> read_points(const Input& input, const Read_options& options
   if(reader->dimension != 2)
     throw Error(input.name(), "features are in the plane; choose two axes with --dimension 2");
   std::vector<Feature> features;
-  for(Row row; reader->next(row); ) {
+  Feature skipped;
+  skipped.is_skipped = true;
+  std::size_t points = 0;
+  for(Row row; reader->next(row); ++points) {
+    features.resize(points + reader->skipped, skipped);
     const Place place = {input, *reader, row};
     Feature point;
     point.lines = {{{read_number(place, 0).value, read_number(place, 1).value}}};
     point.id = row.id;
     features.push_back(std::move(point));
   }
+  features.resize(points + reader->skipped, skipped);
   return features;
 }
 

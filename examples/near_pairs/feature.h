@@ -38,6 +38,7 @@ struct Feature
   Mesh mesh;
   std::string id;
   std::string properties; // as an object of JSON, or empty
+  bool is_skipped = false; // a row of a table that --skip-missing leaves out; it has no parts
 };
 
 // Whether the file has features: WKT, GeoJSON, or solids.

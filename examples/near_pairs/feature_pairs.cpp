@@ -120,16 +120,21 @@ void print_summary(std::ostream& out, const Files& files,
                    const In_pairs& in_pairs, std::size_t pairs, double seconds)
 {
   const char* const name = options.solids ? "solids" : "features";
-  print_name(out, name)
-    << of_each_file(files, [&](std::size_t file) { return files[file].size(); }) << '\n';
-  const auto count_closed = [&](std::size_t file) {
-    return std::count_if(files[file].begin(), files[file].end(),
-                         [](const Feature& solid) { return solid.mesh.is_closed; });
+  const auto count_if = [&](auto is_meant) {
+    return of_each_file(files, [&](std::size_t file) {
+      return std::count_if(files[file].begin(), files[file].end(), is_meant);
+    });
   };
+  print_name(out, name)
+    << count_if([](const Feature& feature) { return !feature.is_skipped; }) << '\n';
   if(options.solids)
-    print_name(out, "closed") << of_each_file(files, count_closed)
-                              << " of the solids, which are filled\n";
+    print_name(out, "closed")
+      << count_if([](const Feature& solid) { return solid.mesh.is_closed; })
+      << " of the solids, which are filled\n";
   print_guessed(out, guessed);
+  if(options.skip_missing)
+    print_name(out, "skipped")
+      << count_if([](const Feature& feature) { return feature.is_skipped; }) << " rows\n";
   print_name(out, "pairs") << pairs << '\n';
   const auto count_in_pairs = [&](std::size_t file) {
     return std::count(in_pairs()[file].begin(), in_pairs()[file].end(), true);
