@@ -214,6 +214,7 @@ void run_closest(const Options& options, const Scene& scene, Outputs& outputs)
   outputs.finish();
   std::ostream& out = outputs.summary();
   print_summary(out, scene, options, closest);
+  outputs.print_components(out);
   finish(out, "the summary");
   print_hints(std::cerr, scene, options, 0, 0);
 }
