@@ -124,10 +124,11 @@ void draw_features(std::ostream& svg, const std::vector<std::vector<Feature>>& f
   const Panel panel = panel_of(files);
   const std::string title = "Pairs of features of " + name_of(options.files.front())
     + (files.size() == 2 ? " and " + name_of(options.files.back()) : "");
-  const std::string counts = "k = " + std::to_string(pairs) + " pairs, distance "
-    + shortened(distance_in_words(options, ""), 40);
-  const double width = panel.left + std::max({panel.width(), least_width, text_width(title, 19)})
-                       + 30;
+  const std::string counts = "k = " + std::to_string(pairs) + " pairs, "
+    + (options.overlap ? "overlap" : "distance " + shortened(distance_in_words(options, ""), 40));
+  const double width
+    = panel.left + std::max({panel.width(), least_width, text_width(title, 19), text_width(counts)})
+      + 30;
   const double legend_top = panel.bottom() + 76;
   const double height = legend_top + legend_row_height * (files.size() + 1);
   svg << "<svg xmlns='http://www.w3.org/2000/svg' width='" << width << "' height='" << height
