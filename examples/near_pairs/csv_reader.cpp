@@ -251,7 +251,7 @@ bool Csv_reader::next(Row& row)
     row.line = records_.line();
   } while(skip_missing_ && is_any_missing() && ++skipped);
   for(int axis = 0; axis < dimension; ++axis)
-    row.coordinates[axis] = coordinate(axis);
+    row.coordinates[axis] = number_in(columns_[axis], names[axis]);
   if(id_column_)
     row.id = fields_[*id_column_];
   read_motion(row);
@@ -347,19 +347,20 @@ std::string Csv_reader::number_text(const std::string& field) const
   return parse_decimal(number) ? number : text;
 }
 
-std::string Csv_reader::coordinate(int axis) const
+// The text of a number of the record in hand, or of a clock or a date, which may have a point.
+std::string Csv_reader::number_in(std::size_t column, const std::string& name) const
 {
-  const std::string& field = fields_[columns_[axis]];
+  const std::string& field = fields_[column];
   if(comma_numbers_ && field.find('.') != std::string::npos && parse_decimal(number_text(field)))
-    throw error(names[axis] + ": '" + field + "' has a point, and --comma-numbers is for commas");
+    throw error(name + ": '" + field + "' has a point, and --comma-numbers is for commas");
   return number_text(field);
 }
 
 void Csv_reader::read_motion(Row& row) const
 {
   row.motion.clear();
-  for(std::size_t column : motion_columns_)
-    row.motion.push_back(number_text(fields_[column]));
+  for(std::size_t k = 0; k < motion_columns_.size(); ++k)
+    row.motion.push_back(number_in(motion_columns_[k], motion_names[k]));
 }
 
 } // namespace near_pairs

@@ -51,7 +51,7 @@ private:
   bool is_any_missing() const;
   void check_fields();
   std::string number_text(const std::string& field) const;
-  std::string coordinate(int axis) const;
+  std::string number_in(std::size_t column, const std::string& name) const;
   void read_motion(Row& row) const;
 
   Records records_;
