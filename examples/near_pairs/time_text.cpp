@@ -14,6 +14,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <string_view>
 
 namespace near_pairs {
@@ -22,6 +23,9 @@ namespace {
 using Calendar = boost::gregorian::gregorian_calendar;
 
 constexpr int most_digits = 18; // of 63 bits
+
+// The difference of two such times has 63 bits. In nanoseconds, it is in the year 2116.
+constexpr std::int64_t largest_time = std::numeric_limits<std::int64_t>::max() / 2;
 
 std::int64_t days_before_1970()
 {
@@ -64,17 +68,17 @@ private:
   std::string_view rest_;
 };
 
-// Adds a fraction to whole seconds.
-std::optional<Time> with_fraction(std::int64_t seconds, const std::string& fraction,
+// Adds a fraction to whole seconds. NumPy writes nine decimals, which are often zeros.
+std::optional<Time> with_fraction(std::int64_t seconds, std::string fraction,
                                   const Time_form& form)
 {
-  const int decimals = static_cast<int>(fraction.size());
-  const auto whole_digits = std::to_string(std::abs(seconds)).size();
-  if(whole_digits + fraction.size() > most_digits)
-    return std::nullopt;
-  for(int i = 0; i < decimals; ++i)
-    seconds *= 10;
-  return Time{seconds + std::atoll(fraction.c_str()), -decimals, form};
+  fraction.erase(fraction.find_last_not_of('0') + 1);
+  for(const char decimal : fraction) {
+    if(std::abs(seconds) >= largest_time / 10)
+      return std::nullopt;
+    seconds = 10 * seconds + (decimal - '0');
+  }
+  return Time{seconds, -static_cast<int>(fraction.size()), form};
 }
 
 // Takes hh:mm or hh:mm:ss, and leaves the fraction. Returns the seconds, or -1.

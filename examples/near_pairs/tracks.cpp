@@ -140,7 +140,7 @@ private:
     for(const auto& [digits, exponent] : times_) {
       const auto tick = with_zeros(digits, exponent + result_.scale);
       if(!tick)
-        throw Error("times have more than 17 digits at the scale of the finest one, 10^-"
+        throw Error("times have more than 18 digits at the scale of the finest one, 10^-"
                     + std::to_string(result_.scale) + " seconds");
       ticks.push_back(*tick);
     }
