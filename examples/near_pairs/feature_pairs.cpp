@@ -182,6 +182,22 @@ Files read_files(const Options& options, std::vector<std::string>& guessed)
   return files;
 }
 
+// Throws Error if --id names what is nowhere. A table without the column was refused; of features,
+// some may have no such property.
+void check_id(const Options& options, const Files& files)
+{
+  const std::string& first = options.readings.front().id;
+  const std::string& id = first.empty() ? options.readings.back().id : first;
+  const auto is_one = [&](const std::string& file) { return is_table(file, options); };
+  const auto has_id = [](const Feature& feature) { return !feature.id.empty(); };
+  const auto may_have_ids = [&](const std::vector<Feature>& features) {
+    return features.empty() || std::any_of(features.begin(), features.end(), has_id);
+  };
+  if(!id.empty() && std::none_of(options.files.begin(), options.files.end(), is_one)
+     && std::none_of(files.begin(), files.end(), may_have_ids))
+    throw Error("--id: no feature has the property '" + id + "'");
+}
+
 // Searches, and writes the pairs into the table if there is one. Returns how many there are.
 std::size_t write_pairs(const Files& files, const Options& options, Output_file* table_file,
                         In_pairs& in_pairs)
@@ -236,6 +252,7 @@ void run_features(const Options& options)
   refuse_options_for_points(options);
   std::vector<std::string> guessed;
   const Files files = read_files(options, guessed);
+  check_id(options, files);
   catch_signals();
   const std::unique_ptr<Output_file> table_file = open_output(options.pairs, options.files);
   const std::unique_ptr<Output_file> picture_file = open_output(options.picture, options.files);

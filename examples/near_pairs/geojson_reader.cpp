@@ -133,7 +133,7 @@ std::string id_of(const json& object, const std::string& property)
 {
   const json& properties = member_or_null(object, "properties");
   const json& own = member_or_null(object, "id");
-  const bool has_own = !properties.is_object() || (property.empty() && !own.is_null());
+  const bool has_own = property.empty() && !own.is_null();
   const json& value
     = has_own ? own : member_or_null(properties, property.empty() ? "id" : property);
   return value.is_null() ? "" : value.is_string() ? value.get<std::string>() : value.dump();
