@@ -95,7 +95,8 @@ void add_search_options(po::options_description& all, Options& options)
      "the pairs, as .csv or .geojson")
     ("points", po::value<std::string>(&options.points)->value_name("FILE"),
      "the points, with neighbors and component")
-    ("coordinates", po::bool_switch(&options.coordinates), "write coordinates into these tables")
+    ("coordinates", po::bool_switch(&options.coordinates),
+     "write coordinates into these tables, but no --altitude")
     ("picture", po::value<std::string>(&options.picture)->value_name("FILE"),
      "drawing of the points and pairs, as .svg")
     ("components", po::bool_switch(&options.components),
