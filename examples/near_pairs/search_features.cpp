@@ -141,6 +141,18 @@ bool report_pairs(const std::vector<std::vector<Feature>>& files, const Exact_bo
   return report_pairs_by<CGAL::Sequential_tag>(files, bound, functor);
 }
 
+// How many pairs are within the distance or at it.
+std::size_t count_pairs(const std::vector<std::vector<Feature>>& files, Options options)
+{
+  options.open = false;
+  std::size_t count = 0;
+  report_pairs(files, bound_of(options), options, [&](std::size_t, std::size_t) {
+    ++count;
+    return !stop_requested;
+  });
+  return count;
+}
+
 // What a distance of features may be wrong by because decimals are rounded to doubles.
 double rounding_in(const std::vector<std::vector<Feature>>& files)
 {
@@ -183,11 +195,14 @@ bool has_lost_ties(const std::vector<std::vector<Feature>>& files, const Options
   if(options.overlap)
     return false;
   const double excess = excess_of_longer_bound(options, rounding_in(files));
+  if(excess == 0)
+    return false;
+  if(options.open) // pairs at exactly the distance are not lost
+    pairs = count_pairs(files, options);
   std::size_t count = 0;
   const auto is_no_tie
     = [&](std::size_t, std::size_t) { return ++count <= pairs && !stop_requested; };
-  return excess != 0
-         && !report_pairs(files, longer_bound_of(options, excess), options, is_no_tie)
+  return !report_pairs(files, longer_bound_of(options, excess), options, is_no_tie)
          && !stop_requested;
 }
 

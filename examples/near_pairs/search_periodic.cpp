@@ -131,11 +131,12 @@ Search_result search_periodic(const Scene& scene, const Search_options& options,
   CGAL::Scene_profile profile, ignored;
   const auto start = Clock::now();
   search.report(bound, [&](std::size_t i, std::size_t j, const Offset& offset) {
-    if(excess != 0 && scene.distance(i, j, offset) > clearly_near
-       && is_beyond(scene, options, i, j, offset)) {
-      lost(i, j, offset);
+    const bool is_clear = excess == 0 || scene.distance(i, j, offset) <= clearly_near;
+    const int order = is_clear ? -1 : compare_with_typed(scene, options, i, j, offset);
+    if(order > 0)
+      return lost(i, j, offset);
+    if(order == 0 && options.open)
       return;
-    }
     ++result.pairs;
     result.crossing += offset != Offset{};
     sink(i, j, offset);

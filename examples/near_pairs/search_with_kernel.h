@@ -56,9 +56,10 @@ std::vector<typename Kernel::Point_3> points_of(const Scene& scene)
   return points;
 }
 
-// Whether a pair is beyond the bound that the user typed. The scene has doubles.
-inline bool is_beyond(const Scene& scene, const Search_options& options, std::size_t i,
-                      std::size_t j, const Offset& offset)
+// Compares the distance of a pair with the one that the user typed: -1, 0 or 1. The scene has
+// doubles.
+inline int compare_with_typed(const Scene& scene, const Search_options& options, std::size_t i,
+                              std::size_t j, const Offset& offset)
 {
   CGAL::Exact_rational squared(0);
   for(int axis = 0; axis < scene.dimension; ++axis) {
@@ -67,7 +68,7 @@ inline bool is_beyond(const Scene& scene, const Search_options& options, std::si
   }
   const CGAL::Exact_rational& typed = options.distance->value;
   const CGAL::Exact_rational bound = options.squared ? typed : CGAL::Exact_rational(typed * typed);
-  return options.open ? squared >= bound : squared > bound;
+  return squared < bound ? -1 : bound < squared ? 1 : 0;
 }
 
 // The points of each of two files.
@@ -145,12 +146,14 @@ Search_result search_points(const std::vector<Point>& points, const Scene& scene
     j += offset;
     const bool is_far
       = (excess != 0 || !options.open) && !is_closer(points[i], points[j]);
-    const bool is_lost = is_far && excess != 0 && is_beyond(scene, options, i, j, {});
+    const int order = !is_far ? -1 : excess == 0 ? 0 : compare_with_typed(scene, options, i, j, {});
     const std::lock_guard<std::mutex> lock(mutex);
-    if(is_lost)
+    if(order > 0)
       return lost(i, j, {});
+    if(order == 0 && options.open)
+      return;
     ++result.pairs;
-    result.on_boundary += is_far;
+    result.on_boundary += order == 0;
     sink(i, j, {});
   };
 
