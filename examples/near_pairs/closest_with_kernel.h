@@ -9,8 +9,10 @@
 #include "closest_between.h"
 #include "error.h"
 #include "exact_number.h"
+#include "progress.h"
 #include "rational.h"
 #include "search_with_kernel.h"
+#include "stop.h"
 
 #include <CGAL/closest_pair.h>
 #include <CGAL/tags.h>
@@ -40,10 +42,12 @@ inline CGAL::Exact_rational exact_squared_distance(const Scene& scene, std::size
 // Positions in the scene.
 template <class ConcurrencyTag, class Point>
 std::pair<std::size_t, std::size_t> closest_by(const std::vector<Point>& points,
-                                               std::optional<std::size_t> first_size)
+                                               std::optional<std::size_t> first_size,
+                                               const Search_options& options)
 {
+  const auto go_on = progress_functor(options.progress);
   if(!first_size)
-    return CGAL::closest_pair<ConcurrencyTag>(points);
+    return CGAL::closest_pair<ConcurrencyTag>(points, CGAL::parameters::callback(go_on));
   if(*first_size == 0 || *first_size == points.size())
     throw Error("--closest needs a point in each file");
   const auto [i, j] = Closest_between<ConcurrencyTag, Point>(points, *first_size)();
@@ -58,10 +62,12 @@ Closest_result closest_of_points(const std::vector<Point>& points, const Scene& 
   const auto start = std::chrono::steady_clock::now();
 #ifdef CGAL_LINKED_WITH_TBB
   if(options.parallel)
-    result.pair = closest_by<CGAL::Parallel_tag>(points, scene.first_size);
+    result.pair = closest_by<CGAL::Parallel_tag>(points, scene.first_size, options);
   else
 #endif
-    result.pair = closest_by<CGAL::Sequential_tag>(points, scene.first_size);
+    result.pair = closest_by<CGAL::Sequential_tag>(points, scene.first_size, options);
+  if(stop_requested)
+    throw Error("stopped");
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const auto [i, j] = result.pair;
   result.squared_distance = Exact_number({exact_squared_distance(scene, i, j)});

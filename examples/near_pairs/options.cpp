@@ -102,7 +102,8 @@ void add_search_options(po::options_description& all, Options& options)
     ("components", po::bool_switch(&options.components),
      "count connected components, and color them")
     ("explain", po::bool_switch(&options.explain), "print what the search found out")
-    ("progress", po::bool_switch(&options.progress), "show a percentage")
+    ("progress", po::bool_switch(&options.progress),
+     "show a percentage, but not of --closest of two files")
     ("help", po::bool_switch(&options.help),
      "print this text; --help-tracks: of points that move")
     ("version", po::bool_switch(&options.version), "print the versions of program and CGAL");

@@ -10,7 +10,6 @@
 #include "input.h"
 #include "point_stream.h"
 #include "progress.h"
-#include "stop.h"
 
 #include <CGAL/Memory_budget.h>
 #include <CGAL/Simple_cartesian.h>
@@ -112,11 +111,7 @@ bool report_pairs(const Streamed_points& points, const Options& options,
     if(sink)
       sink(i, j);
   };
-  const auto go_on = [&](double done) {
-    if(options.progress)
-      show_progress(done);
-    return !stop_requested;
-  };
+  const auto go_on = progress_functor(options.progress);
   return CGAL::external_fixed_radius_near_neighbors<ConcurrencyTag>(
     points, bound_of(options), budget, callback, CGAL::parameters::callback(go_on));
 }

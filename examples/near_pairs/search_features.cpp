@@ -9,6 +9,7 @@
 #include "decimal.h"
 #include "error.h"
 #include "locked_functor.h"
+#include "progress.h"
 #include "search_solids.h"
 #include "stop.h"
 #include "text.h"
@@ -94,14 +95,16 @@ std::vector<std::vector<Polygon>> polygons_of(const std::vector<Feature>& featur
 
 template <class ConcurrencyTag>
 bool report_pairs_by(const std::vector<std::vector<Feature>>& files, const Exact_bound& bound,
-                     const Pair_functor& functor)
+                     const Options& options, const Pair_functor& functor)
 {
   Locked_functor callback(functor);
+  const auto go_on = progress_functor(options.progress);
+  const auto parameters = CGAL::parameters::callback(go_on);
   const std::vector<Parts> first = parts_of(files.front());
   if(files.size() == 1)
-    return CGAL::fixed_radius_near_features<ConcurrencyTag>(first, bound, callback);
+    return CGAL::fixed_radius_near_features<ConcurrencyTag>(first, bound, callback, parameters);
   return CGAL::fixed_radius_near_features<ConcurrencyTag>(first, parts_of(files.back()), bound,
-                                                          callback);
+                                                          callback, parameters);
 }
 
 template <class ConcurrencyTag>
@@ -109,13 +112,15 @@ bool report_overlaps_by(const std::vector<std::vector<Feature>>& files, const Op
                         const Pair_functor& functor)
 {
   Locked_functor callback(functor);
+  const auto go_on = progress_functor(options.progress);
+  const auto parameters = CGAL::parameters::callback(go_on);
   const auto first = polygons_of(files.front(), options.files.front());
   if(files.size() == 1)
     return CGAL::thick_feature_self_intersection_d<ConcurrencyTag>(CGAL::interiors(first),
-                                                                   callback);
+                                                                   callback, parameters);
   return CGAL::thick_feature_intersection_d<ConcurrencyTag>(
     CGAL::interiors(first), CGAL::interiors(polygons_of(files.back(), options.files.back())),
-    callback);
+    callback, parameters);
 }
 
 bool report_overlaps(const std::vector<std::vector<Feature>>& files, const Options& options,
@@ -133,12 +138,12 @@ bool report_pairs(const std::vector<std::vector<Feature>>& files, const Exact_bo
                   const Options& options, const Pair_functor& functor)
 {
   if(options.solids)
-    return report_solid_pairs(files, bound, options.parallel, functor);
+    return report_solid_pairs(files, bound, options, functor);
 #ifdef CGAL_LINKED_WITH_TBB
   if(options.parallel)
-    return report_pairs_by<CGAL::Parallel_tag>(files, bound, functor);
+    return report_pairs_by<CGAL::Parallel_tag>(files, bound, options, functor);
 #endif
-  return report_pairs_by<CGAL::Sequential_tag>(files, bound, functor);
+  return report_pairs_by<CGAL::Sequential_tag>(files, bound, options, functor);
 }
 
 // How many pairs are within the distance or at it.
@@ -197,12 +202,14 @@ bool has_lost_ties(const std::vector<std::vector<Feature>>& files, const Options
   const double excess = excess_of_longer_bound(options, rounding_in(files));
   if(excess == 0)
     return false;
+  Options quietly = options; // the search has shown its progress
+  quietly.progress = false;
   if(options.open) // pairs at exactly the distance are not lost
-    pairs = count_pairs(files, options);
+    pairs = count_pairs(files, quietly);
   std::size_t count = 0;
   const auto is_no_tie
     = [&](std::size_t, std::size_t) { return ++count <= pairs && !stop_requested; };
-  return !report_pairs(files, longer_bound_of(options, excess), options, is_no_tie)
+  return !report_pairs(files, longer_bound_of(options, excess), quietly, is_no_tie)
          && !stop_requested;
 }
 

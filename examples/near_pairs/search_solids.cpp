@@ -5,6 +5,8 @@
 
 #include "search_solids.h"
 
+#include "progress.h"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/tags.h>
 #include <CGAL/thick_feature_intersection_d.h>
@@ -34,26 +36,28 @@ std::vector<Soup> soups_of(const std::vector<Feature>& solids)
 
 template <class ConcurrencyTag>
 bool report_pairs_by(const std::vector<std::vector<Feature>>& sets, const Exact_bound& bound,
-                     const Pair_functor& functor)
+                     const Search_options& options, const Pair_functor& functor)
 {
   Locked_functor callback(functor);
+  const auto go_on = progress_functor(options.progress);
+  const auto parameters = CGAL::parameters::callback(go_on);
   const std::vector<Soup> first = soups_of(sets.front());
   if(sets.size() == 1)
-    return CGAL::fixed_radius_near_features<ConcurrencyTag>(first, bound, callback);
+    return CGAL::fixed_radius_near_features<ConcurrencyTag>(first, bound, callback, parameters);
   return CGAL::fixed_radius_near_features<ConcurrencyTag>(first, soups_of(sets.back()), bound,
-                                                          callback);
+                                                          callback, parameters);
 }
 
 } // namespace
 
 bool report_solid_pairs(const std::vector<std::vector<Feature>>& sets, const Exact_bound& bound,
-                        [[maybe_unused]] bool parallel, const Pair_functor& functor)
+                        const Search_options& options, const Pair_functor& functor)
 {
 #ifdef CGAL_LINKED_WITH_TBB
-  if(parallel)
-    return report_pairs_by<CGAL::Parallel_tag>(sets, bound, functor);
+  if(options.parallel)
+    return report_pairs_by<CGAL::Parallel_tag>(sets, bound, options, functor);
 #endif
-  return report_pairs_by<CGAL::Sequential_tag>(sets, bound, functor);
+  return report_pairs_by<CGAL::Sequential_tag>(sets, bound, options, functor);
 }
 
 } // namespace near_pairs

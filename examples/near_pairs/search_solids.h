@@ -17,7 +17,7 @@ namespace near_pairs {
 // Searches the solids of one set, or those of the first against those of the second. Returns false
 // iff the search was stopped.
 bool report_solid_pairs(const std::vector<std::vector<Feature>>& sets, const Exact_bound& bound,
-                        bool parallel, const Pair_functor& functor);
+                        const Search_options& options, const Pair_functor& functor);
 
 } // namespace near_pairs
 

@@ -11,7 +11,6 @@
 #include "progress.h"
 #include "rational.h"
 #include "search.h"
-#include "stop.h"
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/Scene_profile.h>
@@ -21,7 +20,6 @@
 
 #include <chrono>
 #include <cstddef>
-#include <functional>
 #include <mutex>
 #include <optional>
 #include <sstream>
@@ -92,16 +90,6 @@ bool report_pairs_by(const std::vector<Point>& points, std::optional<std::size_t
   const auto [first, second] = ranges_of(points, *first_size);
   return CGAL::fixed_radius_near_neighbors<ConcurrencyTag>(first, second, bound, callback, profile,
                                                            parameters);
-}
-
-// Shows the progress of a search if that is wanted, and stops the search if that is.
-inline std::function<bool(double)> progress_functor(bool is_shown)
-{
-  return [is_shown](double done) {
-    if(is_shown)
-      show_progress(done);
-    return !stop_requested;
-  };
 }
 
 // Describes the scene in `profile`. Returns false iff the search was stopped.
