@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -67,6 +68,26 @@ void check_degrees(const Place& place, int axis, double degrees)
                                                             : ""));
 }
 
+// The double next to the longitude in (-180, 180] that is the same one: 359.9 is -0.1, which is
+// another double than 359.9 - 360.
+double reduced_longitude(const Number& longitude)
+{
+  if(-180 < longitude.value && longitude.value <= 180)
+    return longitude.value;
+  const int exponent = longitude.decimal.exponent, decimals = std::max(-exponent, 0);
+  std::string rest = "360" + std::string(decimals, '0');
+  std::string digits = longitude.decimal.digits + std::string(std::max(exponent, 0), '0');
+  digits = std::min(digits, rest); // what is rounded to 360 may be beyond it
+  int borrow = 0;
+  for(std::size_t at = rest.size(); at-- > 0; ) {
+    const int difference = rest[at] - digits[at] - borrow;
+    borrow = difference < 0;
+    rest[at] = static_cast<char>('0' + difference + 10 * borrow);
+  }
+  const double degrees = nearest_double(rest + "e-" + std::to_string(decimals));
+  return longitude.value > 0 ? -degrees : degrees;
+}
+
 } // namespace
 
 bool is_missing(const std::string& text)
@@ -101,12 +122,14 @@ std::array<double, 3> place_on_sphere(const Place& place)
 {
   const double radian = std::acos(-1.) / 180;
   const double latitude = read_number(place, 0).value;
-  const double longitude = read_number(place, 1).value;
+  const double longitude = reduced_longitude(read_number(place, 1));
   const double altitude
     = place.reader.dimension == 3 ? read_number(place, 2).value * place.reader.altitude_unit : 0;
   const double radius = earth_radius + altitude;
   if(!std::isfinite(radius))
     throw bad_coordinate(place, 2, ": " + place.row.coordinates[2] + " is too high");
+  if(std::abs(latitude) == 90) // with any longitude
+    return {0, 0, std::copysign(radius, latitude)};
   const double ring = radius * std::cos(latitude * radian);
   return {ring * std::cos(longitude * radian), ring * std::sin(longitude * radian),
           radius * std::sin(latitude * radian)};

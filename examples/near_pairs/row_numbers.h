@@ -38,8 +38,8 @@ struct Number
 // Throws Error if the text is no finite number, or if it is no degree where degrees are to be.
 Number read_number(const Place& place, int axis);
 
-// The place in space that latitude, longitude and perhaps altitude name. Throws Error if they are
-// none.
+// The place in space that latitude, longitude and perhaps altitude name. Longitudes that differ by
+// 360 degrees name one place, and so do all at a pole. Throws Error if they are none.
 std::array<double, 3> place_on_sphere(const Place& place);
 
 } // namespace near_pairs
