@@ -10,6 +10,7 @@
 #include "error.h"
 #include "exact_number.h"
 #include "feature.h"
+#include "outputs.h"
 #include "quantity.h"
 #include "row_reader.h"
 #include "track_options.h"
@@ -311,7 +312,7 @@ std::string canonical_name(const std::string& name)
 {
   namespace fs = std::filesystem;
   std::error_code error;
-  const fs::path path = fs::weakly_canonical(fs::absolute(name, error), error);
+  const fs::path path = target_of(fs::absolute(name, error));
   return error ? name : path.string();
 }
 

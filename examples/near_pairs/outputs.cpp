@@ -21,6 +21,18 @@ namespace fs = std::filesystem;
 
 } // namespace
 
+fs::path target_of(const fs::path& file)
+{
+  const int most_links = 40; // as Linux follows
+  std::error_code ignored;
+  fs::path target = file;
+  for(int i = 0; i < most_links && fs::is_symlink(target, ignored) && !fs::exists(target, ignored);
+      ++i)
+    target = target.parent_path() / fs::read_symlink(target, ignored);
+  target = fs::weakly_canonical(target, ignored);
+  return target.empty() ? file : target;
+}
+
 Output_file::Output_file(const std::string& file, const std::vector<std::string>& inputs)
   : name_(file)
 {
@@ -32,9 +44,7 @@ Output_file::Output_file(const std::string& file, const std::vector<std::string>
   for(const std::string& input : inputs)
     if(fs::equivalent(file, input, ignored))
       throw Error(file, "is the input file");
-  target_ = fs::weakly_canonical(file, ignored); // a link stays one: its target is replaced
-  if(target_.empty())
-    target_ = file;
+  target_ = target_of(file); // a link stays one: its target is replaced
   if(fs::exists(target_, ignored)) {
     file_.open(target_, std::ios::app); // changes nothing: asks whether it may be replaced
     if(!file_)

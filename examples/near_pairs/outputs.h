@@ -15,6 +15,9 @@
 
 namespace near_pairs {
 
+// The file that a name leads to by links, whether it is there or not.
+std::filesystem::path target_of(const std::filesystem::path& file);
+
 // Writes to a temporary file in the same directory, which takes the wanted name when commit() is
 // called, and is removed if it is not. "-" is the standard output; a device is written directly.
 class Output_file
