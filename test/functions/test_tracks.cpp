@@ -82,17 +82,18 @@ BOOST_AUTO_TEST_CASE(times_of_other_types_than_coordinates)
 // Nearly all boxes of these legs meet, so they are cut.
 BOOST_AUTO_TEST_CASE(tracks_across_the_whole_scene)
 {
-  for(const std::uint64_t seed : {1, 2}) {
+  for(const std::uint64_t seed : {1, 2, 3, 4}) {
+    const std::size_t fixes = 2 + seed % 2;
     Random random(seed);
     Track_scene scene = {{}, 3, false};
     const auto coordinate = [&] { return static_cast<int>(random.below(1000)); };
     while(scene.tracks.size() < 120) {
       scene.tracks.emplace_back();
-      for(int time = coordinate() % 3; scene.tracks.back().size() < 3; time += 50 * int(seed))
+      for(int time = coordinate() % 3; scene.tracks.back().size() < fixes; time += 50 * int(seed))
         scene.tracks.back().push_back({time, {coordinate(), coordinate(), 0}});
     }
     const Pairs expected = expected_pairs(scene);
-    BOOST_CHECK_GT(expected.size(), 50u);
+    BOOST_CHECK_GT(expected.size(), 30u);
     check_placed_tracks<Epick, 2, double>(scene, expected, {});
     check_placed_tracks<Epeck, 2, double>(scene, expected, {thirds, {}});
     check_placed_tracks<Epick, 2, double>(scene, expected, {{Scale::ONE, -0x1p1020, 0x1p1011}, {}});
