@@ -40,8 +40,8 @@ and the shortest period bound the distance, and few pairs of images are within t
 \return the pair and the offset, the same for any number of threads. If the progress functor cancels
 the search, they are those of the closest of the pairs that it has seen so far.
 
-\throws std::invalid_argument as `periodic_fixed_radius_near_neighbors()`, and if there is no pair:
-if there are no points, or if there is one point and nothing repeats. So does a closest pair that is
+\throws std::invalid_argument as `periodic_fixed_radius_near_neighbors()`, if there is no pair, that
+is, if there are no points, or if there is one point and nothing repeats, and if the closest pair is
 farther apart than the largest double.
 \throws std::length_error, std::runtime_error as `periodic_fixed_radius_near_neighbors()`.
 */
