@@ -129,17 +129,20 @@ BOOST_AUTO_TEST_CASE(the_first_of_many_equal_points_are_found)
   BOOST_CHECK(CGAL::periodic_closest_pair(points, lattice) == (Image_pair<2>{0, 1, {-1, -1}}));
 }
 
-// Places on the boundary, and points that are whole periods apart. The offset of a first pair is
-// the only one.
+// Points that are whole periods apart, many of them on the boundary of a cell. The offset of a pair
+// is the only one.
 BOOST_AUTO_TEST_CASE(the_first_of_equal_images_are_found)
 {
+  using Vector = Plain::Vector_2;
   Random random(1);
-  const auto coordinate = [&] { return static_cast<double>(random.below(24)) / 6 - 2; };
+  const auto coordinate = [&] { return static_cast<double>(random.below(60)) - 30; };
   for(int round = 0; round < 2000; ++round) {
     std::vector<Plain::Point_2> points;
-    for(std::size_t n = 2 + random.below(40); points.size() < n;)
+    for(std::size_t n = 2 + random.below(20); points.size() < n;)
       points.emplace_back(coordinate(), coordinate());
-    const CGAL::Periodic_lattice_d lattice(unit_square);
+    const auto lattice
+      = round % 2 == 0 ? CGAL::Periodic_lattice_d<Vector>(Vector(3, 1), Vector(1, 2))
+                       : CGAL::Periodic_lattice_d<Vector>(Vector(7, 2), Vector(3, 5));
     std::optional<Image_pair<2>> first;
     CGAL::periodic_fixed_radius_near_neighbors(
       points, lattice, CGAL::within_distance(0),
