@@ -15,7 +15,6 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/check_denormals.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
-#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/external/Chunk_store.h>
 #include <CGAL/Thick_intersection_d/internal/external/External_parts.h>
 #include <CGAL/Thick_intersection_d/internal/external/Searched_points.h>
@@ -23,15 +22,11 @@
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
-#include <CGAL/Thick_intersection_d/internal/lanes/Near_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/near_points/near_points_search.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_points.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
 #include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
-#include <CGAL/Thick_intersection_d/internal/slabs/Near_task.h>
-
-#include <CGAL/assertions.h> // CGAL_unreachable
 
 #include <boost/config.hpp> // BOOST_NOINLINE
 
@@ -49,51 +44,6 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Takes the pairs of a search of a part: calls callback(i, j) with ids i < j. Drops the pairs of
-// two points that were given: they are found elsewhere.
-template <int Dimension, class Callback>
-class Part_taker final : public Result_taker
-{
-  using Points = Searched_points<Dimension>;
-
-public:
-  Part_taker(const Points& points, Callback& callback) : points_(points), callback_(callback) {}
-
-  // Most pairs have two ids. A loop of them alone stores nothing and looks up nothing. This makes
-  // short callbacks fast. It ends at the first other pair.
-  bool take(const Found_pair* pairs, std::size_t count) override
-  {
-    for(std::size_t c = 0; c < count; ++c) {
-      if(!Points::is_id(pairs[c].i & pairs[c].j))
-        return take_each(pairs + c, count - c);
-      if(!goes_on_after(callback_, Points::short_id(pairs[c].i), Points::short_id(pairs[c].j)))
-        return false;
-    }
-    return true;
-  }
-
-  // Points have numbers, so there are no rows of positions.
-  bool take_row(Place, Place, Place) override { CGAL_unreachable(); }
-
-private:
-  BOOST_NOINLINE bool take_each(const Found_pair* pairs, std::size_t count)
-  {
-    return std::all_of(pairs, pairs + count,
-                       [this](const Found_pair& pair) { return take_one(pair.i, pair.j); });
-  }
-
-  bool take_one(std::size_t i, std::size_t j)
-  {
-    if(!points_.is_owned(i) && !points_.is_owned(j))
-      return true;
-    const auto [low, high] = std::minmax({points_.id(i), points_.id(j)});
-    return goes_on_after(callback_, low, high);
-  }
-
-  const Points& points_;
-  Callback& callback_;
-};
-
 // The share of the progress when the points are on disk; the search has the rest.
 constexpr double share_of_writing = .25;
 
@@ -105,6 +55,7 @@ class External_search
   using Iterator = Iterator_of<Readable>;
   using Exact = Exact_number_t<double>;
   using Point = Stored_point<Dimension>;
+  using Points = Searched_points<Dimension>;
 
 public:
   External_search(Readable& range, const Map& map, const Distance_bound<NT>& bound,
@@ -198,14 +149,28 @@ private:
     return static_cast<double>(count) / static_cast<double>(size_);
   }
 
-  // Searches the points in memory, with a share of the progress, from `start` on.
+  // Searches the points in memory, with a share of the progress, from `start` on. Most pairs have
+  // two ids. For them, nothing is stored and nothing is looked up. This makes short callbacks fast.
   bool search_loaded(double start, double share)
   {
-    const Searched_points<Dimension> points(loaded_);
+    const Points points(loaded_);
     const auto go_on = [&](double done) { return go_on_(start + share * done); };
-    Part_taker<Dimension, Callback> taker(points, callback_);
-    return report_pairs_of_points(points, One_set(), bound_, taker, parameters::callback(go_on),
+    const auto report = [&, &callback = callback_](std::size_t i, std::size_t j) {
+      return Points::is_id(i & j)
+               ? goes_on_after(callback, Points::short_id(i), Points::short_id(j))
+               : report_looked_up(points, i, j);
+    };
+    return report_pairs_of_points(points, One_set(), bound_, report, parameters::callback(go_on),
                                   threads_);
+  }
+
+  // Reports the lesser id first. Drops a pair of two points that were given: it is found elsewhere.
+  BOOST_NOINLINE bool report_looked_up(const Points& points, std::size_t i, std::size_t j)
+  {
+    if(!points.is_owned(i) && !points.is_owned(j))
+      return true;
+    const auto [low, high] = std::minmax({points.id(i), points.id(j)});
+    return goes_on_after(callback_, low, high);
   }
 
   Readable& range_;

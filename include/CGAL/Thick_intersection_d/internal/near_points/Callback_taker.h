@@ -65,21 +65,18 @@ private:
   const std::size_t first_of_second_;
 };
 
-// Returns what hands pairs to a callback: the callback itself, if it is such a taker.
+// Returns what hands pairs to a callback, unless its class has an overload of its own.
 template <class Sets, class Callback>
-decltype(auto) taker_of(const Sets& sets, Callback& callback)
+Callback_taker<Sets, Callback> taker_of(const Sets& sets, Callback& callback)
 {
-  if constexpr(std::is_base_of_v<Result_taker, Callback>)
-    return (callback);
-  else
-    return Callback_taker<Sets, Callback>(sets, callback);
+  return {sets, callback};
 }
 
 // Whether a callback takes the lists of the points of a set, instead of pairs.
 template <class Sets, class Callback>
 inline constexpr bool takes_lists_v
-  = std::is_base_of_v<List_taker, std::decay_t<decltype(taker_of(std::declval<const Sets&>(),
-                                                                 std::declval<Callback&>()))>>;
+  = std::is_base_of_v<List_taker, decltype(taker_of(std::declval<const Sets&>(),
+                                                    std::declval<Callback&>()))>;
 
 } // namespace internal
 } // namespace Thick_intersection_d

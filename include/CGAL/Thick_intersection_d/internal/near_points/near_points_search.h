@@ -222,7 +222,7 @@ private:
   static bool search_slabs(Near_points<Dimension>& points, const Near_task<Dimension>& task,
                            const Sets& sets, Callback& callback)
   {
-    auto&& taker = taker_of(sets, callback);
+    auto taker = taker_of(sets, callback);
     return task.scale.is_usable()
              ? search_near<Dimension, std::int32_t, may_share_slabs>(points, task, taker)
              : search_near<Dimension, double, may_share_slabs>(points, task, taker);
