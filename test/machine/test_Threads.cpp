@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Threads share indices out: each index is in one block, whatever the number of blocks.
+// Threads share indices out: each index is in one block, whatever the number of blocks. What one of
+// them throws stops the others.
 
 #include "support/unit_test.h"
 
@@ -50,6 +51,14 @@ BOOST_AUTO_TEST_CASE(each_index_is_in_one_block)
 {
   check_all_indices<CGAL::Sequential_tag>();
   check_all_indices<CGAL::Parallel_tag>();
+}
+
+BOOST_AUTO_TEST_CASE(what_a_block_throws_sets_the_flag)
+{
+  internal::Stop_flag stop;
+  const auto fail = [](std::size_t, std::size_t) { throw 7; };
+  BOOST_CHECK_THROW(stop.run_blocks(internal::Threads(), 1, fail), int);
+  BOOST_CHECK(stop.is_set());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

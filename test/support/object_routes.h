@@ -10,6 +10,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/objects/Object_route.h>
 #include <CGAL/Thick_intersection_d/internal/recursion/Recursive_route.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
 
 namespace test_support {
 
@@ -21,13 +22,14 @@ void report_by_recursion(const std::vector<Object>& objects,
 {
   const auto& np = CGAL::parameters::default_values();
   internal::Unwatched_progress progress;
-  const auto report = [&](const auto& elements, const auto& sets) {
-    internal::search_recursively(elements, sets, traits, callback, progress, internal::Threads());
+  const auto report = internal::reporter_of(callback);
+  const auto search = [&](const auto& elements, const auto& sets) {
+    internal::search_recursively(elements, sets, traits, report, progress, internal::Threads());
   };
   if(!first_set_size)
-    return report(internal::make_elements(objects, np), internal::One_set());
+    return search(internal::make_elements(objects, np), internal::One_set());
   const auto [a, b] = split(objects, *first_set_size);
-  internal::with_sets(report, internal::make_elements(a, np), internal::make_elements(b, np));
+  internal::with_sets(search, internal::make_elements(a, np), internal::make_elements(b, np));
 }
 
 // The box route with many cuts, in another way for each seed.

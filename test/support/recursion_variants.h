@@ -11,6 +11,7 @@
 #include "paper_base_cases.h"
 
 #include <CGAL/Thick_intersection_d/internal/recursion/Recursive_route.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 #include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
 
@@ -94,7 +95,8 @@ void search_by_variant(const Range& objects, const Traits& traits,
   using Elements = internal::Numbered_elements<Range>;
   const Elements elements(objects);
   internal::Unwatched_progress progress;
-  internal::search_recursively(elements, sets, traits, callback, progress,
+  const auto report = internal::reporter_of(callback);
+  internal::search_recursively(elements, sets, traits, report, progress,
                                internal::Threads(ConcurrencyTag()), variant);
 }
 

@@ -94,24 +94,29 @@ BOOST_AUTO_TEST_CASE(a_range_may_be_divided_into_all_of_its_indices)
 BOOST_AUTO_TEST_CASE(tasks_within_tasks_are_on_the_chain)
 {
   const Cost cost = cost_of(2, [] {
-    threads.run_all(
-      [] { take_time(20); return true; },
-      [] {
+    threads.run_blocks(3, [](std::size_t task, std::size_t) {
+      if(task == 0)
+        take_time(20);
+      if(task == 1) {
         take_time(3);
         take_time_for_each(8, 5); // in blocks of one
         take_time(4);
         take_time_for_each(8, 6);
-        return true;
-      },
-      [] { return true; });
+      }
+    });
     take_time(1);
   });
   BOOST_CHECK_EQUAL(cost.work, 20 + 3 + 40 + 4 + 48 + 1);
   BOOST_CHECK_EQUAL(cost.span, 20 + 1); // more than 3 + 5 + 4 + 6
   const Cost inner = cost_of(2, [] {
-    threads.run_all([] { take_time(10); return true; },
-                                 [] { take_time(3); take_time_for_each(8, 9); return true; },
-                                 [] { return true; });
+    threads.run_blocks(3, [](std::size_t task, std::size_t) {
+      if(task == 0)
+        take_time(10);
+      if(task == 1) {
+        take_time(3);
+        take_time_for_each(8, 9);
+      }
+    });
   });
   BOOST_CHECK_EQUAL(inner.span, 3 + 9);
 }

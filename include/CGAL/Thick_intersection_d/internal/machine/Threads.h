@@ -177,19 +177,6 @@ public:
     });
   }
 
-  // Runs the tasks, perhaps at the same time. Each task returns whether to go on. Returns whether
-  // all tasks returned true. In sequence, no task runs after a task that returned false.
-  template <class Task1, class Task2, class Task3>
-  bool run_all(const Task1& task1, const Task2& task2, const Task3& task3) const
-  {
-    bool go_on[] = {false, false, false}; // also if a task is skipped, because another one throws
-    run_blocks(3, [&](std::size_t i, std::size_t end) {
-      for(bool goes_on = true; goes_on && i != end; ++i)
-        goes_on = go_on[i] = i == 0 ? task1() : i == 1 ? task2() : task3();
-    });
-    return go_on[0] && go_on[1] && go_on[2];
-  }
-
   // Calls check(index) for each index in [0, count). If checks throw, what the check of the least
   // index throws passes through, in parallel as well.
   template <class Check>

@@ -35,6 +35,7 @@
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Is_within_distance.h>
 #include <CGAL/Thick_intersection_d/internal/recursion/Recursive_route.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 #include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Narrow_scale.h>
@@ -103,7 +104,8 @@ public:
       throw std::length_error("There are too many points: " + std::to_string(points_.size()) + ".");
     else {
       const Thick_point_traits_d<Point> traits(is_within);
-      return search_recursively(points_, sets, traits, callback, progress, threads_);
+      const auto report = reporter_of(callback);
+      return search_recursively(points_, sets, traits, report, progress, threads_);
     }
   }
 

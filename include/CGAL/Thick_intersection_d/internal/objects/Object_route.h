@@ -16,6 +16,7 @@
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/objects/segment_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/recursion/Recursive_route.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 
 #include <atomic>
@@ -211,8 +212,10 @@ bool report_objects(const Elements& objects, const Sets& sets, const Traits& tra
         return report_meeting_boxes(boxes, sets, callback, progress, threads);
     }
   }
-  if constexpr(may_recurse)
-    return search_recursively(objects, sets, traits, callback, progress, threads);
+  if constexpr(may_recurse) {
+    const auto report = reporter_of(callback);
+    return search_recursively(objects, sets, traits, report, progress, threads);
+  }
   else
     return true;
 }

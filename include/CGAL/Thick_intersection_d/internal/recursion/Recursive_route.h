@@ -23,7 +23,6 @@
 
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/recursion/Members.h>
-#include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -64,6 +63,7 @@ template <class Predicates, class Reporter, class Progress, class Variant>
 class Recursive_route
 {
 public:
+  // report(i, j) returns false to stop the search.
   Recursive_route(const Predicates& predicates, Reporter& report, Progress& progress,
                   const Threads& threads, const Variant& variant)
     : predicates_(predicates), report_(report), progress_(progress), threads_(threads),
@@ -187,7 +187,12 @@ private:
       = [&] { return !cut.recurse_above || search(above_begin, last, axis); };
 
     const Threads threads = last - first > parallel_cutoff ? threads_ : Threads();
-    return threads.run_all(search_strip, search_below, search_above);
+    stop_.run_blocks(threads, 3, [&](std::size_t i, std::size_t end) {
+      for(; i != end && !stop_.is_set(); ++i)
+        if(!(i == 0 ? search_strip() : i == 1 ? search_below() : search_above()))
+          stop_.set();
+    });
+    return !stop_.is_set();
   }
 
   // Appends the members of one side of the cut that may intersect members of the other side. If the
@@ -216,8 +221,8 @@ private:
   bool advance(std::ptrdiff_t finished, int axis)
   {
     if(axis == last_axis_ && !progress_.advance(static_cast<std::size_t>(finished)))
-      report_.stop();
-    return !report_.is_stopped();
+      stop_.set();
+    return !stop_.is_set();
   }
 
   // Smaller ranges are not worth a task.
@@ -229,19 +234,18 @@ private:
   const Threads threads_;
   const Variant variant_;
   const int last_axis_;
+  Stop_flag stop_;
 };
 
 // Reports the intersecting pairs of checked objects. Returns false iff the search was stopped.
-template <class Elements, class Sets, class Traits, class Callback, class Progress,
+template <class Elements, class Sets, class Traits, class Reporter, class Progress,
           class Variant = Median_and_sweep>
 bool search_recursively(const Elements& objects, const Sets& sets, const Traits& traits,
-                        Callback& callback, Progress& progress, const Threads& threads,
+                        Reporter& report, Progress& progress, const Threads& threads,
                         const Variant& variant = Variant())
 {
   using Predicates = Member_predicates<Elements, Sets, Traits>;
-  using Reporter = Pair_reporter<Callback>;
   const Predicates predicates(objects, sets, traits);
-  Reporter report(callback);
   Recursive_route<Predicates, Reporter, Progress, Variant> route(predicates, report, progress,
                                                                  threads, variant);
   return route();

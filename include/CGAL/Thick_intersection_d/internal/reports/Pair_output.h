@@ -12,7 +12,6 @@
 #include <CGAL/Element_callback.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 
-#include <atomic>
 #include <cstddef>
 #include <mutex>
 #include <tuple>
@@ -167,42 +166,12 @@ bool goes_on_after(Callback& callback, const Values&... values)
     return static_cast<bool>(callback(values...));
 }
 
-// Hands each pair to the user's callback, and remembers whether the callback stopped the search.
+// Returns a functor that calls callback(i, j), and returns whether the search goes on.
 template <class Callback>
-class Pair_reporter
+auto reporter_of(Callback& callback)
 {
-public:
-  explicit Pair_reporter(Callback& callback) : callback_(callback) {}
-
-  // Calls callback(i, j). Returns false to stop the search. A callback that returns void
-  // never stops the search. A callback that returns bool stops the search by false, and this thread
-  // does not call it again. What a callback throws stops the other threads.
-  bool operator()(std::size_t i, std::size_t j)
-  {
-    try {
-      return call(i, j);
-    }
-    catch(...) {
-      stop();
-      throw;
-    }
-  }
-
-  void stop() { stopped_.store(true, std::memory_order_relaxed); }
-  bool is_stopped() const { return stopped_.load(std::memory_order_relaxed); }
-
-private:
-  bool call(std::size_t i, std::size_t j)
-  {
-    const bool goes_on = goes_on_after(callback_, i, j);
-    if(!goes_on)
-      stop();
-    return goes_on;
-  }
-
-  Callback& callback_;
-  std::atomic<bool> stopped_ = false;
-};
+  return [&callback](std::size_t i, std::size_t j) { return goes_on_after(callback, i, j); };
+}
 
 } // namespace internal
 } // namespace Thick_intersection_d
