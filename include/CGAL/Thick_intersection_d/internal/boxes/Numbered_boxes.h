@@ -121,7 +121,7 @@ public:
   {
     if(dimension_ < 1)
       throw std::invalid_argument("The dimension of boxes must be 1 or more.");
-    if constexpr(Has_id<Traits, decltype(*std::declval<const First&>().begin())>::value)
+    if constexpr(Has_id<Traits, decltype(std::declval<const First&>()[0])>::value)
       have_distinct_ids_ = do_ids_ascend();
     number_boxes();
   }

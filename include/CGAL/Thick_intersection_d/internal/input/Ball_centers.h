@@ -9,7 +9,6 @@
 // only the centers.
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
-#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 
 #include <cmath>
@@ -37,8 +36,6 @@ public:
   explicit Ball_centers(const Balls& balls) : balls_(balls) {}
 
   std::size_t size() const { return balls_.size(); }
-  Element_iterator<Ball_centers> begin() const { return {*this, 0}; }
-  Element_iterator<Ball_centers> end() const { return {*this, size()}; }
 
   // Returns a reference to the center of a ball, or a copy if the ball is a temporary object.
   std::conditional_t<std::is_reference_v<Ball>, const value_type&, value_type>
@@ -98,13 +95,15 @@ template <class Balls>
 auto common_radius(const Balls& balls)
 {
   std::optional<typename Balls::value_type::second_type> radius;
-  for(const auto& ball : balls)
+  for(std::size_t i = 0; i < balls.size(); ++i) {
+    const auto& ball = balls[i];
     if(!radius)
       radius = ball.second;
     else if(!(ball.second == *radius)) {
       radius.reset();
       break;
     }
+  }
   return radius;
 }
 

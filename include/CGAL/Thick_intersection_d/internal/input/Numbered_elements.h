@@ -132,27 +132,6 @@ decltype(auto) look_up([[maybe_unused]] const Map& map, Element&& element)
     return get(map, std::forward<Element>(element));
 }
 
-// Iterates over elements in a range-based for loop.
-template <class Elements>
-class Element_iterator
-{
-public:
-  Element_iterator(const Elements& elements, std::size_t position)
-    : elements_(elements), position_(position)
-  {}
-  decltype(auto) operator*() const { return elements_[position_]; }
-  Element_iterator& operator++()
-  {
-    ++position_;
-    return *this;
-  }
-  bool operator!=(const Element_iterator& other) const { return position_ != other.position_; }
-
-private:
-  const Elements& elements_;
-  std::size_t position_;
-};
-
 template <class Range, class Map = No_map>
 class Numbered_elements
 {
@@ -191,8 +170,6 @@ public:
   const Numbered_elements& second() const { return *this; }
 
   std::size_t size() const { return size_; }
-  Element_iterator<Numbered_elements> begin() const { return {*this, 0}; }
-  Element_iterator<Numbered_elements> end() const { return {*this, size_}; }
 
   // Returns an element of the range as the map sees it.
   decltype(auto) operator[](std::size_t position) const
@@ -241,8 +218,6 @@ public:
   const Second& second() const { return second_; }
 
   std::size_t size() const { return first_.size() + second_.size(); }
-  Element_iterator<Joined_elements> begin() const { return {*this, 0}; }
-  Element_iterator<Joined_elements> end() const { return {*this, size()}; }
 
   decltype(auto) operator[](std::size_t position) const
   {

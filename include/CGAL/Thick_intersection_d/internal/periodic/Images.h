@@ -14,7 +14,6 @@
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
-#include <CGAL/Thick_intersection_d/internal/input/Numbered_elements.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Periods.h>
 
@@ -86,8 +85,6 @@ public:
   {}
 
   std::size_t size() const { return images_.size(); }
-  Element_iterator<Images> begin() const { return {*this, 0}; }
-  Element_iterator<Images> end() const { return {*this, size()}; }
 
   value_type operator[](std::size_t position) const
   {
