@@ -55,7 +55,7 @@ inline Pairs all_meeting_pairs(const Number_boxes& boxes, int dimension,
 
 // What Boxed_objects asks. Objects are their boxes; if they are said to be more than that, the
 // pairs that are asked about are written down.
-class Number_objects : public internal::Objects_in_boxes
+class Number_objects : public internal::Objects_in_boxes<0>
 {
 public:
   Number_objects(const Number_boxes& boxes, int dimension, bool are_exact = true)

@@ -34,13 +34,18 @@ namespace internal {
 
 // What most objects do not say otherwise. Derived classes have besides:
 //
-//   size(), dimension()
-//   static_dimension     that dimension, or 0 if it is known at run time only
+//   size()
 //   intervals(position)  a functor: of an axis, gives the closed interval of doubles that encloses
 //                        the object along it
 //   do_intersect(i, j)   asked about pairs whose boxes meet, and that are wanted
+//
+// `Dimension` is 0 if it is known at run time only. Then they have dimension() as well.
+template <int Dimension>
 struct Objects_in_boxes
 {
+  static constexpr int static_dimension = Dimension;
+  int dimension() const { return Dimension; }
+
   // Decides about most pairs by their boxes, as Ball_box_filter does; or void.
   using Box_filter = void;
 
@@ -220,11 +225,9 @@ private:
 // `Test` tells the dimension and the reach, the interval of an object along an axis, and whether
 // two objects are near.
 template <int Dimension, class Elements, class Test>
-class Near_object_boxes : public Objects_in_boxes
+class Near_object_boxes : public Objects_in_boxes<Dimension>
 {
 public:
-  static constexpr int static_dimension = Dimension;
-
   Near_object_boxes(const Elements& objects, const Test& test) : objects_(objects), test_(test) {}
 
   std::size_t size() const { return objects_.size(); }

@@ -33,11 +33,9 @@ bool have_same_id([[maybe_unused]] const Traits& traits, A& a, B& b)
 
 // `Boxes` are Numbered_boxes. `Dimension` is their dimension, or 0 if it is known at run time only.
 template <int Dimension, class Boxes>
-class Meeting_boxes : public Objects_in_boxes
+class Meeting_boxes : public Objects_in_boxes<Dimension>
 {
 public:
-  static constexpr int static_dimension = Dimension;
-
   Meeting_boxes(const Boxes& boxes, bool are_closed)
     : boxes_(boxes), are_closed_(are_closed),
       are_exact_(boxes.have_double_ends() && (are_closed || !boxes.has_degenerate_box()))

@@ -23,17 +23,14 @@ namespace internal {
 
 // `Test` is like Pieces_intersect.
 template <class Pieces, class Test>
-class Feature_boundaries : public Objects_in_boxes
+class Feature_boundaries : public Objects_in_boxes<Pieces::dimension>
 {
 public:
-  static constexpr int static_dimension = Pieces::dimension;
-
   Feature_boundaries(const Pieces& pieces, const Test& test, Known_pairs& known)
     : pieces_(pieces), test_(test), known_(known)
   {}
 
   std::size_t size() const { return pieces_.size(); }
-  int dimension() const { return static_dimension; }
 
   auto intervals(std::size_t position) const
   {

@@ -40,11 +40,9 @@ struct Part_range
 
 // `Test` is like Pieces_intersect.
 template <class Pieces, class Test>
-class Feature_insides : public Objects_in_boxes
+class Feature_insides : public Objects_in_boxes<2>
 {
 public:
-  static constexpr int static_dimension = 2;
-
   // The vertices of some parts, and some polygons.
   Feature_insides(const Pieces& pieces, const Part_range& parts, const Part_range& filled,
                   const Test& test, Known_pairs& known)
@@ -53,7 +51,6 @@ public:
 
   std::size_t point_count() const { return parts_.last - parts_.first; }
   std::size_t size() const { return point_count() + (filled_.last - filled_.first); }
-  int dimension() const { return static_dimension; }
 
   Place feature_of(std::size_t position) const
   {

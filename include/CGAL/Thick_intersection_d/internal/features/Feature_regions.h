@@ -28,11 +28,9 @@ namespace Thick_intersection_d {
 namespace internal {
 
 // The features, as the box route reads them: it tells which boxes meet, and no pair is one.
-class Feature_regions : public Objects_in_boxes
+class Feature_regions : public Objects_in_boxes<3>
 {
 public:
-  static constexpr int static_dimension = 3;
-
   // Throws if a coordinate is NaN or infinite, if a radius is none, or if a face is no triangle.
   // `test` is like Pieces_intersect.
   template <class Features, class Test>
@@ -67,7 +65,6 @@ public:
   // ---- for the box route ------------------------------------------------------------------------
 
   std::size_t size() const { return boxes_.size(); }
-  int dimension() const { return 3; }
 
   auto intervals(std::size_t position) const
   {

@@ -37,13 +37,11 @@ namespace internal {
 
 // `Pieces` are Solid_pieces, and `Test` is like Pieces_intersect.
 template <class Features, class Pieces, class Test>
-class Solid_pairs : public Objects_in_boxes
+class Solid_pairs : public Objects_in_boxes<3>
 {
   using Solids = Closed_meshes<typename Pieces::Triangle>;
 
 public:
-  static constexpr int static_dimension = 3;
-
   Solid_pairs(const Features& features, const Feature_regions& regions, const Pieces& pieces,
               const Test& test, const Threads& threads)
     : features_(features), regions_(regions), pieces_(pieces), test_(test),
@@ -52,7 +50,6 @@ public:
   {}
 
   std::size_t size() const { return regions_.size(); }
-  int dimension() const { return static_dimension; }
   auto intervals(std::size_t position) const { return regions_.intervals(position); }
 
   void prefetch(std::size_t position) const

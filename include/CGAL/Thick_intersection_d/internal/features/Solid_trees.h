@@ -125,17 +125,14 @@ private:
 
   // The pieces of two trees, as the box route reads them.
   template <class Test>
-  struct Pieces_of_two : Objects_in_boxes
+  struct Pieces_of_two : Objects_in_boxes<3>
   {
-    static constexpr int static_dimension = 3;
-
     Pieces_of_two(const Solid_trees& trees, const Halved_range& a, const Halved_range& b,
                   const Test& test)
       : trees_(trees), a_(a), b_(b), test_(test)
     {}
 
     std::size_t size() const { return a_.last - a_.first + b_.last - b_.first; }
-    int dimension() const { return static_dimension; }
     auto intervals(std::size_t position) const
     {
       return [&box = trees_.pieces_[place(position)].box](int axis) {

@@ -50,12 +50,11 @@ namespace internal {
 // Faces of a triangle mesh, as the box route reads them. Two faces intersect if they have more in
 // common than the vertex or edge that they share.
 template <class Mesh, class Point_map>
-class Mesh_triangles : public Objects_in_boxes
+class Mesh_triangles : public Objects_in_boxes<3>
 {
 public:
   using Face = Mesh_face<Mesh>;
   using Faces = std::vector<Face>;
-  static constexpr int static_dimension = 3;
 
   Mesh_triangles(const Mesh& mesh, const Point_map& point_map) : mesh_(mesh), point_map_(point_map)
   {}
@@ -87,7 +86,6 @@ public:
 
   const Face& operator[](std::size_t position) const { return faces_[position]; }
   std::size_t size() const { return faces_.size(); }
-  int dimension() const { return 3; }
 
   auto intervals(std::size_t position) const
   {

@@ -76,11 +76,10 @@ struct Box_filter_of_traits
 
 // Objects whose traits give intervals, as the box route reads them.
 template <class Elements, class Traits>
-class Traits_boxes : public Objects_in_boxes
+class Traits_boxes : public Objects_in_boxes<Object_dimension<Traits>::value>
 {
 public:
   using Box_filter = typename Box_filter_of_traits<Traits>::type;
-  static constexpr int static_dimension = Object_dimension<Traits>::value;
 
   Traits_boxes(const Elements& objects, const Traits& traits)
     : objects_(objects), traits_(traits), interval_(traits.interval_d_object()),

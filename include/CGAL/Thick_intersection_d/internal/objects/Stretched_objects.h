@@ -32,11 +32,9 @@ struct Stretch
 // `Objects` are like Segments_and_others. Positions are those of stretches, in the order of the
 // objects.
 template <class Objects>
-class Stretched_objects : public Objects_in_boxes
+class Stretched_objects : public Objects_in_boxes<Objects::dimension>
 {
 public:
-  static constexpr int static_dimension = Objects::dimension;
-
   // `counts` has the number of stretches of each object of the set that begins with `first`.
   Stretched_objects(const Objects& objects, const Two_sets& sets, std::size_t first,
                     const std::vector<Place>& counts)
@@ -50,7 +48,6 @@ public:
   }
 
   std::size_t size() const { return objects_.size() + added_; }
-  int dimension() const { return static_dimension; }
 
   Two_sets sets() const { return {sets_.first_size + (first_ == 0 ? added_ : 0)}; }
 

@@ -34,14 +34,12 @@ namespace Thick_intersection_d {
 namespace internal {
 
 template <class Legs>
-class Are_tracks_near : public Objects_in_boxes
+class Are_tracks_near : public Objects_in_boxes<Legs::dimension + 1>
 {
   using Exact = typename Legs::Exact;
   static constexpr int time_axis = Legs::dimension;
 
 public:
-  static constexpr int static_dimension = Legs::dimension + 1;
-
   // Counts in `counts` which arithmetic decides, unless `counts` is null. Integers are left out if
   // `least_tier` is that of exact numbers. The legs have been cut.
   template <class NT>
@@ -56,7 +54,6 @@ public:
   }
 
   std::size_t size() const { return legs_.size(); }
-  int dimension() const { return static_dimension; }
 
   auto intervals(std::size_t position) const
   {
