@@ -19,9 +19,9 @@
 // has all of its vertices in the other part, or none: one vertex tells. A polyline is its own outer
 // boundary.
 
-#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
+#include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Known_pairs.h>
 
 #include <algorithm>
@@ -60,11 +60,8 @@ public:
 
   auto intervals(std::size_t position) const
   {
-    return [box = position < point_count() ? pieces_.box_of_part(part_of(position))
-                                           : pieces_.box_of_filled(filled_of(position))](
-             int axis) {
-      return Interval{(box.min)(axis), (box.max)(axis)};
-    };
+    return intervals_of(position < point_count() ? pieces_.box_of_part(part_of(position))
+                                                 : pieces_.box_of_filled(filled_of(position)));
   }
 
   // What a feature has is a group.

@@ -13,6 +13,7 @@
 #include <CGAL/Sphere_3.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/Ball_centers.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
@@ -35,6 +36,13 @@ namespace internal {
 // A Bbox has no bbox(). It is its own box.
 inline const Bbox_2& bounding_box(const Bbox_2& box) { return box; }
 inline const Bbox_3& bounding_box(const Bbox_3& box) { return box; }
+
+// Returns a functor: of an axis, gives the interval of a box along it.
+template <class Box>
+auto intervals_of(const Box& box)
+{
+  return [box](int axis) { return Interval{(box.min)(axis), (box.max)(axis)}; };
+}
 
 // Whether a box is finite and not empty. An empty Bbox begins behind its end.
 template <class Box>

@@ -76,9 +76,7 @@ Object_scene scan_objects(const Elements& objects)
 {
   using Box = Bounding_box_t<typename Elements::value_type>;
   const auto intervals = [&](std::size_t i) {
-    return [box = internal::bounding_box(objects[i])](int axis) {
-      return Interval{(box.min)(axis), (box.max)(axis)};
-    };
+    return intervals_of(internal::bounding_box(objects[i]));
   };
   const auto refine = [&](std::size_t i, Double_grid& grid) {
     return refine_grid(objects[i], grid);

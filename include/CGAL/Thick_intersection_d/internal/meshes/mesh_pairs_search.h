@@ -15,7 +15,6 @@
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/check_denormals.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
-#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/box_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
@@ -92,7 +91,7 @@ public:
     Bbox_3 box;
     for(const auto& vertex : faces_[position].vertices)
       box = box + vertex_box(vertex);
-    return [box](int axis) { return Interval{(box.min)(axis), (box.max)(axis)}; };
+    return intervals_of(box);
   }
 
   void prefetch(std::size_t position) const { prefetch_to_read(&faces_[position]); }

@@ -12,6 +12,7 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/box_pairs_search.h>
+#include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/kinds.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/objects/segment_pairs_search.h>
@@ -92,9 +93,7 @@ public:
   auto intervals(std::size_t position) const
   {
     if constexpr(Has_boxes<Traits>::value)
-      return [box = Traits::box(objects_[position])](int axis) {
-        return Interval{(box.min)(axis), (box.max)(axis)};
-      };
+      return intervals_of(Traits::box(objects_[position]));
     else
       return [this, position](int axis) {
         const std::pair<double, double> interval = interval_(objects_[position], axis);
