@@ -33,36 +33,30 @@ inline constexpr std::size_t cache_line_size = 64;
 
 // Does nothing. GCC leaves out the calls of a function that does nothing but to prefetch, because
 // it takes it for one without effects.
-inline void have_effect(const void* address)
+inline void have_effect([[maybe_unused]] const void* address)
 {
 #ifdef __GNUC__
   __asm__ volatile("" : : "r"(address));
-#else
-  static_cast<void>(address);
 #endif
 }
 
 // The program will soon read the cache line `line_count` behind the one of `address`.
-inline void prefetch_to_read(const void* address, std::size_t line_count = 0)
+inline void prefetch_to_read([[maybe_unused]] const void* address,
+                             [[maybe_unused]] std::size_t line_count = 0)
 {
 #ifdef __GNUC__
   __builtin_prefetch(static_cast<const char*>(address) + line_count * cache_line_size, 0);
   have_effect(address);
-#else
-  static_cast<void>(address);
-  static_cast<void>(line_count);
 #endif
 }
 
 // The program will soon write to the cache line `line_count` behind the one of `address`.
-inline void prefetch_to_write(const void* address, std::size_t line_count = 0)
+inline void prefetch_to_write([[maybe_unused]] const void* address,
+                              [[maybe_unused]] std::size_t line_count = 0)
 {
 #ifdef __GNUC__
   __builtin_prefetch(static_cast<const char*>(address) + line_count * cache_line_size, 1);
   have_effect(address);
-#else
-  static_cast<void>(address);
-  static_cast<void>(line_count);
 #endif
 }
 

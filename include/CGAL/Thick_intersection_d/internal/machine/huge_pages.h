@@ -23,7 +23,7 @@ namespace Thick_intersection_d {
 namespace internal {
 
 // Asks for huge pages in memory that was not touched yet. The system may refuse.
-inline void advise_huge_pages(void* memory, std::size_t size)
+inline void advise_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t size)
 {
 #ifdef CGAL_THICK_INTERSECTION_D_HAS_MADVISE
   constexpr int huge_page_advice = 14; // MADV_HUGEPAGE
@@ -33,9 +33,6 @@ inline void advise_huge_pages(void* memory, std::size_t size)
   const std::uintptr_t last = (begin + size) / page_size * page_size;
   if(first < last)
     madvise(reinterpret_cast<void*>(first), last - first, huge_page_advice);
-#else
-  static_cast<void>(memory);
-  static_cast<void>(size);
 #endif
 }
 
