@@ -9,6 +9,7 @@
 #include "support/unit_test.h"
 
 #include <CGAL/Thick_intersection_d/internal/slabs/Narrow_scale.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/Point_reader.h>
 
 BOOST_AUTO_TEST_SUITE(Narrow_scale)
 
@@ -28,6 +29,14 @@ Box<Dimension> cube(double low, double high)
   return box;
 }
 
+// The narrow coordinate of a double along an axis.
+template <int Dimension>
+std::int32_t narrow(const internal::Narrow_scale<Dimension>& scale, double x, std::size_t axis)
+{
+  const internal::To_number<Dimension, std::int32_t> to_number = {1, scale.low(), scale.steps()};
+  return to_number(x, static_cast<int>(axis));
+}
+
 // What lanes make of two points: certainly near, certainly not, or undecided.
 enum class Answer { NEAR, FAR, UNDECIDED };
 
@@ -37,7 +46,7 @@ Answer answer_of(const internal::Narrow_scale<Dimension>& scale,
 {
   float sum = 0;
   for(std::size_t axis = 0; axis < Dimension; ++axis) {
-    const std::int32_t gap = scale.narrow(p[axis], axis) - scale.narrow(q[axis], axis);
+    const std::int32_t gap = narrow(scale, p[axis], axis) - narrow(scale, q[axis], axis);
     if(axis == 0 && std::abs(gap) > scale.question().reach)
       return Answer::FAR;
     sum += static_cast<float>(gap) * static_cast<float>(gap);
@@ -53,8 +62,8 @@ void check_question(const internal::Narrow_scale<Dimension>& scale, const Box<Di
   BOOST_CHECK_LE(scale.question().reach, internal::max_narrow_reach);
   BOOST_CHECK_LE(scale.question().inside, scale.question().outside);
   for(std::size_t axis = 0; axis < Dimension; ++axis) {
-    BOOST_CHECK_EQUAL(scale.narrow(box[axis].low, axis), 0);
-    BOOST_CHECK_LE(scale.narrow(box[axis].high, axis), internal::max_narrow_coordinate);
+    BOOST_CHECK_EQUAL(narrow(scale, box[axis].low, axis), 0);
+    BOOST_CHECK_LE(narrow(scale, box[axis].high, axis), internal::max_narrow_coordinate);
   }
 }
 
@@ -180,7 +189,7 @@ void check_grid(double extent, int exponent, double steps, std::uint64_t max_squ
   const Box<Dimension> box
     = cube<Dimension>(std::ldexp(-3, exponent), std::ldexp(extent - 3, exponent));
   check_question<Dimension>(scale, box);
-  BOOST_CHECK_EQUAL(scale.narrow(box[0].high, 0), extent);
+  BOOST_CHECK_EQUAL(narrow(scale, box[0].high, 0), extent);
   for(int repetition = 0; repetition < 100; ++repetition) {
     const auto b = static_cast<double>(random.below(static_cast<std::size_t>(steps) + 1));
     const double more = static_cast<double>(random.below(4)) - 1;

@@ -83,14 +83,9 @@ public:
 
   const Near_question<std::int32_t>& question() const { return question_; }
 
-  // The lower ends of the axes, and the factor of narrow().
+  // The lower ends of the axes, and how many steps of the scale a unit has, for To_number.
   const std::array<double, Dimension>& low() const { return low_; }
   double steps() const { return scale_; }
-
-  std::int32_t narrow(double x, std::size_t axis) const
-  {
-    return static_cast<std::int32_t>((x - low_[axis]) * scale_);
-  }
 
   // Whether points of a squared distance are within the bound. \pre is_exact()
   bool holds_for(std::uint64_t square) const { return square <= max_square_; }

@@ -74,7 +74,7 @@ struct Point_block
   }
 };
 
-// Turns the doubles of points into numbers, as Narrow_scale::narrow() does. Loops have a copy,
+// Turns the doubles of points into numbers: doubles, or steps of a Narrow_scale. Loops have a copy,
 // which stays in registers.
 template <int Dimension, class Number>
 struct To_number
