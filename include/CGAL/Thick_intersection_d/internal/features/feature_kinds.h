@@ -67,11 +67,6 @@ inline constexpr bool is_polygon_with_holes_v = false;
 template <class Kernel, class Container>
 inline constexpr bool is_polygon_with_holes_v<Polygon_with_holes_2<Kernel, Container>> = true;
 
-template <class Feature>
-inline constexpr bool is_variant_v = false;
-template <class... Features>
-inline constexpr bool is_variant_v<std::variant<Features...>> = true;
-
 // The elements of a range, as features have them.
 template <class Range>
 using Element_of_range = std::decay_t<Reference_of<Iterator_of<const Range>>>;
@@ -272,7 +267,7 @@ void add_parts(const Feature& feature, Parts& parts)
     add_parts(feature.first, parts);
     parts.end_thick();
   }
-  else if constexpr(is_variant_v<Feature>)
+  else if constexpr(Is_variant<Feature>::value)
     std::visit([&](const auto& alternative) { add_parts(alternative, parts); }, feature);
   else if constexpr(Vertex_count<Feature_kind_t<Element_of_range<Feature>>>::value == 1)
     parts.add_polyline(std::begin(feature), std::end(feature));
