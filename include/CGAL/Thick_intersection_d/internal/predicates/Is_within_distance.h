@@ -126,7 +126,9 @@ public:
     if(!is_within && has_integers_) { // so the bounds of a coordinate are equal
       const auto x = [&](int i) { return coordinate_bounds(p, i).first; };
       const auto y = [&](int i) { return coordinate_bounds(q, i).first; };
-      is_within = decide_near_tie(x, y, dimension_, counts);
+      is_within = integers()->decide(x, y, dimension_);
+      if(is_within)
+        counts.add(tier_);
     }
     if(!is_within)
       is_within = decide_exactly(p, q, counts);
@@ -159,7 +161,8 @@ public:
     return static_cast<std::uint64_t>(bound_.first_beyond(grid_exponent));
   }
 
-  // Returns the integers that decide near ties of doubles, or nullptr if there are none.
+  // The second question, about near ties of doubles. Returns what decides them, or nullptr if only
+  // the points themselves do.
   const Integer_distance* integers() const
   {
     return !has_integers_ ? nullptr : &integers_.get([this] {
@@ -169,21 +172,6 @@ public:
 
   // The counts that all threads share, or nullptr.
   Shared_decision_counts* shared_counts() const { return shared_counts_; }
-
-  // The second question: returns whether points with the coordinates x(i) and y(i), for i < `axes`,
-  // are within the bound. Returns nothing if only the points themselves can show this.
-  template <class X, class Y>
-  std::optional<bool> decide_near_tie(const X& x, const Y& y, int axes,
-                                      Decision_counts& counts) const
-  {
-    const Integer_distance* const in_integers = integers();
-    if(in_integers == nullptr)
-      return std::nullopt;
-    const std::optional<bool> is_within = in_integers->decide(x, y, axes);
-    if(is_within)
-      counts.add(tier_);
-    return is_within;
-  }
 
   // The last question, for points that the first two questions left undecided. It asks the filter
   // again, because the bounds of these coordinates are often closer than the error of the scene.
