@@ -234,7 +234,7 @@ public:
   {
     counts_ = counts;
   }
-
+  void add_counts(const Scene_profile& other) { counts_.add(other.counts_); }
   void set_coordinates(int bits, bool are_rounded)
   {
     coordinate_bits_ = bits;

@@ -19,7 +19,6 @@
 #include <CGAL/Thick_intersection_d/internal/periodic/Periodic_scene.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/Periods.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/periodic_sets.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 #include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
@@ -37,17 +36,6 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Adds the decisions of one profile to those of another one.
-inline void add_decisions(const Scene_profile& profile, Scene_profile& sum)
-{
-  Decision_counts counts;
-  for(std::size_t tier = 0; tier < arithmetic_tier_count; ++tier)
-    for(const Scene_profile* part : {&profile, static_cast<const Scene_profile*>(&sum)})
-      counts.add(static_cast<Arithmetic_tier>(tier),
-                 part->decided(static_cast<Arithmetic_tier>(tier)));
-  sum.set_counts(counts);
-}
-
 // Returns the profile of `size` points, from those of the points and of their images elsewhere.
 inline Scene_profile joined_profile(std::size_t size, int dimension, double reach,
                                     const Scene_profile& points, const Scene_profile& images)
@@ -62,8 +50,8 @@ inline Scene_profile joined_profile(std::size_t size, int dimension, double reac
   Scene_profile profile(size, box, reach, grid_exponent);
   if(points.forced_tier())
     profile.force_tier(*points.forced_tier());
-  for(const Scene_profile* part : {&points, &images})
-    add_decisions(*part, profile);
+  profile.add_counts(points);
+  profile.add_counts(images);
   profile.set_coordinates(points.coordinate_bits(), points.are_coordinates_rounded());
   return profile;
 }
@@ -144,7 +132,7 @@ public:
       if(profile->forced_tier())
         of_batch.force_tier(*profile->forced_tier());
       const bool is_complete = search(images, sets, report_pair, np_of_batch, &of_batch);
-      add_decisions(of_batch, *profile);
+      profile->add_counts(of_batch);
       return is_complete;
     };
     return scene_.for_each_batch(report_batch);

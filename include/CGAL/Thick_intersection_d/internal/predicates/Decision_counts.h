@@ -33,6 +33,12 @@ public:
     counts_[static_cast<std::size_t>(tier)] += count;
   }
 
+  void add(const Decision_counts& other)
+  {
+    for(std::size_t tier = 0; tier < counts_.size(); ++tier)
+      counts_[tier] += other.counts_[tier];
+  }
+
   std::uint64_t operator[](Arithmetic_tier tier) const
   {
     return counts_[static_cast<std::size_t>(tier)];
