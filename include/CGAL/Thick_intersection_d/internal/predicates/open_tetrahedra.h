@@ -53,52 +53,6 @@ bool is_any_of(const Point& vertex, const Points&... points)
   return ((&vertex == &points) || ...);
 }
 
-// Where the vertices of an object are along the faces of a tetrahedron.
-template <std::size_t Count>
-struct Sides_of_open_faces
-{
-  Sign sides[4][Count];
-  std::array<int, Count> outside = {}; // bit k is set if a vertex is not strictly inside of face k
-  bool is_any_on = false;              // the plane of a face
-
-  bool is_any_inside() const
-  {
-    for(const int faces : outside)
-      if(faces == 0)
-        return true;
-    return false;
-  }
-  bool is_face_between() const
-  {
-    int faces = 15;
-    for(const int k : outside)
-      faces &= k;
-    return faces != 0;
-  }
-};
-
-// Stops at the first face that has no vertex inside. The tetrahedron has faces of the orientation
-// `sign`.
-template <class Orientation, std::size_t Count>
-Sides_of_open_faces<Count>
-sides_of_open_faces(Orientation& orientation, const Simplex<Orientation, 4>& tetrahedron, Sign sign,
-                    const Simplex<Orientation, Count>& vertices)
-{
-  Sides_of_open_faces<Count> result;
-  for(std::size_t k = 0; k < 4 && !result.is_face_between(); ++k) {
-    const std::size_t* const v = face_vertices[k];
-    const auto plane
-      = orientation.plane(tetrahedron[v[0]], tetrahedron[v[1]], tetrahedron[v[2]]);
-    for(std::size_t i = 0; i < Count; ++i) {
-      const Sign side = orientation.side(plane, vertices[i]);
-      result.sides[k][i] = side;
-      result.outside[i] |= static_cast<int>(side != sign) << k;
-      result.is_any_on |= side == ZERO;
-    }
-  }
-  return result;
-}
-
 // Whether the line from p to q goes through a triangle; nothing is known if it meets the boundary.
 template <class Orientation>
 Uncertain<bool> does_line_cross(Orientation& orientation, const typename Orientation::Point& p,
@@ -120,7 +74,7 @@ Uncertain<bool> does_line_cross(Orientation& orientation, const typename Orienta
 // these sides.
 template <class Orientation, std::size_t Count>
 Uncertain<bool> do_edges_cross(Orientation& orientation, const Simplex<Orientation, Count>& object,
-                               const Sides_of_open_faces<Count>& sides,
+                               const Sides_of_faces<Count>& sides,
                                const Simplex<Orientation, 4>& tetrahedron)
 {
   Uncertain<bool> do_cross(false, sides.is_any_on);
@@ -165,7 +119,7 @@ Uncertain<bool> does_interior_certainly_meet(Orientation& orientation,
                                              const Simplex<Orientation, 4>& tetrahedron, Sign sign,
                                              const Simplex<Orientation, Count>& object)
 {
-  const auto sides = sides_of_open_faces(orientation, tetrahedron, sign, object);
+  const auto sides = sides_of_faces(orientation, tetrahedron, sign, true, object);
   if(sides.is_face_between())
     return false;
   if(sides.is_any_inside())
@@ -181,7 +135,8 @@ Uncertain<bool> does_interior_certainly_meet(Orientation& orientation,
     const Sign sign_of_object = orientation_of(orientation, object);
     if(sign_of_object == ZERO)
       return Uncertain<bool>::indeterminate();
-    const auto other_sides = sides_of_open_faces(orientation, object, sign_of_object, tetrahedron);
+    const auto other_sides
+      = sides_of_faces(orientation, object, sign_of_object, true, tetrahedron);
     if(other_sides.is_face_between())
       return false;
     if(other_sides.is_any_inside())

@@ -48,37 +48,48 @@ Sign orientation_of(Orientation& orientation, const Simplex<Orientation, 4>& t)
   return orientation.side(orientation.plane(t[0], t[1], t[2]), t[3]);
 }
 
-// The sides of the vertices of one tetrahedron along the faces of another.
+// Where the vertices of an object are along the faces of a tetrahedron.
+template <std::size_t Count>
 struct Sides_of_faces
 {
-  Sign sides[4][4];            // of a face and a vertex
-  std::array<int, 4> outside = {}; // of a vertex: bit k is set if it is strictly outside of face k
+  Sign sides[4][Count];                // of a face and a vertex
+  std::array<int, Count> outside = {}; // of a vertex: bit k is set if it is outside of face k
+  bool is_any_on = false;              // the plane of a face
 
   bool is_any_inside() const
   {
-    return outside[0] == 0 || outside[1] == 0 || outside[2] == 0 || outside[3] == 0;
+    for(const int faces : outside)
+      if(faces == 0)
+        return true;
+    return false;
   }
   bool is_face_between() const
   {
-    return (outside[0] & outside[1] & outside[2] & outside[3]) != 0;
+    int faces = 15;
+    for(const int k : outside)
+      faces &= k;
+    return faces != 0;
   }
 };
 
 // Stops at the first face that has all vertices outside. The tetrahedron has faces of the
-// orientation `sign`.
-template <class Orientation>
-Sides_of_faces sides_of_faces(Orientation& orientation, const Simplex<Orientation, 4>& tetrahedron,
-                              Sign sign, const Simplex<Orientation, 4>& vertices)
+// orientation `sign`. If it is open, vertices in the plane of a face are outside of the face.
+template <class Orientation, std::size_t Count>
+Sides_of_faces<Count>
+sides_of_faces(Orientation& orientation, const Simplex<Orientation, 4>& tetrahedron, Sign sign,
+               bool is_open, const Simplex<Orientation, Count>& vertices)
 {
-  Sides_of_faces result;
+  Sides_of_faces<Count> result;
   for(std::size_t k = 0; k < 4 && !result.is_face_between(); ++k) {
     const std::size_t* const v = face_vertices[k];
     const auto plane
       = orientation.plane(tetrahedron[v[0]], tetrahedron[v[1]], tetrahedron[v[2]]);
-    for(std::size_t i = 0; i < 4; ++i) {
+    for(std::size_t i = 0; i < Count; ++i) {
       const Sign side = orientation.side(plane, vertices[i]);
+      const bool is_outside = is_open ? side != sign : side == opposite(sign);
       result.sides[k][i] = side;
-      result.outside[i] |= static_cast<int>(side == opposite(sign)) << k;
+      result.outside[i] |= static_cast<int>(is_outside) << k;
+      result.is_any_on |= side == ZERO;
     }
   }
   return result;
@@ -86,7 +97,7 @@ Sides_of_faces sides_of_faces(Orientation& orientation, const Simplex<Orientatio
 
 // Whether an edge of tetrahedron `a`, whose vertices have these sides, crosses a face of `b`.
 template <class Orientation>
-bool does_any_edge_cross(Orientation& orientation, const Sides_of_faces& sides,
+bool does_any_edge_cross(Orientation& orientation, const Sides_of_faces<4>& sides,
                          const Simplex<Orientation, 4>& a, const Simplex<Orientation, 4>& b)
 {
   for(std::size_t i = 0; i < 4; ++i)
@@ -103,10 +114,10 @@ template <class Orientation>
 bool do_tetrahedra_intersect(Orientation& orientation, const Simplex<Orientation, 4>& a,
                              Sign sign_a, const Simplex<Orientation, 4>& b, Sign sign_b)
 {
-  const Sides_of_faces sides_a = sides_of_faces(orientation, b, sign_b, a);
+  const Sides_of_faces<4> sides_a = sides_of_faces(orientation, b, sign_b, false, a);
   if(sides_a.is_face_between())
     return false;
-  const Sides_of_faces sides_b = sides_of_faces(orientation, a, sign_a, b);
+  const Sides_of_faces<4> sides_b = sides_of_faces(orientation, a, sign_a, false, b);
   if(sides_b.is_face_between())
     return false;
   return sides_a.is_any_inside() || sides_b.is_any_inside()
@@ -118,12 +129,8 @@ template <class Orientation>
 bool is_in_tetrahedron(Orientation& orientation, const Simplex<Orientation, 4>& tetrahedron,
                        Sign sign, const typename Orientation::Point& p)
 {
-  for(const auto& v : face_vertices)
-    if(orientation.side(orientation.plane(tetrahedron[v[0]], tetrahedron[v[1]], tetrahedron[v[2]]),
-                        p)
-       == opposite(sign))
-      return false;
-  return true;
+  const Simplex<Orientation, 1> vertex = {p};
+  return sides_of_faces(orientation, tetrahedron, sign, false, vertex).is_any_inside();
 }
 
 // Whether an object, a triangle or segment, meets one of the faces.
