@@ -67,8 +67,8 @@ BOOST_AUTO_TEST_CASE(polylines_are_open_and_polygons_are_closed)
   const std::size_t feature_of_segment[] = {0, 2, 3, 3, 4, 4, 4, 6};
   for(std::size_t i = 0; i < 8; ++i)
     BOOST_CHECK_EQUAL(pieces.feature_of(i), feature_of_segment[i]);
-  BOOST_CHECK_EQUAL(pieces.filled(0).first_piece, 4u);
-  BOOST_CHECK_EQUAL(pieces.filled(0).last_piece, 7u);
+  BOOST_CHECK_EQUAL(pieces.filled(0).tree.first, 4u);
+  BOOST_CHECK_EQUAL(pieces.filled(0).tree.last, 7u);
   BOOST_CHECK_EQUAL(pieces.part(pieces.filled(1).part).feature, 6u);
 }
 

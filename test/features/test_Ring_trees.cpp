@@ -35,21 +35,19 @@ struct Rings
   // Makes a tree of the rings that were added since the last one.
   void end_polygon()
   {
-    first = last;
-    last = static_cast<Place>(segments.size());
-    root = trees.add_tree(first, last);
+    tree = trees.add_tree(tree.last, static_cast<Place>(segments.size()));
   }
 
   bool is_inside(const Lattice_point& p) const
   {
     const Segment ray(point(p), point({p[0] + 1, p[1] + 2, 0})); // begins there
-    return trees.is_inside(ray, root, first, last);
+    return trees.is_inside(ray, tree);
   }
 
   typename Kernel::FT unit = 1, origin = 0;
   std::vector<Segment> segments;
   internal::Ring_trees<Segment> trees{segments};
-  Place root = 0, first = 0, last = 0; // of the last polygon
+  internal::Halved_range tree = {0, 0, 0}; // of the last polygon
 };
 
 // Any closed chain: it may cross itself, and has many vertices at equal heights.
@@ -163,9 +161,9 @@ BOOST_AUTO_TEST_CASE(box_of_a_polygon)
   rings.add_ring(wandering_ring(random, 200));
   rings.end_polygon();
   CGAL::Bbox_2 box;
-  for(Place segment = rings.first; segment != rings.last; ++segment)
+  for(Place segment = rings.tree.first; segment != rings.tree.last; ++segment)
     box += rings.segments[segment].bbox();
-  BOOST_CHECK(rings.trees.box(rings.root) == box);
+  BOOST_CHECK(rings.trees.box(rings.tree) == box);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -12,6 +12,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/features/Feature_reader.h>
+#include <CGAL/Thick_intersection_d/internal/features/Halved_range.h>
 #include <CGAL/Thick_intersection_d/internal/features/Ring_trees.h>
 #include <CGAL/Thick_intersection_d/internal/features/check_features.h>
 #include <CGAL/Thick_intersection_d/internal/features/feature_kinds.h>
@@ -56,8 +57,7 @@ public:
   {
     Place feature;
     Place part;
-    Place first_piece, last_piece; // the one behind the last
-    Place root; // of its tree
+    Halved_range tree; // of its edges
   };
 
   // Takes less than `limit` features and segments, and parts and polygons together, which places
@@ -127,7 +127,7 @@ public:
 
   const Box& box_of_filled(std::size_t position) const
   {
-    return trees_.box(filled_[position].root);
+    return trees_.box(filled_[position].tree);
   }
 
   // The piece that begins at the first vertex of a part.
@@ -136,8 +136,7 @@ public:
   // Returns whether the first vertex of a piece is inside a polygon. It is not on its boundary.
   bool is_inside(const Segment& piece, std::size_t position) const
   {
-    const Filled& filled = filled_[position];
-    return trees_.is_inside(piece, filled.root, filled.first_piece, filled.last_piece);
+    return trees_.is_inside(piece, filled_[position].tree);
   }
 
   // ---- polygons ---------------------------------------------------------------------------------
@@ -162,21 +161,21 @@ public:
 
   bool is_polygon(std::size_t part) const { return parts_[part].filled != none; }
 
-  // As Ring_trees says, of the edges of a polygon.
+  // Returns whether a point next to the first vertex of `ray` is inside a polygon: at a small
+  // distance to the right, and above by a smaller distance. The functions are those of Ring_trees.
+  // Edges at the vertex are not crossed: behind the point, or at the vertex only.
   template <class Ray, class Function, class Done>
   bool is_inside_beside(const Ray& ray, std::size_t polygon, const Function& does_cross,
                         const Done& is_done) const
   {
-    const Filled& filled = filled_[parts_[polygon].filled];
-    return trees_.is_inside_beside(ray, filled.root, filled.first_piece, filled.last_piece,
-                                   does_cross, is_done);
+    return trees_.is_crossed_odd(ray, tree_of(polygon), does_cross, is_done);
   }
+
+  // As Ring_trees says, of the edges of a polygon.
   template <class Function>
   bool is_any_in_box(const Bbox_2& box, std::size_t polygon, const Function& is_wanted) const
   {
-    const Filled& filled = filled_[parts_[polygon].filled];
-    return trees_.is_any_in_box(box, filled.root, filled.first_piece, filled.last_piece,
-                                is_wanted);
+    return trees_.is_any_in_box(box, tree_of(polygon), is_wanted);
   }
 
   // ---- for Feature_reader -----------------------------------------------------------------------
@@ -194,9 +193,8 @@ public:
   {
     Part& part = parts_.back();
     part.filled = static_cast<Place>(filled_.size());
-    const Place last = piece_count();
-    filled_.push_back({part.feature, static_cast<Place>(parts_.size() - 1), part.piece, last,
-                       trees_.add_tree(part.piece, last)});
+    filled_.push_back({part.feature, static_cast<Place>(parts_.size() - 1),
+                       trees_.add_tree(part.piece, piece_count())});
     check_feature_count(parts_and_polygons, parts_.size() + filled_.size(), limit_);
   }
 
@@ -224,6 +222,10 @@ private:
 
   Place piece_count() const { return static_cast<Place>(pieces_.size()); }
   Place last_feature() const { return static_cast<Place>(first_parts_.size() - 1); }
+  const Halved_range& tree_of(std::size_t polygon) const
+  {
+    return filled_[parts_[polygon].filled].tree;
+  }
 
   const std::size_t limit_;
   std::vector<Segment> pieces_;

@@ -151,56 +151,35 @@ public:
   // The segments from this one on are of another ring.
   void begin_ring(Place segment) { rings_.push_back(segment); }
 
-  // Makes a tree of the segments [first, last) of whole rings. Returns its root.
-  Place add_tree(Place first, Place last)
+  // Makes a tree of the segments [first, last) of whole rings.
+  Halved_range add_tree(Place first, Place last)
   {
-    const std::size_t root = boxes_.size();
-    const Halved_range chain = {static_cast<Place>(root), first, last};
+    const Halved_range tree = {static_cast<Place>(boxes_.size()), first, last};
     boxes_.emplace_back();
-    if(chain.is_leaf())
+    if(tree.is_leaf())
       for(Place segment = first; segment != last; ++segment)
-        boxes_[root] += bounding_box(segments_[segment]);
+        boxes_[tree.node] += bounding_box(segments_[segment]);
     else {
-      add_tree(first, chain.middle());
-      const Place second = add_tree(chain.middle(), last);
-      boxes_[root] = boxes_[root + 1] + boxes_[second];
+      const Halved_range first_half = add_tree(first, tree.middle());
+      const Halved_range second_half = add_tree(tree.middle(), last);
+      boxes_[tree.node] = box(first_half) + box(second_half);
     }
-    return chain.node;
+    return tree;
   }
 
-  // The box of a tree.
-  const Bbox_2& box(Place root) const { return boxes_[root]; }
+  const Bbox_2& box(const Halved_range& tree) const { return boxes_[tree.node]; }
 
-  // Returns whether the source of `ray` is inside the rings of the tree of the segments
-  // [first, last). It is not on them.
-  bool is_inside(const Segment& ray, Place root, Place first, Place last) const
+  // Returns whether the source of `ray` is inside the rings of a tree. It is not on them.
+  bool is_inside(const Segment& ray, const Halved_range& tree) const
   {
     const auto does_cross = [&](Place segment) { return does_ray_cross(ray, segments_[segment]); };
-    return is_crossed_odd(ray, {root, first, last}, does_cross, [] { return false; });
+    return is_crossed_odd(ray, tree, does_cross, [] { return false; });
   }
 
-  // Returns whether a point next to the first vertex of `ray` is inside the rings: at a small
-  // distance to the right, and above by a smaller distance. `does_cross` is called for the edges at
-  // the vertex, in their order, and for others, and tells whether a ray from it crosses the edge.
-  // Those at the vertex are not crossed: behind the point, or at the vertex only. Ends early if
-  // `is_done` says so after an edge, and then returns nothing of use.
-  template <class Ray, class Function, class Done>
-  bool is_inside_beside(const Ray& ray, Place root, Place first, Place last,
-                        const Function& does_cross, const Done& is_done) const
-  {
-    return is_crossed_odd(ray, {root, first, last}, does_cross, is_done);
-  }
-
-  // Whether `is_wanted` says so of a segment of the tree. Those whose boxes meet another one are
-  // asked about, and some others.
-  template <class Function>
-  bool is_any_in_box(const Bbox_2& box, Place root, Place first, Place last,
-                     const Function& is_wanted) const
-  {
-    return is_any_in(box, {root, first, last}, is_wanted);
-  }
-
-private:
+  // Returns whether a ray crosses an odd number of the segments of a tree, or of a part of it.
+  // `does_cross` is called for those at the first vertex of `ray`, in their order, and for others,
+  // and tells whether a ray from there crosses the segment. Ends early if `is_done` says so after a
+  // segment, and then returns nothing of use.
   template <class Ray, class Function, class Done>
   bool is_crossed_odd(const Ray& ray, const Halved_range& chain, const Function& does_cross,
                       const Done& is_done) const
@@ -223,20 +202,24 @@ private:
     return is_odd;
   }
 
+  // Whether `is_wanted` says so of a segment of a tree. Those whose boxes meet another one are
+  // asked about, and some others.
   template <class Function>
-  bool is_any_in(const Bbox_2& box, const Halved_range& chain, const Function& is_wanted) const
+  bool is_any_in_box(const Bbox_2& box, const Halved_range& chain,
+                     const Function& is_wanted) const
   {
     if(!do_overlap(box, boxes_[chain.node]))
       return false;
     if(!chain.is_leaf())
-      return is_any_in(box, chain.first_half(), is_wanted)
-             || is_any_in(box, chain.second_half(), is_wanted);
+      return is_any_in_box(box, chain.first_half(), is_wanted)
+             || is_any_in_box(box, chain.second_half(), is_wanted);
     for(Place segment = chain.first; segment != chain.last; ++segment)
       if(is_wanted(segment))
         return true;
     return false;
   }
 
+private:
   // Whether an odd number of the ends of chains are above the ray. If the segments are of several
   // rings, they are the last chain of a ring, whole rings, and the first chain of another ring.
   template <class Ray>
