@@ -202,17 +202,16 @@ template <class FT>
 using Exact_number_t = typename Exact_number<FT>::type;
 using Exact_of_doubles = Exact_number_t<double>;
 
-// Returns x, a coordinate or a radius, in its exact type.
-template <class NT>
-decltype(auto) to_exact_number(const NT& x)
+// Returns x, a coordinate or a radius, in an exact type, which holds it.
+template <class Exact, class NT>
+decltype(auto) to_exact(const NT& x)
 {
-  using Exact = Exact_number_t<NT>;
   if constexpr(std::is_same_v<Exact, NT>)
     return (x);
-  else if constexpr(std::is_same_v<Exact, Exact_rational>)
-    return to_exact_rational(x);
-  else
+  else if constexpr(is_held_by_double_v<NT>)
     return Exact(static_cast<double>(x));
+  else
+    return Exact(to_exact_rational(x));
 }
 
 // Returns the big integer x in another exact type.

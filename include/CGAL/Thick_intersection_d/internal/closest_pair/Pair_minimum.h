@@ -97,8 +97,8 @@ public:
       return true;
     if(is_exact_ || g.sup * g.sup <= filter_.inside)
       return false;
-    const Exact difference = to_exact_number(coordinate(points_[i], axis))
-                             - to_exact_number(coordinate(points_[j], axis));
+    const Exact difference = to_exact<Exact>(coordinate(points_[i], axis))
+                             - to_exact<Exact>(coordinate(points_[j], axis));
     return Exact(difference * difference) > exact_square();
   }
 

@@ -163,7 +163,7 @@ bool is_within_reach(const NT& x, const NT& y, double reach)
 template <class Exact, class NT>
 CGAL_THICK_INTERSECTION_D_RARELY_CALLED void add_exact_square(Exact& sum, const NT& x, const NT& y)
 {
-  const Exact difference = to_exact_number(x) - to_exact_number(y);
+  const Exact difference = to_exact<Exact>(x) - to_exact<Exact>(y);
   sum += difference * difference;
 }
 

@@ -49,7 +49,7 @@ struct Object_route<Thick_ball_traits_d<Point>>
     if(!radius)
       return report_objects(balls, sets, traits, callback, np, threads);
     using Exact = Exact_number_t<std::decay_t<decltype(*radius)>>;
-    const Exact diameter(Exact(2) * to_exact_number(*radius));
+    const Exact diameter(Exact(2) * to_exact<Exact>(*radius));
     return report_pairs_of_points(Ball_centers<Balls>(balls), sets, within_distance(diameter),
                                   callback, np, threads);
   }

@@ -78,15 +78,6 @@ using Common_exact_t
   = std::conditional_t<std::is_same_v<Exact_number_t<NT>, Exact_number_t<Other>>,
                        Exact_number_t<NT>, Exact_rational>;
 
-template <class Exact, class NT>
-Exact to_exact(const NT& x)
-{
-  if constexpr(std::is_same_v<Exact, Exact_number_t<NT>>)
-    return to_exact_number(x);
-  else
-    return to_exact_rational(x);
-}
-
 template <int Dimension, class Exact_>
 class Periods
 {

@@ -163,7 +163,7 @@ private:
 
   bool do_intersect_exactly(const Ball& a, const Ball& b) const
   {
-    const Exact sum = to_exact_number(a.second) + to_exact_number(b.second);
+    const Exact sum = to_exact<Exact>(a.second) + to_exact<Exact>(b.second);
     return exact_squared_distance(a.first, b.first, dimension_) <= Exact(sum * sum);
   }
 

@@ -116,18 +116,6 @@ struct Radius_number<Object, true>
   using type = typename Object::second_type;
 };
 
-// Returns a coordinate or radius in an exact type, which holds it.
-template <class Exact, class NT>
-Exact exact_value(const NT& x)
-{
-  if constexpr(std::is_same_v<Exact, Exact_number_t<NT>>)
-    return Exact(to_exact_number(x));
-  else if constexpr(is_held_by_double_v<NT>)
-    return Exact(static_cast<double>(x));
-  else
-    return Exact(to_exact_rational(x));
-}
-
 // Returns vertex k of the hull in exact numbers, which hold its coordinates.
 template <class Exact, class Object>
 std::array<Exact, hull_dimension_v<Object>> exact_hull_vertex(const Object& object, std::size_t k)
@@ -136,7 +124,7 @@ std::array<Exact, hull_dimension_v<Object>> exact_hull_vertex(const Object& obje
   const Points& points = hull_points(object);
   std::array<Exact, hull_dimension_v<Object>> x;
   for(int axis = 0; axis < hull_dimension_v<Object>; ++axis)
-    x[axis] = exact_value<Exact>(
+    x[axis] = to_exact<Exact>(
       coordinate(vertex_of(points, place_of_vertex<Points, hull_size_v<Object>>(k, axis)), axis));
   return x;
 }

@@ -145,7 +145,7 @@ public:
     if(g.inf * g.inf > filter_.outside)
       return false;
     const Exact difference
-      = to_exact_number(coordinate(p, axis)) - to_exact_number(coordinate(q, axis));
+      = to_exact<Exact>(coordinate(p, axis)) - to_exact<Exact>(coordinate(q, axis));
     return bound_.holds_for(Exact(difference * difference));
   }
 

@@ -59,7 +59,7 @@ template <class Exact, class Object>
 Exact exact_radius(const Object& object)
 {
   if constexpr(Is_thickened<Object>::value)
-    return exact_value<Exact>(object.second);
+    return to_exact<Exact>(object.second);
   else
     return Exact(0);
 }

@@ -20,7 +20,6 @@
 #include <CGAL/Thick_intersection_d/internal/input/kinds.h>
 #include <CGAL/Thick_intersection_d/internal/machine/hints.h>
 #include <CGAL/Thick_intersection_d/internal/objects/Stretches.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Hull.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Leg.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Relative_motion.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_kernel_objects_intersect.h>
@@ -115,10 +114,9 @@ public:
   {
     Exact_leg<ExactNumber, dimension> leg;
     for(std::size_t end = 0; end < 2; ++end) {
-      leg.times[end] = exact_value<ExactNumber>(fix(stretch, end).first);
+      leg.times[end] = to_exact<ExactNumber>(fix(stretch, end).first);
       for(int axis = 0; axis < dimension; ++axis)
-        leg.ends[end][axis]
-          = exact_value<ExactNumber>(coordinate(fix(stretch, end).second, axis));
+        leg.ends[end][axis] = to_exact<ExactNumber>(coordinate(fix(stretch, end).second, axis));
     }
     return leg;
   }
