@@ -21,6 +21,7 @@
 #include <CGAL/Thick_intersection_d/internal/features/check_features.h>
 #include <CGAL/Thick_intersection_d/internal/features/feature_kinds.h>
 #include <CGAL/Thick_intersection_d/internal/features/mesh_faces.h>
+#include <CGAL/Thick_intersection_d/internal/input/base_kind.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/vertices.h>
 

@@ -15,6 +15,7 @@
 #include <CGAL/Thick_intersection_d/internal/features/Solid_trees.h>
 #include <CGAL/Thick_intersection_d/internal/features/Space_box.h>
 #include <CGAL/Thick_intersection_d/internal/features/feature_kinds.h>
+#include <CGAL/Thick_intersection_d/internal/input/base_kind.h>
 #include <CGAL/Thick_intersection_d/internal/input/vertices.h>
 
 #include <cstddef>

@@ -23,6 +23,7 @@
 #include <CGAL/Thick_intersection_d/internal/features/check_feature_types.h>
 #include <CGAL/Thick_intersection_d/internal/features/feature_kinds.h>
 #include <CGAL/Thick_intersection_d/internal/features/piece_tests.h>
+#include <CGAL/Thick_intersection_d/internal/input/base_kind.h>
 #include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Known_pairs.h>

@@ -36,62 +36,45 @@ struct Named_type
   using type = T;
 };
 
-// The number of vertices of an object of a class of CGAL; 0 for other types.
-template <class Object>
-struct Vertex_count : std::integral_constant<int, 0> {};
-template <class K>
-struct Vertex_count<Point_2<K>> : std::integral_constant<int, 1> {};
-template <class K>
-struct Vertex_count<Point_3<K>> : std::integral_constant<int, 1> {};
-template <class K>
-struct Vertex_count<Segment_2<K>> : std::integral_constant<int, 2> {};
-template <class K>
-struct Vertex_count<Segment_3<K>> : std::integral_constant<int, 2> {};
-template <class K>
-struct Vertex_count<Triangle_2<K>> : std::integral_constant<int, 3> {};
-template <class K>
-struct Vertex_count<Triangle_3<K>> : std::integral_constant<int, 3> {};
-template <class K>
-struct Vertex_count<Iso_rectangle_2<K>> : std::integral_constant<int, 4> {};
-template <class K>
-struct Vertex_count<Iso_cuboid_3<K>> : std::integral_constant<int, 8> {};
-template <class K>
-struct Vertex_count<Tetrahedron_3<K>> : std::integral_constant<int, 4> {};
-template <>
-struct Vertex_count<Bbox_2> : std::integral_constant<int, 4> {};
-template <>
-struct Vertex_count<Bbox_3> : std::integral_constant<int, 8> {};
+// A class and the number of vertices of its objects, or 0 if they have none.
+template <class T, int Count>
+struct Kind_with_vertices : Named_type<T>
+{
+  static constexpr int vertex_count = Count;
+};
 
 // Found by the pointer to an object of the class, or of a class that derives from it.
 template <class K>
-Named_type<Point_2<K>> base_of(const Point_2<K>*);
+Kind_with_vertices<Point_2<K>, 1> base_of(const Point_2<K>*);
 template <class K>
-Named_type<Point_3<K>> base_of(const Point_3<K>*);
+Kind_with_vertices<Point_3<K>, 1> base_of(const Point_3<K>*);
 template <class K>
-Named_type<Segment_2<K>> base_of(const Segment_2<K>*);
+Kind_with_vertices<Segment_2<K>, 2> base_of(const Segment_2<K>*);
 template <class K>
-Named_type<Segment_3<K>> base_of(const Segment_3<K>*);
+Kind_with_vertices<Segment_3<K>, 2> base_of(const Segment_3<K>*);
 template <class K>
-Named_type<Triangle_2<K>> base_of(const Triangle_2<K>*);
+Kind_with_vertices<Triangle_2<K>, 3> base_of(const Triangle_2<K>*);
 template <class K>
-Named_type<Triangle_3<K>> base_of(const Triangle_3<K>*);
+Kind_with_vertices<Triangle_3<K>, 3> base_of(const Triangle_3<K>*);
 template <class K>
-Named_type<Iso_rectangle_2<K>> base_of(const Iso_rectangle_2<K>*);
+Kind_with_vertices<Iso_rectangle_2<K>, 4> base_of(const Iso_rectangle_2<K>*);
 template <class K>
-Named_type<Iso_cuboid_3<K>> base_of(const Iso_cuboid_3<K>*);
+Kind_with_vertices<Iso_cuboid_3<K>, 8> base_of(const Iso_cuboid_3<K>*);
 template <class K>
-Named_type<Tetrahedron_3<K>> base_of(const Tetrahedron_3<K>*);
+Kind_with_vertices<Tetrahedron_3<K>, 4> base_of(const Tetrahedron_3<K>*);
 template <class K>
-Named_type<Circle_2<K>> base_of(const Circle_2<K>*);
+Kind_with_vertices<Circle_2<K>, 0> base_of(const Circle_2<K>*);
 template <class K>
-Named_type<Sphere_3<K>> base_of(const Sphere_3<K>*);
+Kind_with_vertices<Sphere_3<K>, 0> base_of(const Sphere_3<K>*);
+
 // The class of CGAL that a class derives from, or else the class itself. A Bbox may be a part of a
 // kernel object that has its box at hand.
 template <class Object, class = void>
 struct Base_kind
-  : Named_type<std::conditional_t<
-      std::is_convertible_v<const Object*, const Bbox_2*>, Bbox_2,
-      std::conditional_t<std::is_convertible_v<const Object*, const Bbox_3*>, Bbox_3, Object>>>
+  : std::conditional_t<
+      std::is_convertible_v<const Object*, const Bbox_2*>, Kind_with_vertices<Bbox_2, 4>,
+      std::conditional_t<std::is_convertible_v<const Object*, const Bbox_3*>,
+                         Kind_with_vertices<Bbox_3, 8>, Kind_with_vertices<Object, 0>>>
 {};
 template <class Object>
 struct Base_kind<Object, std::void_t<decltype(base_of(std::declval<const Object*>()))>>
@@ -99,6 +82,13 @@ struct Base_kind<Object, std::void_t<decltype(base_of(std::declval<const Object*
 
 template <class Object>
 using Base_kind_t = typename Base_kind<Object>::type;
+
+// The number of vertices of an object of a class of CGAL; 0 for other types.
+template <class Object>
+struct Vertex_count
+  : std::integral_constant<
+      int, std::is_same_v<Base_kind_t<Object>, Object> ? Base_kind<Object>::vertex_count : 0>
+{};
 
 // Returns an object as one of the class that it derives from.
 template <class Object>
@@ -108,15 +98,8 @@ const Base_kind_t<Object>& as_base(const Object& object)
 }
 
 // Whether a class is that of points of a kernel in the plane or in space, or derives from it.
-template <class Object, class = void>
-struct Is_kernel_point : std::false_type {};
-template <class K>
-struct Is_kernel_point<Point_2<K>> : std::true_type {};
-template <class K>
-struct Is_kernel_point<Point_3<K>> : std::true_type {};
 template <class Object>
-struct Is_kernel_point<Object, std::enable_if_t<!std::is_same_v<Base_kind_t<Object>, Object>>>
-  : Is_kernel_point<Base_kind_t<Object>> {};
+struct Is_kernel_point : std::bool_constant<Base_kind<Object>::vertex_count == 1> {};
 
 // ---- own tests ----------------------------------------------------------------------------------
 
