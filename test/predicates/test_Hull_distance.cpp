@@ -214,10 +214,10 @@ struct Question
     const auto asked = hulls().distance(r);
     Integers left_a, left_b;
     for(std::size_t k = 0; k < Size_a; ++k)
-      if(asked.may_be_nearest_of_a(k))
+      if(asked.may_be_nearest(0, k))
         left_a.push_back(a[k]);
     for(std::size_t k = 0; k < Size_b; ++k)
-      if(asked.may_be_nearest_of_b(k))
+      if(asked.may_be_nearest(1, k))
         left_b.push_back(b[k]);
     answers.kept += left_a.size() + left_b.size();
     return !left_a.empty() && !left_b.empty() && true_square(left_a, left_b, are_small) == square;
@@ -477,7 +477,7 @@ BOOST_AUTO_TEST_CASE(numbers_that_are_too_large_or_too_small)
     BOOST_CHECK(!CGAL::is_certain(question.hulls().is_within(bound, bound)));
     const auto distance = question.hulls().distance(bound);
     for(std::size_t k = 0; k < 2; ++k)
-      BOOST_CHECK(distance.may_be_nearest_of_a(k) && distance.may_be_nearest_of_b(k));
+      BOOST_CHECK(distance.may_be_nearest(0, k) && distance.may_be_nearest(1, k));
   }
 }
 

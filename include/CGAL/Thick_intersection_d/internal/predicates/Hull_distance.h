@@ -70,31 +70,28 @@ public:
   }
 
   // After is_within() has not known: which vertices of the hulls may be in the faces that are next
-  // to each other, if the hulls are apart.
+  // to each other, if the hulls are apart. Side 0 is hull a, side 1 is hull b.
   //
   // Let v* be the point of C next to the origin, and m the least product with v, a point of C. Then
   // |v - v*|^2 <= |v|^2 - v v* <= |v|^2 - m, because |v*|^2 <= v v*. The vertices of the nearest
   // faces have the least or the largest product with v* in their hulls, so their products with v
   // differ from that by at most twice |v - v*| times the length of a vertex.
-  bool may_be_nearest_of_a(std::size_t k) const
+  bool may_be_nearest(int side, std::size_t k) const
   {
-    return !(levels_of_a_[k] < most_ - tolerance());
-  }
-  bool may_be_nearest_of_b(std::size_t k) const
-  {
-    return !(levels_of_b_[k] > least_ + tolerance());
+    return side == 0 ? !(levels_of_a_[k] < most_ - tolerance())
+                     : !(levels_of_b_[k] > least_ + tolerance());
   }
 
-  // Return vertex(k) for the places k of these vertices.
+  // Returns vertex(k) for the places k of these vertices.
   template <class Vertex_at>
-  auto nearest_of_a(const Vertex_at& vertex) const
+  auto nearest_of(int side, const Vertex_at& vertex) const
   {
-    return nearest(a_.size, [&](std::size_t k) { return may_be_nearest_of_a(k); }, vertex);
-  }
-  template <class Vertex_at>
-  auto nearest_of_b(const Vertex_at& vertex) const
-  {
-    return nearest(b_.size, [&](std::size_t k) { return may_be_nearest_of_b(k); }, vertex);
+    const std::size_t size = side == 0 ? a_.size : b_.size;
+    std::vector<std::decay_t<decltype(vertex(size))>> vertices;
+    for(std::size_t k = 0; k < size; ++k)
+      if(may_be_nearest(side, k))
+        vertices.push_back(vertex(k));
+    return vertices;
   }
 
 private:
@@ -108,17 +105,6 @@ private:
     const double length = std::sqrt(square_);
     const double gap = (std::max)(square_ - (least_ - most_), 0.) + 8 * slack_ * length;
     return 4 * largest_ * (std::sqrt(gap) + 2 * slack_) + slack_ * length;
-  }
-
-  template <class May_be_nearest, class Vertex_at>
-  static auto nearest(std::size_t size, const May_be_nearest& may_be_nearest,
-                      const Vertex_at& vertex)
-  {
-    std::vector<std::decay_t<decltype(vertex(size))>> vertices;
-    for(std::size_t k = 0; k < size; ++k)
-      if(may_be_nearest(k))
-        vertices.push_back(vertex(k));
-    return vertices;
   }
 
   // Finds the vertex of C with the least product with v.

@@ -91,8 +91,8 @@ bool are_exact_hulls_near(const Hull<Dimension>& a, const Hull<Dimension>& b,
                           const Squared_bound<Exact>& exact_bound, Arithmetic_tier least_tier,
                           Arithmetic_tier& tier)
 {
-  const auto nearest_a = distance.nearest_of_a([&](std::size_t k) { return a.vertices[k]; });
-  const auto nearest_b = distance.nearest_of_b([&](std::size_t k) { return b.vertices[k]; });
+  const auto nearest_a = distance.nearest_of(0, [&](std::size_t k) { return a.vertices[k]; });
+  const auto nearest_b = distance.nearest_of(1, [&](std::size_t k) { return b.vertices[k]; });
   if(bound.is_exact_radius && least_tier != Arithmetic_tier::FILTERED_EXACT) {
     Integer_hulls<Dimension> hulls(nearest_a, nearest_b, a.radius.low, b.radius.low,
                                    bound.radius.low);
@@ -138,8 +138,8 @@ bool are_near_in_their_numbers(const A& a, const B& b,
                                const Squared_bound<Exact>& bound)
 {
   return are_vertices_near<hull_dimension_v<A>>(
-    distance.nearest_of_a([&](std::size_t k) { return exact_hull_vertex<Exact>(a, k); }),
-    distance.nearest_of_b([&](std::size_t k) { return exact_hull_vertex<Exact>(b, k); }),
+    distance.nearest_of(0, [&](std::size_t k) { return exact_hull_vertex<Exact>(a, k); }),
+    distance.nearest_of(1, [&](std::size_t k) { return exact_hull_vertex<Exact>(b, k); }),
     Exact(exact_radius<Exact>(a) + exact_radius<Exact>(b)), bound);
 }
 
