@@ -21,8 +21,8 @@ void check_basis(const Vector_3& u, const Vector_3& v, const Vector_3& w)
 {
   const Basis basis(CGAL::Periodic_lattice_d(u, v, w));
   for(int k = 0; k < 3; ++k) {
-    const double squares = CGAL::to_double(Basis::product(basis.vector(k), basis.vector(k)))
-                           * CGAL::to_double(Basis::product(basis.dual(k), basis.dual(k)));
+    const double squares = CGAL::to_double(internal::dot_product(basis.vector(k), basis.vector(k)))
+                           * CGAL::to_double(internal::dot_product(basis.dual(k), basis.dual(k)));
     BOOST_CHECK_LE(squares, 2.0001);
     for(int axis = 0; axis < 3; ++axis) {
       const auto steps = basis.steps(k);

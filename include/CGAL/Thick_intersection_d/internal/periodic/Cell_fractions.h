@@ -19,6 +19,7 @@
 // the place of 2^-49, for the few operations on fractions that follow, and for its own rounding.
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/vectors.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/Scene.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
@@ -152,7 +153,7 @@ private:
   {
     const Exact_rational unit(1 / scale_);
     const auto square = bounds(
-      Exact_rational(basis.product(basis.dual(k), basis.dual(k)) * unit * unit));
+      Exact_rational(dot_product(basis.dual(k), basis.dual(k)) * unit * unit));
     lengths_[k] = std::sqrt(square.second) * (1 + rounding);
     for(int axis = 0; axis < Dimension; ++axis)
       duals_[k][axis] = bounds(Exact_rational(basis.dual(k)[axis] * unit)).first;

@@ -13,6 +13,7 @@
 // goes into the point. Exact rationals compute all of this, once per search.
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/vectors.h>
 
 #include <array>
 #include <cmath>
@@ -61,14 +62,6 @@ public:
   // How many times each period goes into a vector.
   const std::array<std::int64_t, Dimension>& steps(int k) const { return steps_[k]; }
 
-  static Exact_rational product(const Vector& v, const Vector& w)
-  {
-    Exact_rational sum(0);
-    for(int axis = 0; axis < Dimension; ++axis)
-      sum += v[axis] * w[axis];
-    return sum;
-  }
-
 private:
   // Subtracts multiples of vectors from others that become shorter by it. Returns whether one did.
   // Three vectors of which none is shortened by another one may still nearly cancel, as in a plane
@@ -89,15 +82,15 @@ private:
 
   bool shorten_by(int k, int l)
   {
-    const double ratio = CGAL::to_double(
-      Exact_rational(product(vectors_[k], vectors_[l]) / product(vectors_[l], vectors_[l])));
+    const double ratio = CGAL::to_double(Exact_rational(
+      dot_product(vectors_[k], vectors_[l]) / dot_product(vectors_[l], vectors_[l])));
     const double multiple = std::nearbyint(ratio);
     if(multiple == 0)
       return false;
     Vector shorter = vectors_[k];
     if(std::fabs(multiple) < max_offset)
       subtract(shorter, vectors_[l], Exact_rational(multiple));
-    if(!(product(shorter, shorter) < product(vectors_[k], vectors_[k])))
+    if(!(dot_product(shorter, shorter) < dot_product(vectors_[k], vectors_[k])))
       return false;
     subtract_steps(k, l, static_cast<std::int64_t>(multiple));
     vectors_[k] = shorter;
@@ -111,7 +104,7 @@ private:
     Vector shorter = vectors_[k];
     subtract(shorter, vectors_[l], Exact_rational(sign));
     subtract(shorter, vectors_[m], Exact_rational(other_sign));
-    if(!(product(shorter, shorter) < product(vectors_[k], vectors_[k])))
+    if(!(dot_product(shorter, shorter) < dot_product(vectors_[k], vectors_[k])))
       return false;
     subtract_steps(k, l, sign);
     subtract_steps(k, m, other_sign);
@@ -142,7 +135,7 @@ private:
     std::vector<std::vector<Exact_rational>> products(n, std::vector<Exact_rational>(n));
     for(int k = 0; k < n; ++k)
       for(int l = 0; l < n; ++l)
-        products[k][l] = product(vectors_[k], vectors_[l]);
+        products[k][l] = dot_product(vectors_[k], vectors_[l]);
     duals_ = vectors_;
     for(int k = 0; k < n; ++k) { // the products are of full rank only if no diagonal entry is zero
       if(products[k][k] == 0)

@@ -9,6 +9,8 @@
 // algorithm of Gilbert, Johnson and Keerthi (Hull_distance.h). Rounding may make the point a worse
 // one, but it is one of the simplex, up to the error of a mean with weights that are not negative.
 
+#include <CGAL/Thick_intersection_d/internal/arithmetic/vectors.h>
+
 #include <boost/config.hpp> // BOOST_FORCEINLINE
 
 #include <algorithm>
@@ -20,25 +22,6 @@
 namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
-
-template <std::size_t N>
-double dot_product(const std::array<double, N>& u, const std::array<double, N>& v)
-{
-  double sum = u[0] * v[0];
-  for(std::size_t i = 1; i < N; ++i)
-    sum += u[i] * v[i];
-  return sum;
-}
-
-template <std::size_t N>
-std::array<double, N> vector_difference(const std::array<double, N>& u,
-                                        const std::array<double, N>& v)
-{
-  std::array<double, N> w;
-  for(std::size_t i = 0; i < N; ++i)
-    w[i] = u[i] - v[i];
-  return w;
-}
 
 // Weights of points: of the point of their hull that is next to the origin. They are not negative.
 using Weights = std::array<double, 4>;

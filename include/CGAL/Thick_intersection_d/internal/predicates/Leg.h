@@ -27,8 +27,8 @@
 // to 2^400 do not overflow, nor do differences of times up to 2^1000.
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Double_grid.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/vectors.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Hull_simplex.h>
 
 #include <boost/config.hpp> // BOOST_FORCEINLINE
 

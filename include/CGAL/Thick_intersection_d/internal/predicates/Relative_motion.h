@@ -15,6 +15,7 @@
 // distance has degree 1. So the comparison |w x v|^2 <= r^2 |v|^2 has degree 4 or 10.
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Double_grid.h>
+#include <CGAL/Thick_intersection_d/internal/arithmetic/vectors.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/wide_integers.h>
 #include <CGAL/Thick_intersection_d/internal/machine/hints.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Leg.h>
@@ -53,8 +54,8 @@ public:
       set_common(a, b);
     else
       set_scaled(a, b);
-    begins_along_ = exact_product(ends_[0], velocity_);
-    ends_along_ = exact_product(ends_[1], velocity_);
+    begins_along_ = dot_product(ends_[0], velocity_);
+    ends_along_ = dot_product(ends_[1], velocity_);
   }
 
   // Whether the legs have a time in common. If not, nothing else has a meaning.
@@ -65,8 +66,8 @@ public:
   {
     const Number square(scale_ * scale_);
     if(is_least_between())
-      return {square_of_cross(), Number(exact_product(velocity_, velocity_) * square)};
-    return {exact_product(ends_[nearest_end()], ends_[nearest_end()]), square};
+      return {square_of_cross(), Number(dot_product(velocity_, velocity_) * square)};
+    return {dot_product(ends_[nearest_end()], ends_[nearest_end()]), square};
   }
 
   // Returns the first time of the least distance.
@@ -82,8 +83,8 @@ private:
   void set_common(const Leg& a, const Leg& b)
   {
     for(std::size_t k = 0; k < 2; ++k)
-      ends_[k] = exact_difference(b.ends[k], a.ends[k]);
-    velocity_ = exact_difference(ends_[1], ends_[0]);
+      ends_[k] = vector_difference(b.ends[k], a.ends[k]);
+    velocity_ = vector_difference(ends_[1], ends_[0]);
     scale_ = Number(1);
   }
 
@@ -91,8 +92,8 @@ private:
   void set_scaled(const Leg& a, const Leg& b)
   {
     const Number duration_a = duration(a), duration_b = duration(b);
-    const Vector way_a = exact_difference(a.ends[1], a.ends[0]);
-    const Vector way_b = exact_difference(b.ends[1], b.ends[0]);
+    const Vector way_a = vector_difference(a.ends[1], a.ends[0]);
+    const Vector way_b = vector_difference(b.ends[1], b.ends[0]);
     scale_ = Number(duration_a * duration_b);
     for(std::size_t i = 0; i < N; ++i) {
       velocity_[i] = Number(duration_a * way_b[i] - duration_b * way_a[i]);
@@ -122,7 +123,7 @@ private:
     }
     else {
       const Vector cross = exact_normal(ends_[0], velocity_);
-      return exact_product(cross, cross);
+      return dot_product(cross, cross);
     }
   }
 

@@ -32,6 +32,7 @@
 
 #include <CGAL/Uncertain.h>
 
+#include <CGAL/Thick_intersection_d/internal/arithmetic/vectors.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Hull.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Hull_simplex.h>

@@ -17,6 +17,8 @@
 // vertices; 4 and 2 for an edge; 6 and 4 for a triangle, or for two edges in space. A bound on the
 // distance adds degree 2 to the second. Whether a foot is inside has degree 4.
 
+#include <CGAL/Thick_intersection_d/internal/arithmetic/vectors.h>
+
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -27,25 +29,6 @@ namespace internal {
 
 template <class Number, std::size_t N>
 using Exact_vector = std::array<Number, N>;
-
-template <class Number, std::size_t N>
-Number exact_product(const Exact_vector<Number, N>& u, const Exact_vector<Number, N>& v)
-{
-  Number sum(0);
-  for(std::size_t i = 0; i < N; ++i)
-    sum = Number(sum + u[i] * v[i]);
-  return sum;
-}
-
-template <class Number, std::size_t N>
-Exact_vector<Number, N> exact_difference(const Exact_vector<Number, N>& u,
-                                         const Exact_vector<Number, N>& v)
-{
-  Exact_vector<Number, N> w;
-  for(std::size_t i = 0; i < N; ++i)
-    w[i] = Number(u[i] - v[i]);
-  return w;
-}
 
 template <class Number>
 Exact_vector<Number, 3> exact_normal(const Exact_vector<Number, 3>& u,
@@ -75,7 +58,7 @@ public:
   {
     for(const Vector& p : a)
       for(const Vector& q : b)
-        if(within_(square(exact_difference(p, q)), Number(1)))
+        if(within_(square(vector_difference(p, q)), Number(1)))
           return true;
     if(is_any_near_edge(a, b) || is_any_near_edge(b, a))
       return true;
@@ -86,7 +69,7 @@ public:
   }
 
 private:
-  static Number square(const Vector& v) { return exact_product(v, v); }
+  static Number square(const Vector& v) { return dot_product(v, v); }
 
   // Calls task(p, q) for the edges, until it returns true.
   template <class Task>
@@ -111,8 +94,8 @@ private:
 
   bool is_near_edge(const Vector& p, const Vector& q, const Vector& r) const
   {
-    const Vector edge = exact_difference(r, q), to_p = exact_difference(p, q);
-    const Number length = square(edge), along = exact_product(edge, to_p);
+    const Vector edge = vector_difference(r, q), to_p = vector_difference(p, q);
+    const Number length = square(edge), along = dot_product(edge, to_p);
     return along > Number(0) && along < length
            && within_(Number(square(to_p) * length - along * along), length);
   }
@@ -130,18 +113,18 @@ private:
 
   bool is_near_triangle(const Vector& p, const std::array<Vector, 3>& triangle) const
   {
-    const Vector normal = exact_normal(exact_difference(triangle[1], triangle[0]),
-                                       exact_difference(triangle[2], triangle[0]));
+    const Vector normal = exact_normal(vector_difference(triangle[1], triangle[0]),
+                                       vector_difference(triangle[2], triangle[0]));
     const Number length = square(normal);
     if(length == Number(0))
       return false;
     for(std::size_t k = 0; k < 3; ++k) {
       const Vector inwards
-        = exact_normal(normal, exact_difference(triangle[(k + 1) % 3], triangle[k]));
-      if(exact_product(inwards, exact_difference(p, triangle[k])) < Number(0))
+        = exact_normal(normal, vector_difference(triangle[(k + 1) % 3], triangle[k]));
+      if(dot_product(inwards, vector_difference(p, triangle[k])) < Number(0))
         return false;
     }
-    const Number height = exact_product(normal, exact_difference(p, triangle[0]));
+    const Number height = dot_product(normal, vector_difference(p, triangle[0]));
     return within_(Number(height * height), length);
   }
 
@@ -149,7 +132,7 @@ private:
   {
     return is_any_edge(a, [&](const Vector& p, const Vector& q) {
       return is_any_edge(b, [&](const Vector& r, const Vector& s) {
-        return are_edges_near(p, exact_difference(q, p), r, exact_difference(s, r));
+        return are_edges_near(p, vector_difference(q, p), r, vector_difference(s, r));
       });
     });
   }
@@ -158,13 +141,13 @@ private:
   // below have the factor |normal|^2, of x and of y.
   bool are_edges_near(const Vector& p, const Vector& u, const Vector& q, const Vector& v) const
   {
-    const Vector normal = exact_normal(u, v), from_p_to_q = exact_difference(q, p);
+    const Vector normal = exact_normal(u, v), from_p_to_q = vector_difference(q, p);
     const Number length = square(normal);
-    const Number x = exact_product(exact_normal(from_p_to_q, v), normal);
-    const Number y = exact_product(exact_normal(from_p_to_q, u), normal);
+    const Number x = dot_product(exact_normal(from_p_to_q, v), normal);
+    const Number y = dot_product(exact_normal(from_p_to_q, u), normal);
     if(length == Number(0) || x < Number(0) || x > length || y < Number(0) || y > length)
       return false;
-    const Number height = exact_product(normal, from_p_to_q);
+    const Number height = dot_product(normal, from_p_to_q);
     return within_(Number(height * height), length);
   }
 
