@@ -14,6 +14,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/distributed/Carried_points.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/Communicator.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/Distributed_points.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/Stop_signal.h>
@@ -25,7 +26,6 @@
 #include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/near_points/near_points_search.h>
-#include <CGAL/Thick_intersection_d/internal/parts/Carried_points.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_points.h>
 #include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
 
