@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -23,6 +24,26 @@ std::unique_ptr<T[]> make_uninitialized(std::size_t size)
   std::unique_ptr<T[]> memory(new T[size]);
   advise_huge_pages(memory.get(), size * sizeof(T));
   return memory;
+}
+
+// Makes room for values, as `reserve()` does. Most of the time of moving them there is that of
+// touching fresh memory.
+template <class Value>
+void reserve_huge_pages(std::vector<Value>& values, std::size_t size)
+{
+  if(size <= values.capacity())
+    return;
+  values.reserve(size);
+  advise_huge_pages(values.data() + values.size(), (size - values.size()) * sizeof(Value));
+}
+
+template <class Value>
+std::vector<Value> zeros_on_huge_pages(std::size_t size)
+{
+  std::vector<Value> zeros;
+  reserve_huge_pages(zeros, size);
+  zeros.resize(size);
+  return zeros;
 }
 
 // Memory that is used again and again, and grows when more is required.

@@ -14,6 +14,7 @@
 #include <CGAL/Neighbor_lists.h>
 
 #include <CGAL/Thick_intersection_d/internal/arrays/prefix_sums.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/Communicator.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/distributed_search.h>
 #include <CGAL/Thick_intersection_d/internal/distributed/run_together.h>

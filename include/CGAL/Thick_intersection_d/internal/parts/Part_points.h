@@ -7,7 +7,7 @@
 
 // The points of a part, with their ids, and the bytes that they are sent as.
 
-#include <CGAL/Thick_intersection_d/internal/machine/huge_pages.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -54,25 +54,6 @@ inline std::pair<std::uint64_t, std::uint64_t> ids_in_order(std::uint64_t i, std
 {
   const std::uint64_t difference = (i ^ j) & (0 - static_cast<std::uint64_t>(j < i));
   return {i ^ difference, j ^ difference};
-}
-
-// Most of the time of moving points is that of touching fresh memory.
-template <class Value>
-void reserve_huge_pages(std::vector<Value>& values, std::size_t size)
-{
-  if(size <= values.capacity())
-    return;
-  values.reserve(size);
-  advise_huge_pages(values.data() + values.size(), (size - values.size()) * sizeof(Value));
-}
-
-template <class Value>
-std::vector<Value> zeros_on_huge_pages(std::size_t size)
-{
-  std::vector<Value> zeros;
-  reserve_huge_pages(zeros, size);
-  zeros.resize(size);
-  return zeros;
 }
 
 // The points of one set that a part has: its own come first, then those it has received because

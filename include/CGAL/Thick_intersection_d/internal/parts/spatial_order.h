@@ -8,6 +8,7 @@
 // Puts the points of a part in an order in which near points are near in memory.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_box.h>
 #include <CGAL/Thick_intersection_d/internal/parts/Part_points.h>
 
