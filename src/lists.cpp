@@ -9,7 +9,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/lists/Neighbor_collector.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Per_thread.h>
-#include <CGAL/Thick_intersection_d/internal/reports/List_bins.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/List_bins.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/list_search.inc>
 
 #include <cstdint>

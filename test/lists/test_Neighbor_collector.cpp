@@ -3,6 +3,7 @@
 
 // Lists made from pairs in any order, against a plain sort of the pairs.
 
+#include "support/counting_allocator.h"
 #include "support/pairs.h"
 #include "support/unit_test.h"
 
@@ -68,6 +69,18 @@ BOOST_AUTO_TEST_CASE(lists_in_any_order_are_put_in_the_order_of_points)
                                        expected[of].begin(), expected[of].end());
   }
   BOOST_CHECK(collect_lists.lists() == expected);
+}
+
+BOOST_AUTO_TEST_CASE(bins_that_are_cleared_take_no_memory_of_neighbors)
+{
+  using Bins = internal::Neighbor_bins;
+  const std::size_t before = current_bytes();
+  Bins bins(Bins::bin_size);
+  for(Bins::Position i = 0; i < 10000; ++i)
+    bins.add(i, i);
+  BOOST_CHECK_GT(current_bytes() - before, 50000u);
+  bins.clear();
+  BOOST_CHECK_LT(current_bytes() - before, 1000u);
 }
 
 BOOST_AUTO_TEST_CASE(pairs_in_one_of_their_lists_are_left_out_of_mutual_neighbors)

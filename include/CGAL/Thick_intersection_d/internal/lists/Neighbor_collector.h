@@ -21,8 +21,8 @@
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/machine/hints.h>
 #include <CGAL/Thick_intersection_d/internal/near_points/Callback_taker.h>
-#include <CGAL/Thick_intersection_d/internal/reports/List_bins.h>
 #include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/List_bins.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_task.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/list_search.h>
 

@@ -10,7 +10,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/machine/hints.h>
-#include <CGAL/Thick_intersection_d/internal/reports/List_bins.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/List_bins.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_sweep.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_task.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_column.h>

@@ -120,7 +120,7 @@ protected:
   ~Result_taker() = default;
 };
 
-class List_bins; // of reports/List_bins.h, which those who make lists include
+class List_bins; // of List_bins.h, which those who make lists include
 
 class List_taker : public Result_taker
 {

@@ -15,7 +15,7 @@
 #include <CGAL/Thick_intersection_d/internal/lanes/Near_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/run_sorter.h>
 #include <CGAL/Thick_intersection_d/internal/machine/hints.h>
-#include <CGAL/Thick_intersection_d/internal/reports/List_bins.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/List_bins.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Near_task.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Slab_point.h>
 #include <CGAL/Thick_intersection_d/internal/slabs/Strips.h>

@@ -2,14 +2,13 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_LIST_BINS_H
-#define CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_LIST_BINS_H
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LIST_BINS_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LIST_BINS_H
 
 // The complete lists that one thread makes, of points in any order, in bins. A bin takes the lists
 // of consecutive points, so few that a cache holds their lists.
 
-#include <CGAL/Neighbor_lists.h>
-
+#include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/uninitialized_memory.h>
 #include <CGAL/Thick_intersection_d/internal/machine/hints.h>
 
@@ -25,8 +24,6 @@ namespace internal {
 class List_bins
 {
 public:
-  using Position = Neighbor_lists::Position;
-
   // The number of points of a bin. 8192 points with 20 neighbors each have lists of 0.7 MB.
   static constexpr std::size_t bin_size = 8192;
 
@@ -48,12 +45,12 @@ public:
 
   // Appends a short list to the bin of the point `of`. Returns where to write its neighbors. There
   // is room for `max_short_size` of them, which the next list writes over.
-  Position* append_short(Position of, std::size_t size)
+  Place* append_short(Place of, std::size_t size)
   {
     Bin& bin = bins_[of / bin_size];
     if(bin.end - bin.next < static_cast<std::ptrdiff_t>(1 + max_short_size))
       extend(bin);
-    Position* const list = append_part(bin, of, size);
+    Place* const list = append_part(bin, of, size);
     // Each list goes to another bin, so the processor cannot guess where the next ones go.
     prefetch_to_write(bin.next, 1);
     prefetch_to_write(bin.next, 2);
@@ -61,7 +58,7 @@ public:
   }
 
   // Appends a list of any size to the bin of the point `of`, in parts.
-  void append(Position of, const Position* first, const Position* last)
+  void append(Place of, const Place* first, const Place* last)
   {
     Bin& bin = bins_[of / bin_size];
     while(first != last) {
@@ -80,13 +77,13 @@ public:
   {
     const Bin& b = bins_[bin];
     for(std::size_t c = 0; c < b.chunks.size(); ++c) {
-      const Position* part = b.chunks[c].begin;
-      const Position* const end = c + 1 < b.chunks.size() ? b.chunks[c].end : b.next;
+      const Place* part = b.chunks[c].begin;
+      const Place* const end = c + 1 < b.chunks.size() ? b.chunks[c].end : b.next;
       while(part != end) {
         prefetch_to_read(part, lines_ahead);
         prefetch_to_read(part, lines_ahead + 1);
-        const Position* const first = part + 1;
-        const Position* const last = first + *part % max_part_size;
+        const Place* const first = part + 1;
+        const Place* const last = first + *part % max_part_size;
         task(*part / max_part_size, first, last);
         part = last;
       }
@@ -111,27 +108,27 @@ private:
   static constexpr std::size_t lines_ahead = 16;
 
   // A part begins with the number of its point in the bin times this number, plus its size.
-  static constexpr Position max_part_size = 1 << 16;
+  static constexpr Place max_part_size = 1 << 16;
   static_assert(largest_chunk_size < max_part_size && bin_size <= max_part_size);
 
   struct Chunk
   {
-    Position* begin;
-    Position* end; // of what is used, unless it is the last chunk
+    Place* begin;
+    Place* end; // of what is used, unless it is the last chunk
   };
 
   struct Bin
   {
-    Position* next = nullptr; // in the last chunk
-    Position* end = nullptr;  // of the last chunk
+    Place* next = nullptr; // in the last chunk
+    Place* end = nullptr;  // of the last chunk
     std::size_t size = 0;
     std::vector<Chunk> chunks;
   };
 
-  static Position* append_part(Bin& bin, Position of, std::size_t size)
+  static Place* append_part(Bin& bin, Place of, std::size_t size)
   {
-    Position* const part = bin.next;
-    *part = static_cast<Position>(of % bin_size * max_part_size + size);
+    Place* const part = bin.next;
+    *part = static_cast<Place>(of % bin_size * max_part_size + size);
     bin.next += 1 + size;
     bin.size += size;
     return part + 1;
@@ -144,11 +141,11 @@ private:
     const std::size_t size = first_chunk_size << (std::min)(bin.chunks.size(), doublings);
     if(left_ < size) {
       block_size_ = (std::min)(2 * block_size_, max_block_size);
-      blocks_.emplace_back(make_uninitialized<Position>(block_size_));
+      blocks_.emplace_back(make_uninitialized<Place>(block_size_));
       left_ = block_size_;
     }
     left_ -= size;
-    Position* const begin = blocks_.back().get() + left_;
+    Place* const begin = blocks_.back().get() + left_;
     bin.chunks.push_back({begin, nullptr});
     if(bin.chunks.size() > 1)
       bin.chunks[bin.chunks.size() - 2].end = bin.next;
@@ -157,7 +154,7 @@ private:
   }
 
   std::vector<Bin> bins_;
-  std::vector<std::unique_ptr<Position[]>> blocks_;
+  std::vector<std::unique_ptr<Place[]>> blocks_;
   std::size_t block_size_ = largest_chunk_size; // of the last block
   std::size_t left_ = 0;                        // of the last block
 };
@@ -166,4 +163,4 @@ private:
 } // namespace Thick_intersection_d
 } // namespace CGAL
 
-#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_REPORTS_LIST_BINS_H
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_SLABS_LIST_BINS_H

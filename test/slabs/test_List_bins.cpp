@@ -7,25 +7,25 @@
 #include "support/counting_allocator.h"
 #include "support/unit_test.h"
 
-#include <CGAL/Thick_intersection_d/internal/lists/Neighbor_collector.h>
-#include <CGAL/Thick_intersection_d/internal/reports/List_bins.h>
+#include <CGAL/Thick_intersection_d/internal/slabs/List_bins.h>
 
 BOOST_AUTO_TEST_SUITE(List_bins)
 
 using namespace test_support;
+using internal::Place;
 using Bins = internal::List_bins;
 
 BOOST_AUTO_TEST_CASE(short_lists_have_room_for_more)
 {
   Bins bins(1);
-  std::vector<Bins::Position> expected;
-  for(Bins::Position i = 0; i < 10000; ++i) {
-    Bins::Position* const list = bins.append_short(0, i % 3);
+  std::vector<Place> expected;
+  for(Place i = 0; i < 10000; ++i) {
+    Place* const list = bins.append_short(0, i % 3);
     std::fill_n(list, Bins::max_short_size, i);
     expected.insert(expected.end(), i % 3, i);
   }
-  std::vector<Bins::Position> found;
-  bins.for_each(0, [&](std::size_t, const Bins::Position* first, const Bins::Position* last) {
+  std::vector<Place> found;
+  bins.for_each(0, [&](std::size_t, const Place* first, const Place* last) {
     found.insert(found.end(), first, last);
   });
   BOOST_CHECK(found == expected);
@@ -37,7 +37,7 @@ BOOST_AUTO_TEST_CASE(bins_of_few_lists_take_little_memory)
   const std::size_t bin_count = 128, before = current_bytes();
   Bins bins(bin_count * Bins::bin_size);
   for(std::size_t i = 0; i < 2 * bin_count; ++i)
-    bins.append_short(static_cast<Bins::Position>(i * Bins::bin_size / 2), 10);
+    bins.append_short(static_cast<Place>(i * Bins::bin_size / 2), 10);
   BOOST_CHECK_LT(current_bytes() - before, 512 * bin_count);
 }
 
@@ -45,14 +45,10 @@ BOOST_AUTO_TEST_CASE(bins_that_are_cleared_take_no_memory_of_lists)
 {
   const std::size_t before = current_bytes();
   Bins bins(Bins::bin_size);
-  internal::Neighbor_bins neighbors(Bins::bin_size);
-  for(Bins::Position i = 0; i < 10000; ++i) {
+  for(Place i = 0; i < 10000; ++i)
     bins.append_short(i % Bins::bin_size, 10);
-    neighbors.add(i % Bins::bin_size, i);
-  }
   BOOST_CHECK_GT(current_bytes() - before, 400000u);
   bins.clear();
-  neighbors.clear();
   BOOST_CHECK_LT(current_bytes() - before, 1000u);
 }
 
