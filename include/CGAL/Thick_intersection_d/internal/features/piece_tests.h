@@ -13,7 +13,7 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/features/Interiors_overlap.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
-#include <CGAL/Thick_intersection_d/internal/objects/near_objects_search.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/are_objects_near.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
 
 #include <cstddef>

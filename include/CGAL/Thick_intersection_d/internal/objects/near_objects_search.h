@@ -29,8 +29,6 @@
 #include <CGAL/Thick_intersection_d/internal/objects/search_profiled.h>
 #include <CGAL/Thick_intersection_d/internal/objects/segment_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Hull.h>
-#include <CGAL/Thick_intersection_d/internal/predicates/Hull_bound.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/are_objects_near.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_kernel_objects_intersect.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
@@ -44,63 +42,12 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// Whether two objects of kinds that the package knows are within a bound.
-template <class Object>
-class Are_objects_near
-{
-  using Exact = Common_exact_number_t<Object>;
-
-public:
-  static constexpr int static_dimension = hull_dimension_v<typename Kinds<Object>::First>;
-  static constexpr bool are_kinds_known = true;
-
-  // `least_tier` is the first arithmetic after the filter. Counts in `counts` which arithmetic
-  // decides, unless `counts` is null.
-  template <class NT>
-  Are_objects_near(const Distance_bound<NT>& bound, Arithmetic_tier least_tier,
-                   Shared_decision_counts* counts)
-    : bound_(bound), least_tier_(least_tier), counts_(counts)
-  {
-    set_hull_bound(hull_bound_, bound, bound_);
-  }
-
-  int dimension() const { return static_dimension; }
-  double reach() const { return bound_.reach(); }
-
-  static std::pair<double, double> interval(const Object& object, int axis)
-  {
-    const auto& box = internal::bounding_box(object);
-    return {(box.min)(axis), (box.max)(axis)};
-  }
-
-  bool operator()(const Object& a, const Object& b) const
-  {
-    if(bound_.is_open() && bound_.is_zero()) // no distance is less than zero
-      return false;
-    return with_kinds(a, b, [&](const auto& x, const auto& y) {
-      Arithmetic_tier tier = least_tier_;
-      const auto exact_bound = [&]() -> const Squared_bound<Exact>& { return bound_; };
-      const bool are_near = are_kinds_near(x, y, hull_bound_, exact_bound, tier);
-      if(counts_ != nullptr)
-        counts_->add(tier);
-      return are_near;
-    });
-  }
-
-private:
-  const Squared_bound<Exact> bound_;
-  Hull_bound hull_bound_;
-  const Arithmetic_tier least_tier_;
-  Shared_decision_counts* counts_;
-};
-
-// The same of objects of traits, by their functors.
+// Whether two objects of traits are within a bound, by the functors of the traits.
 template <class Object, class Traits, class NT>
 class Are_near_by_traits
 {
 public:
   static constexpr int static_dimension = Object_dimension<Traits>::value;
-  static constexpr bool are_kinds_known = false; // another distance needs other boxes
 
   Are_near_by_traits(const Traits& traits, const Distance_bound<NT>& bound)
     : traits_(traits), bound_(bound), reach_(Squared_bound<Exact_number_t<NT>>(bound).reach())
@@ -207,10 +154,12 @@ template <class Elements, class Sets, class Test, class Callback, class NamedPar
 bool report_near_boxes(const Elements& objects, const Sets& sets, const Test& test,
                        Callback& callback, const NamedParameters& np, const Threads& threads)
 {
+  using Object = typename Elements::value_type;
+  // Traits may have another distance, for which stretches need other boxes.
+  constexpr bool are_kinds_known = std::is_same_v<Test, Are_objects_near<Object>>;
   auto progress = make_progress(np, objects.size());
   const Near_object_boxes<Test::static_dimension, Elements, Test> boxes(objects, test);
-  if constexpr(Sets::are_two && Test::are_kinds_known
-               && Has_segments<typename Elements::value_type>::value)
+  if constexpr(Sets::are_two && are_kinds_known && Has_segments<Object>::value)
     return report_segment_pairs(boxes, objects, sets, callback, progress, threads);
   else
     return report_meeting_boxes(boxes, sets, callback, progress, threads);

@@ -9,14 +9,17 @@
 // and exact numbers decide, in this order.
 
 #include <CGAL/Arithmetic_tier.h>
+#include <CGAL/Distance_bound.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Uncertain.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/kinds.h>
 #include <CGAL/Thick_intersection_d/internal/machine/hints.h>
+#include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Hull.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Hull_bound.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Hull_distance.h>
@@ -30,6 +33,7 @@
 #include <optional>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -196,6 +200,55 @@ bool are_kinds_near(const A& a, const B& b, const Hull_bound& bound, const Exact
   tier = Arithmetic_tier::DOUBLE;
   return get_certain(are_near);
 }
+
+// Whether two objects of kinds that the package knows are within a bound.
+template <class Object>
+class Are_objects_near
+{
+  using Exact = Common_exact_number_t<Object>;
+
+public:
+  static constexpr int static_dimension = hull_dimension_v<typename Kinds<Object>::First>;
+
+  // `least_tier` is the first arithmetic after the filter. Counts in `counts` which arithmetic
+  // decides, unless `counts` is null.
+  template <class NT>
+  Are_objects_near(const Distance_bound<NT>& bound, Arithmetic_tier least_tier,
+                   Shared_decision_counts* counts)
+    : bound_(bound), least_tier_(least_tier), counts_(counts)
+  {
+    set_hull_bound(hull_bound_, bound, bound_);
+  }
+
+  int dimension() const { return static_dimension; }
+  double reach() const { return bound_.reach(); }
+
+  static std::pair<double, double> interval(const Object& object, int axis)
+  {
+    const auto& box = internal::bounding_box(object);
+    return {(box.min)(axis), (box.max)(axis)};
+  }
+
+  bool operator()(const Object& a, const Object& b) const
+  {
+    if(bound_.is_open() && bound_.is_zero()) // no distance is less than zero
+      return false;
+    return with_kinds(a, b, [&](const auto& x, const auto& y) {
+      Arithmetic_tier tier = least_tier_;
+      const auto exact_bound = [&]() -> const Squared_bound<Exact>& { return bound_; };
+      const bool are_near = are_kinds_near(x, y, hull_bound_, exact_bound, tier);
+      if(counts_ != nullptr)
+        counts_->add(tier);
+      return are_near;
+    });
+  }
+
+private:
+  const Squared_bound<Exact> bound_;
+  Hull_bound hull_bound_;
+  const Arithmetic_tier least_tier_;
+  Shared_decision_counts* counts_;
+};
 
 } // namespace internal
 } // namespace Thick_intersection_d
