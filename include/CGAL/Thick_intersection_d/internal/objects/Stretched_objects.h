@@ -9,7 +9,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
-#include <CGAL/Thick_intersection_d/internal/objects/Stretches.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Stretches.h>
 #include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
 
 #include <cstddef>

@@ -26,7 +26,6 @@
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/near_points/near_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/objects/Object_route.h>
-#include <CGAL/Thick_intersection_d/internal/objects/search_profiled.h>
 #include <CGAL/Thick_intersection_d/internal/objects/segment_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/are_objects_near.h>

@@ -28,7 +28,6 @@
 #include <CGAL/Thick_intersection_d/internal/objects/Object_route.h>
 #include <CGAL/Thick_intersection_d/internal/objects/Traits_of_interiors.h>
 #include <CGAL/Thick_intersection_d/internal/objects/Two_type_traits.h>
-#include <CGAL/Thick_intersection_d/internal/objects/search_profiled.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
 

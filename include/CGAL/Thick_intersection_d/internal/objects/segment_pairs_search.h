@@ -10,6 +10,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Stretches.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/box_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/Ball_centers.h>
 #include <CGAL/Thick_intersection_d/internal/input/base_kind.h>
@@ -18,7 +19,6 @@
 #include <CGAL/Thick_intersection_d/internal/input/vertices.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/objects/Stretched_objects.h>
-#include <CGAL/Thick_intersection_d/internal/objects/Stretches.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
 #include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
 

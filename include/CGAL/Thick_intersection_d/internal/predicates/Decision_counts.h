@@ -5,17 +5,19 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_DECISION_COUNTS_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_PREDICATES_DECISION_COUNTS_H
 
-// How many pairs each arithmetic has decided.
+// How many pairs each arithmetic has decided, and a search that counts them.
 //
 // Pairs of points that the first filter finds beyond the bound are not counted, because lanes pass
 // over them without a count. Pairs of objects are counted one by one.
 
 #include <CGAL/Arithmetic_tier.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -75,6 +77,26 @@ public:
 private:
   std::array<std::atomic<std::uint64_t>, arithmetic_tier_count> counts_ = {};
 };
+
+// Returns search(least_tier, &counts), and sets `profile` to `found`, the profile of the scene,
+// with the tier that is forced in `profile`, and the counts. `Profile` is Scene_profile, which
+// holds counts itself.
+//
+// The least tier is the first arithmetic after the filter. What the whole scene needs is more than
+// most of its pairs do, so wider integers and exact numbers wait for these.
+template <class Profile, class Search>
+bool search_profiled(Profile& profile, Profile found, const Search& search)
+{
+  if(const std::optional<Arithmetic_tier> forced = profile.forced_tier())
+    found.force_tier(*forced);
+  Shared_decision_counts counts;
+  const bool is_complete
+    = search(found.forced_tier() ? found.tier()
+                                 : (std::min)(found.tier(), Arithmetic_tier::INT64), &counts);
+  found.set_counts(counts.total());
+  profile = found;
+  return is_complete;
+}
 
 } // namespace internal
 } // namespace Thick_intersection_d

@@ -13,13 +13,13 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Stretches.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/box_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 #include <CGAL/Thick_intersection_d/internal/input/dimensions.h>
 #include <CGAL/Thick_intersection_d/internal/input/kinds.h>
 #include <CGAL/Thick_intersection_d/internal/machine/hints.h>
-#include <CGAL/Thick_intersection_d/internal/objects/Stretches.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Leg.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Relative_motion.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_kernel_objects_intersect.h>

@@ -12,8 +12,8 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/Random_numbers.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/Stretches.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/box_pairs_search.h>
-#include <CGAL/Thick_intersection_d/internal/objects/Stretches.h>
 
 #include <algorithm>
 #include <array>

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_OBJECTS_STRETCHES_H
-#define CGAL_THICK_INTERSECTION_D_INTERNAL_OBJECTS_STRETCHES_H
+#ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_BOXES_STRETCHES_H
+#define CGAL_THICK_INTERSECTION_D_INTERNAL_BOXES_STRETCHES_H
 
 // Long segments in stretches. The box of a long segment may meet those of very many small objects,
 // and the boxes of its stretches only few of them.
@@ -155,4 +155,4 @@ private:
 } // namespace Thick_intersection_d
 } // namespace CGAL
 
-#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_OBJECTS_STRETCHES_H
+#endif // CGAL_THICK_INTERSECTION_D_INTERNAL_BOXES_STRETCHES_H
