@@ -41,12 +41,8 @@ CGAL_LANES_TARGET inline Float_part to_float(Int_part x)
 }
 CGAL_LANES_TARGET inline Int_part is_less(Int_part a, Int_part b) { return a < b; }
 
-CGAL_LANES_TARGET inline unsigned int bits_at_most(Int_part a, Int_part b)
-{
-  const Int_part bit = {1, 2, 4, 8};
-  return static_cast<unsigned int>(vaddvq_s32((int32x4_t)((Int_part)(a <= b) & bit)));
-}
-CGAL_LANES_TARGET inline unsigned int bits_at_most(Float_part a, Float_part b)
+template <class Part>
+CGAL_LANES_TARGET inline unsigned int bits_at_most(Part a, Part b)
 {
   const Int_part bit = {1, 2, 4, 8};
   return static_cast<unsigned int>(vaddvq_s32((int32x4_t)((Int_part)(a <= b) & bit)));

@@ -38,11 +38,8 @@ CGAL_LANES_TARGET inline Float_part to_float(Int_part x)
 }
 CGAL_LANES_TARGET inline Int_part is_less(Int_part a, Int_part b) { return a < b; }
 
-CGAL_LANES_TARGET inline unsigned int bits_at_most(Int_part a, Int_part b)
-{
-  return static_cast<unsigned int>(__builtin_ia32_movmskps((Float_part)(a <= b)));
-}
-CGAL_LANES_TARGET inline unsigned int bits_at_most(Float_part a, Float_part b)
+template <class Part>
+CGAL_LANES_TARGET inline unsigned int bits_at_most(Part a, Part b)
 {
   return static_cast<unsigned int>(__builtin_ia32_movmskps((Float_part)(a <= b)));
 }
