@@ -79,6 +79,19 @@ BOOST_AUTO_TEST_CASE(two_sets_of_sites_at_random)
   }
 }
 
+BOOST_AUTO_TEST_CASE(objects_without_axes_are_compared_pair_by_pair)
+{
+  std::vector<Site> sites;
+  for(const long x : {0, 10, 20, 30, 40})
+    sites.emplace_back(std::vector<long>{x});
+  Calls calls;
+  const Lattice_traits traits(0, 20, 20, calls);
+  const Pairs expected = pairs_of_sites(sites, 20);
+  check_variants(expected, sites, traits, 0);
+  check_variants(of_two_sets(expected, 2), sites, traits, 0, 2);
+  BOOST_CHECK_EQUAL(calls.less + calls.is_close, 0u);
+}
+
 // Is_close_along_axis_d may be true too often, and in any pattern.
 BOOST_AUTO_TEST_CASE(closeness_that_is_true_too_often)
 {

@@ -74,7 +74,9 @@ public:
   bool operator()()
   {
     Members members = predicates_.members();
-    return members.empty() || search(members.begin(), members.end(), last_axis_);
+    if(last_axis_ < 0 && !members.empty())
+      return test_all_pairs(members);
+    return search(members.begin(), members.end(), last_axis_);
   }
 
 private:
@@ -86,6 +88,19 @@ private:
     bool recurse_below;
     bool recurse_above;
   };
+
+  // Objects without axes are neither cut nor sorted.
+  bool test_all_pairs(const Members& members)
+  {
+    for(const Member& b : members) {
+      for(const Member* a = members.data(); a != &b; ++a)
+        if(!test_pair(predicates_, *a, b, report_))
+          return false;
+      if(!advance(1, last_axis_))
+        return false;
+    }
+    return true;
+  }
 
   // Reports the intersecting pairs of [first, last) that share no side. Along each axis above
   // `axis`, all members are within two reaches of each other.
