@@ -89,9 +89,9 @@ if the box of the segment meets one of the feature: at most \f$ n \f$ for two fe
 the number of boxes that meet. Let \f$ K_v \f$ be the number of first vertices in the boxes of
 polygons that their features do not meet. Then the search takes \f$ O((n + K_f) \log n + K) \f$ time
 in the plane and \f$ O((n + K_f) \log^2 n + K) \f$ in space, and for each of the \f$ K_v \f$
-vertices \f$ O(\log n) \f$ time for most shapes. It is \f$ O(c \log n) \f$ at most, where \f$ c \f$
-is the number of edges at the height of the vertex: a spiral takes that much. The search takes \f$
-O(n + k) \f$ space.
+vertices \f$ O(\log^2 n) \f$ time for most shapes. It is \f$ O(c \log n) \f$ at most, where
+\f$ c \f$ is the number of edges at the height of the vertex: a spiral takes that much. The search
+takes \f$ O(n + k) \f$ space.
 
 If there are meshes, let \f$ n \f$ be the number of features, and \f$ m \f$ that of their points,
 segments and faces. Let \f$ K \f$ be the number of pairs of features whose boxes meet, \f$ P \f$ the
@@ -102,10 +102,11 @@ and for each vertex that is asked \f$ O(\sqrt{m} + c) \f$ time for most shapes, 
 the number of boxes of faces that are above the vertex. It takes \f$ O(m) \f$ space.
 
 Interiors are asked about where boundaries meet, as long as features are not known to be a pair.
-Let \f$ K_c \f$ be the number of pairs of edges that meet where one of them begins, and none ends.
-Each of them takes as much time as a vertex in a polygon, and a point takes \f$ O(m \log m) \f$ once
-for two polygons, where \f$ m \f$ is the number of their edges there. If edges of a polygon cancel
-in another one, as those of an antenna do, all vertices of both are asked about, once for two
+Let \f$ K_c \f$ be the number of pairs of edges that meet where none of them ends. Each of them
+takes as much time as a vertex in a polygon, and a point takes \f$ O(m \log m) \f$ a few times for
+two polygons, where \f$ m \f$ is the number of their edges there. If edges of a polygon cancel in
+another one, as those of an antenna do, all vertices of both are asked about, once for two polygons,
+which are remembered: the search takes \f$ O(n + k + k_a) \f$ space for \f$ k_a \f$ times two such
 polygons. If edges of both cross at one point where other edges of the polygons may be too, exact
 numbers decide.
 
@@ -145,9 +146,9 @@ below
 \throws std::invalid_argument if a coordinate is NaN or infinite, if a radius is negative, NaN or
 infinite, if a polygon with holes has no outer boundary, if a face is no triangle, or if an index is
 beyond the points, before anything is reported. The message gives the position of the feature, and
-of the face in it. Exceptions of the callback pass through.
+of the face in its mesh. Exceptions of the callback pass through.
 \throws std::length_error if there are 2<sup>31</sup> - 1 features, or segments and faces, or parts
-of features, polygons and closed meshes together, or vertices of the faces of a mesh, or more.
+of features and polygons together, or vertices of the faces of a mesh, or more.
 \throws std::runtime_error if the processor is set to flush denormal numbers to zero.
 
 \sa `thick_feature_intersection_d()`

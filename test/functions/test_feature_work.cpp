@@ -208,6 +208,21 @@ Polygon rosette(std::size_t count, std::size_t first)
   return ring;
 }
 
+// Diameters of a circle, joined at every other one of 2 * count equal sectors. The count is odd.
+Polygon star(std::size_t count, std::size_t first)
+{
+  Polygon ring;
+  for(std::size_t k = 0; k < count; ++k) {
+    const std::size_t diameter = (k + first) % count;
+    const double angle = 3.14159265358979 / static_cast<double>(count)
+                         * static_cast<double>(diameter);
+    const double side = (k % 2 == 0) == (k + first < count) ? 1 : -1;
+    for(const double along : {side, -side})
+      ring.push_back(Point(along * std::cos(angle), along * std::sin(angle)));
+  }
+  return ring;
+}
+
 // The teeth of a comb touch a long edge.
 Polygons comb_on_line(std::size_t teeth)
 {
@@ -266,6 +281,7 @@ BOOST_AUTO_TEST_CASE(edges_where_boundaries_meet_are_read_a_few_times)
     BOOST_CHECK_LT(reads_per_test("a common border", bands_of_common_border(n), 0), 40);
     BOOST_CHECK_LT(reads_per_test("a comb on a line", comb_on_line(n), 0), 60);
     BOOST_CHECK_LT(reads_per_test("rosettes", {rosette(n / 4, 0), rosette(n / 4, 1)}, 0), 25);
+    BOOST_CHECK_LT(reads_per_test("stars", {star(n / 4 + 1, 0), star(n / 4 + 1, 1)}, 0), 40);
     BOOST_CHECK_LT(reads_per_test("an antenna", antenna_across_border(n), 0), 150);
   }
 }

@@ -15,7 +15,7 @@
 // boundary.
 //
 // (1) C has edges of both boundaries. Where it goes from one to the other, F is a sector between
-// arms of both. A vertex of A or B is there, or two edges cross, and the question there finds F.
+// arms of both. A vertex of A or B is there, or two edges cross, and a question there finds F.
 //
 // (2) C is of A alone, say. Follow the ring of an edge of C, and the rings that touch it, inside of
 // B. Either they all stay there, or they reach an edge of B, at a point that is asked about. If the
@@ -123,19 +123,17 @@ public:
     const int along_b = along_a > 0 ? 1 : product_of_sides(edge_b, edge_a);
     if(along_a > 0 || along_b > 0)
       return false;
-    const auto at = [&](Place segment, bool is_vertex) {
-      return Part_at_point{pieces.part_of(segment), segment, is_vertex};
-    };
-    const auto do_overlap = [&, a = a, b = b](const auto& point, bool is_vertex) {
-      return do_overlap_at(pieces, point, at(a, is_vertex), at(b, is_vertex));
-    };
-    if(along_a < 0 && along_b < 0)
-      return are_plain(pieces, at(a, false), at(b, false))
-             || do_overlap(crossing_of(edge_a, edge_b), false);
+    Part_at_point at_a = {pieces.part_of(a), a, true}, at_b = {pieces.part_of(b), b, true};
+    if(along_a < 0 && along_b < 0) {
+      at_a.crossed = b;
+      at_b.crossed = a;
+      return are_plain(pieces, at_a, at_b)
+             || do_overlap_at(pieces, crossing_of(edge_a, edge_b), at_a, at_b);
+    }
     const bool begins_on_b = has_source(edge_b, edge_a);
-    return (begins_on_b && do_overlap(edge_a, true))
+    return (begins_on_b && do_overlap_at(pieces, edge_a, at_a, at_b))
            || (has_source(edge_a, edge_b) && !(begins_on_b && is_vertex_at(edge_a, 0, edge_b))
-               && do_overlap(edge_b, true));
+               && do_overlap_at(pieces, edge_b, at_a, at_b));
   }
 
   // Whether the first vertex of a part is inside of a polygon and shows that they are a pair. Edges
@@ -209,12 +207,8 @@ private:
   static bool may_cross_both(const Segment& edge, const Segment& a, const Segment& b)
   {
     const int along_a = product_of_sides(a, edge), along_b = product_of_sides(b, edge);
-    const auto is_on_line = [&](const Segment& line) {
-      return orientation_of_ends(line, 0, line, 1, edge, 0) == ZERO
-             && orientation_of_ends(line, 0, line, 1, edge, 1) == ZERO;
-    };
     return along_a <= 0 && along_b <= 0
-           && ((along_a == 0) == (along_b == 0) || is_on_line(along_a == 0 ? a : b));
+           && ((along_a == 0) == (along_b == 0) || is_along(along_a == 0 ? a : b, edge));
   }
 
   mutable Known_pairs searched_; // parts whose vertices were all asked about

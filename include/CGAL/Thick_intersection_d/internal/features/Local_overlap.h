@@ -51,6 +51,14 @@ bool is_point_on(const Object& point, const Segment& edge)
   return orientation_of_ends(edge, 0, edge, 1, point, 0) == ZERO;
 }
 
+// Whether an edge is on the line of another one.
+template <class Segment>
+bool is_along(const Segment& line, const Segment& edge)
+{
+  return orientation_of_ends(line, 0, line, 1, edge, 0) == ZERO
+         && orientation_of_ends(line, 0, line, 1, edge, 1) == ZERO;
+}
+
 // A direction in which an edge leaves a point: to one of its ends.
 template <class Segment>
 struct Arm
@@ -83,15 +91,17 @@ bool is_arm_before(const Arm<Segment>& a, const Arm<Segment>& b, const Object& p
 }
 
 // A part of a feature at a point, by one of its pieces. If the point is on the boundaries of two
-// parts, and a vertex of one of them, each two of their segments ask about it, and one of these
-// times is enough. The segment that asks must come before others that begin there, or, if it only
-// goes through the point, before all others. Those that begin there come first, because two that go
-// through the point on one line do not ask about it.
+// parts, each two of their segments ask about it, and a few of these times are enough. The segment
+// that asks must come before others that begin there, or, if it only goes through the point, before
+// all others. Those that begin there come first, because two that go through the point on one line
+// do not ask about it. Nor do those count, for this reason, that go along the segment it crosses.
+// Then the first two that cross there ask, and four pairs at most.
 struct Part_at_point
 {
   Place part;
   Place segment;
-  bool is_first_asked; // whether only the first segment asks
+  bool is_first_asked;       // whether only the first segment asks
+  Place crossed = max_place; // a segment of the other part, if both go through the point
 };
 
 // What a part of a feature is at a point.
@@ -141,10 +151,15 @@ private:
       add_arm(edge, 1);
     if(place_.is_first_asked && segment != place_.segment && !ends) {
       const bool asker_begins = is_vertex_at(pieces_[place_.segment], 0, point_);
-      if(begins == asker_begins ? segment < place_.segment : begins)
+      if(begins == asker_begins ? segment < place_.segment && !is_along_crossed(edge) : begins)
         is_asked_by_other_ = true;
     }
     return false;
+  }
+
+  bool is_along_crossed(const Segment& edge) const
+  {
+    return place_.crossed != max_place && is_along(pieces_[place_.crossed], edge);
   }
 
   void add_arm(const Segment& edge, int end)
