@@ -152,11 +152,9 @@ private:
     return bounding_box_of_point<Bbox_3>(get(point_map_, vertex));
   }
 
-  // A lazy point may have an infinite box until it is computed.
+  // The box of a lazy point is the same from now on, if the map has the point.
   void check_box(const Vertex& vertex, std::size_t position) const
   {
-    if(is_finite_box(vertex_box(vertex)))
-      return;
     settle(get(point_map_, vertex));
     if(!is_finite_box(vertex_box(vertex)))
       throw std::invalid_argument("A vertex of face " + std::to_string(position)
