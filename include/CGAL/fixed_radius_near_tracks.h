@@ -99,8 +99,8 @@ below
 than that of the fix before, or if the bound is negative or NaN, before anything is reported. The
 message gives the position of the track, and of the fix in it. Exceptions of the callback pass
 through.
-\throws std::length_error if there are 2<sup>31</sup> - 1 fixes or more, where a track of one fix
-counts as two.
+\throws std::length_error if there are 2<sup>31</sup> - 1 tracks or fixes, or more, where one fix
+of a track alone counts as two.
 \throws std::runtime_error if the processor is set to flush denormal numbers to zero.
 
 \sa `closest_approach()`

@@ -68,8 +68,9 @@ public:
       add_fix(Fix(fix.first, fix.second), fixes_.size() - first);
     if(fixes_.size() == first + 1)
       fixes_.push_back(fixes_.back());
-    if(!fits_box_route(fixes_.size()))
-      throw_too_many_objects(fixes_.size());
+    const std::size_t count = (std::max)(fixes_.size(), track_count_ + 1);
+    if(!fits_box_route(count))
+      throw_too_many_objects(count);
     for(std::size_t fix = first; fix + 1 < fixes_.size(); ++fix)
       stretches_.push_back({static_cast<Place>(track_count_), static_cast<Place>(fix), 0, 1});
     ++track_count_;
