@@ -17,6 +17,7 @@
 #include <CGAL/Thick_intersection_d/internal/features/Halved_range.h>
 #include <CGAL/Thick_intersection_d/internal/features/Space_box.h>
 #include <CGAL/Thick_intersection_d/internal/features/does_ray_cross_face.h>
+#include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/machine/hints.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
@@ -166,7 +167,10 @@ private:
     centers.reserve(tree.last - tree.first);
     for(Place piece = tree.first; piece != tree.last; ++piece) {
       const Box& box = pieces_[piece].box;
-      const auto center = [&](std::size_t axis) { return box[axis].low / 2 + box[axis].high / 2; };
+      const auto center = [&](std::size_t axis) {
+        const auto ends = finite_interval({box[axis].low, box[axis].high}); // else perhaps NaN
+        return ends.first / 2 + ends.second / 2;
+      };
       centers.push_back({{center(0), center(1), center(2)}, piece});
     }
     sort_by_halves(centers.data(), {0, 0, tree.last - tree.first});
