@@ -26,6 +26,7 @@
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/near_points/near_points_search.h>
 #include <CGAL/Thick_intersection_d/internal/reports/Pair_output.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 #include <CGAL/Thick_intersection_d/internal/reports/pair_search.h>
 
 #include <boost/config.hpp> // BOOST_NOINLINE
@@ -134,27 +135,29 @@ private:
 
   bool search_each_part()
   {
-    for(std::uint64_t done = 0; parts_.find_next(); done += loaded_.owned) {
+    for(std::uint64_t done = 0; parts_.find_next();) {
       parts_.take_next(loaded_);
-      const double share = (1 - share_of_writing) * part_of_all(loaded_.owned);
-      const double start = share_of_writing + (1 - share_of_writing) * part_of_all(done);
-      if(!search_loaded(start, share))
+      const double start = progress_after(done);
+      done += loaded_.owned;
+      if(!search_loaded(start, progress_after(done)))
         return false;
     }
     return true;
   }
 
-  double part_of_all(std::uint64_t count) const
+  // The progress when so many points have been searched: exactly 1 after all of them.
+  double progress_after(std::uint64_t done) const
   {
-    return static_cast<double>(count) / static_cast<double>(size_);
+    return share_of_writing
+           + (1 - share_of_writing) * (static_cast<double>(done) / static_cast<double>(size_));
   }
 
-  // Searches the points in memory, with a share of the progress, from `start` on. Most pairs have
-  // two ids. For them, nothing is stored and nothing is looked up. This makes short callbacks fast.
-  bool search_loaded(double start, double share)
+  // Searches the points in memory, with the progress from `start` to `end`. Most pairs have two
+  // ids. For them, nothing is stored and nothing is looked up. This makes short callbacks fast.
+  bool search_loaded(double start, double end)
   {
     const Points points(loaded_);
-    const auto go_on = [&](double done) { return go_on_(start + share * done); };
+    const Part_of_progress<const Go_on&> go_on{go_on_, start, end, nullptr};
     const auto report = [&, &callback = callback_](std::size_t i, std::size_t j) {
       return Points::is_id(i & j)
                ? goes_on_after(callback, Points::short_id(i), Points::short_id(j))
