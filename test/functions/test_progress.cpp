@@ -209,6 +209,21 @@ BOOST_AUTO_TEST_CASE(progress_of_early_ends_is_1)
   check({watched("equal points", [=](auto np) { CGAL::closest_pair(same, np); })});
 }
 
+// By other ways than that of few points.
+BOOST_AUTO_TEST_CASE(progress_of_no_points_is_1)
+{
+  const std::vector<Point> none;
+  const auto near = CGAL::within_distance(0.1);
+  check({watched("points on disk", [=](auto np) {
+           const CGAL::Memory_budget budget(1 << 26);
+           CGAL::external_fixed_radius_near_neighbors(none, near, budget, ignore, np);
+         }),
+         watched("points and a profile", [=](auto np) {
+           CGAL::Scene_profile profile;
+           CGAL::fixed_radius_near_neighbors(none, near, ignore, profile, np);
+         })});
+}
+
 // The closest pair is across the boundary, or within it.
 BOOST_AUTO_TEST_CASE(progress_of_the_closest_images_ends_at_1)
 {

@@ -90,10 +90,10 @@ public:
   bool report(const Sets& sets, Callback& callback, const NamedParameters& np,
               Shared_decision_counts* counts)
   {
-    if(points_.size() == 0)
-      return true;
-    const Is_within_distance<Point> is_within = make_predicate(counts);
     auto progress = make_progress(np, points_.size());
+    if(points_.size() == 0)
+      return progress.advance(0);
+    const Is_within_distance<Point> is_within = make_predicate(counts);
     if constexpr(dimension_or<Point>(2) == 2 || dimension_or<Point>(3) == 3)
       if(takes_slabs())
         return report_by_slabs(is_within, sets, callback, progress);
