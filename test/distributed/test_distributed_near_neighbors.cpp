@@ -350,6 +350,24 @@ BOOST_AUTO_TEST_CASE(points_as_they_are_stay_where_they_are)
   BOOST_CHECK_EQUAL(sum_of_all(profile.size_of_halo()) > 0, process_count() > 1);
 }
 
+// Of a process without points as well. The functor may change itself.
+BOOST_AUTO_TEST_CASE(progress_ends_at_1_on_each_process)
+{
+  for(const std::size_t size : {0, 1000}) {
+    const std::vector<Point_3> points = points_3(uniform_points(3, size, 0, 1, 9));
+    double last = -1;
+    const auto grow = [&last, before = 0.](double done) mutable {
+      BOOST_CHECK_GE(done, before);
+      last = before = done;
+      return true;
+    };
+    BOOST_CHECK(CGAL::distributed_fixed_radius_near_neighbors(
+      MPI_COMM_WORLD, my_share_of(points, Shares::EVEN), CGAL::within_distance(0.05), ignore,
+      CGAL::parameters::callback(grow)));
+    BOOST_CHECK_EQUAL(last, 1);
+  }
+}
+
 // ---- failures -----------------------------------------------------------------------------------
 
 // The process that fails: not the first one, if there are others.

@@ -21,7 +21,17 @@
 namespace test_support {
 
 using On_pair = std::function<bool(std::size_t, std::size_t)>;
-using On_progress = std::function<bool(double)>;
+
+// It may change itself: its operator() is not const.
+struct On_progress
+{
+  template <class Functor>
+  On_progress(Functor functor) : functor(std::move(functor)) {}
+
+  bool operator()(double done) { return functor(done); }
+
+  std::function<bool(double)> functor;
+};
 
 // Returns whether the search went to its end.
 struct Search

@@ -133,11 +133,11 @@ bool search_together(const Communicator& comm, const NamedParameters& np, const 
   run_together(comm, [&] { signal.emplace(comm); });
   const auto go_on_always = [](double) { return true; };
   const auto& given = parameters::get_parameter(np, internal_np::callback);
-  const auto& go_on = parameters::choose_parameter(given, go_on_always);
-  const auto watch = [&](double done) { return !signal->has_arrived() && go_on(done); };
   std::exception_ptr error;
   bool is_complete = false;
   try {
+    auto go_on = parameters::choose_parameter(given, go_on_always); // a copy, as it may change
+    const auto watch = [&](double done) { return !signal->has_arrived() && go_on(done); };
     is_complete = search(parameters::callback(watch));
   }
   catch(...) {

@@ -157,7 +157,7 @@ private:
   bool search_loaded(double start, double end)
   {
     const Points points(loaded_);
-    const Part_of_progress<const Go_on&> go_on{go_on_, start, end, nullptr};
+    const Part_of_progress<Go_on&> go_on{go_on_, start, end, nullptr};
     const auto report = [&, &callback = callback_](std::size_t i, std::size_t j) {
       return Points::is_id(i & j)
                ? goes_on_after(callback, Points::short_id(i), Points::short_id(j))
@@ -181,7 +181,7 @@ private:
   const Distance_bound<NT>& bound_;
   External_parts<Dimension> parts_;
   Callback& callback_;
-  const Go_on& go_on_;
+  Go_on go_on_;
   const Threads threads_;
   Loaded_points<Dimension> loaded_; // some, or a part
   std::uint64_t size_ = 0; // of the points that were read
