@@ -350,6 +350,19 @@ BOOST_AUTO_TEST_CASE(points_as_they_are_stay_where_they_are)
   BOOST_CHECK_EQUAL(sum_of_all(profile.size_of_halo()) > 0, process_count() > 1);
 }
 
+BOOST_AUTO_TEST_CASE(a_profile_is_that_of_the_last_search)
+{
+  const std::vector<Point_3> mine = my_share_of(points_3(lattice_points(3, 5, 1)), Shares::EVEN);
+  const auto bound = CGAL::within_distance(1.);
+  CGAL::Distributed_profile profile(as_is);
+  CGAL::distributed_fixed_radius_neighbor_lists(MPI_COMM_WORLD, mine, bound, profile);
+  BOOST_CHECK_GT(profile.seconds(CGAL::Distributed_phase::LISTS), 0);
+  CGAL::distributed_fixed_radius_near_neighbors(MPI_COMM_WORLD, mine, bound, ignore, profile);
+  BOOST_CHECK_EQUAL(profile.seconds(CGAL::Distributed_phase::LISTS), 0);
+  BOOST_CHECK_EQUAL(profile.bytes_sent(CGAL::Distributed_phase::LISTS), 0);
+  BOOST_CHECK(profile.distribution() == as_is);
+}
+
 // Of a process without points as well. The functor may change itself.
 BOOST_AUTO_TEST_CASE(progress_ends_at_1_on_each_process)
 {

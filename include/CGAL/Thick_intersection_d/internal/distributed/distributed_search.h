@@ -93,13 +93,15 @@ std::string text_of_bound(const Distance_bound<NT>& bound)
 }
 
 // Checks the points and the bound on all processes, and distributes the points, so that each
-// process has its own and those near them. Finishes all phases before the search.
+// process has its own and those near them. Finishes all phases before the search. Forgets what the
+// profile had of another search.
 template <class Elements, class Sets, class NT>
 auto distribute_points(const Communicator& comm, const Elements& elements, const Sets&,
                        const Distance_bound<NT>& bound, Distributed_profile& profile,
                        Phase_clock& clock, const Threads& threads)
 {
   using Point = typename Elements::value_type;
+  profile = Distributed_profile(profile.distribution());
   std::string text;
   double reach = 0;
   int dimension = 0;
