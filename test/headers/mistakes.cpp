@@ -30,6 +30,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <map>
 #include <string>
@@ -143,6 +144,10 @@ void make_mistakes()
   // error: The callback must take two positions of the type std::uint64_t.
   CGAL::external_fixed_radius_near_neighbors(points, bound, budget,
                                              [](const Point&, const Point&) {});
+
+  // error: The callback must return void, or bool to tell whether the search goes on.
+  CGAL::external_fixed_radius_near_neighbors(points, bound, budget,
+                                             [](std::uint64_t, std::uint64_t) { return 0; });
 
   // error: Parallel_tag is enabled but TBB is unavailable.
   CGAL::fixed_radius_near_neighbors<CGAL::Parallel_tag>(points, bound, report);

@@ -197,6 +197,22 @@ inline void check_budget(std::size_t bytes)
                                 + " bytes is too small: take at least 4 MiB.");
 }
 
+template <class Callback>
+constexpr bool check_callback_of_ids()
+{
+  constexpr bool is_callback = std::is_invocable_v<Callback&, std::uint64_t, std::uint64_t>;
+  static_assert(is_callback, "The callback must take two positions of the type std::uint64_t.");
+  if constexpr(is_callback) {
+    constexpr bool tells
+      = is_void_or_bool<std::invoke_result_t<Callback&, std::uint64_t, std::uint64_t>>;
+    static_assert(tells, "The callback must return void, or bool to tell whether the search "
+                         "goes on.");
+    return tells;
+  }
+  else
+    return false;
+}
+
 template <class Range, class Callback, class NamedParameters>
 constexpr bool check_external_search()
 {
@@ -204,13 +220,11 @@ constexpr bool check_external_search()
     return false;
   else {
     using Point = typename Elements_of<Range, NamedParameters>::value_type;
-    constexpr bool is_callback = std::is_invocable_v<Callback&, std::uint64_t, std::uint64_t>;
-    static_assert(is_callback, "The callback must take two positions of the type std::uint64_t.");
     constexpr bool is_stored = is_held_by_double_v<Coordinate_t<Point>>
                                && (dimension_or<Point>(0) == 2 || dimension_or<Point>(0) == 3);
     static_assert(is_stored, "The points must be points in the plane or in space whose "
                              "coordinates are doubles, or numbers that doubles hold.");
-    return is_callback && is_stored;
+    return check_callback_of_ids<Callback>() && is_stored;
   }
 }
 
