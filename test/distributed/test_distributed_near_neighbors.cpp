@@ -249,6 +249,19 @@ BOOST_AUTO_TEST_CASE(the_same_pairs_are_found_on_the_same_process_again)
   BOOST_CHECK(first == pairs_of(mine, bound, balanced));
 }
 
+// The first search makes their numbers exact, so the second one finds narrower bounds.
+BOOST_AUTO_TEST_CASE(pairs_of_lazy_points_are_found_on_the_same_process_again)
+{
+  const Exact_kernel::FT far = 1e20;
+  std::vector<Exact_kernel::Point_2> points;
+  for(const Coordinates& x : uniform_points(2, 600, 0, 1, 10))
+    points.emplace_back((far + 100 * x[0]) - far, Exact_kernel::FT(x[1]));
+  const std::vector<Exact_kernel::Point_2> mine = my_share_of(points, Shares::EVEN);
+  const auto bound = CGAL::within_distance(Exact_kernel::FT(1));
+  const Pairs first = pairs_of(mine, bound, balanced);
+  BOOST_CHECK(first == pairs_of(mine, bound, balanced));
+}
+
 // ---- the lists ----------------------------------------------------------------------------------
 
 // The ids of the points of this process, each with the ids in its list.

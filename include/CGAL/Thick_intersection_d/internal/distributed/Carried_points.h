@@ -125,8 +125,7 @@ public:
     for(int axis = 0; axis < this->dimension(); ++axis)
       are_doubles = are_doubles && coordinate_bounds(point, axis).second == (*this)[place(axis)];
     for(int axis = 0; axis < this->dimension() && !are_doubles; ++axis)
-      exact_.push_back({to_exact_rational(coordinate(point, axis)),
-                        coordinate_bounds(point, axis).second});
+      add_exact(to_exact_rational(coordinate(point, axis)));
   }
 
   Exact_rational cartesian(int axis) const
@@ -172,15 +171,15 @@ public:
     if(!is_exact)
       return Lower_bounds::unpack(bytes, dimension);
     this->resize(dimension);
-    for(double& low : this->x_) {
+    for(int axis = 0; axis < dimension; ++axis) {
       std::uint64_t size;
       bytes.read(&size, 1);
       std::string text(static_cast<std::size_t>(size), ' ');
       bytes.read(&text[0], text.size());
       std::istringstream stream(text);
-      exact_.emplace_back();
-      stream >> exact_.back().value;
-      std::tie(low, exact_.back().high) = bounds(exact_.back().value);
+      Exact_rational x;
+      stream >> x;
+      add_exact(std::move(x));
     }
   }
 
@@ -192,6 +191,15 @@ private:
   };
 
   static std::size_t place(int axis) { return static_cast<std::size_t>(axis); }
+
+  // Adds the next coordinate, with bounds of its own. Those that a lazy point has would be narrower
+  // in another search, after this one has asked for the exact number.
+  void add_exact(Exact_rational x)
+  {
+    double& low = this->x_[exact_.size()];
+    exact_.push_back({std::move(x), 0});
+    std::tie(low, exact_.back().high) = bounds(exact_.back().value);
+  }
 
   std::vector<Exact_coordinate> exact_; // empty if all coordinates are doubles
 };

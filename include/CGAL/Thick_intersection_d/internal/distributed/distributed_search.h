@@ -106,8 +106,8 @@ auto distribute_points(const Communicator& comm, const Elements& elements, const
   double reach = 0;
   int dimension = 0;
   run_together(comm, [&] {
+    text = text_of_bound(bound); // which makes a lazy bound exact, so that its reach stays
     reach = Squared_bound<Exact_number_t<Coordinate_t<Point>>>(bound).reach();
-    text = text_of_bound(bound);
     dimension = scan_points(elements, "point", false, threads).dimension();
   });
   agree_on(comm, "The distance bound", text);
