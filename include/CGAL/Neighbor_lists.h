@@ -106,7 +106,7 @@ public:
 #endif
 
   /// returns the number of points that have a list.
-  std::size_t size() const { return begins_.size() - 1; }
+  std::size_t size() const { return begins_.empty() ? 0 : begins_.size() - 1; } // if moved from
 
   /// returns the neighbors of the point at position `i`, in ascending order.
   Neighbors operator[](std::size_t i) const

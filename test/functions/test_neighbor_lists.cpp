@@ -130,6 +130,15 @@ BOOST_AUTO_TEST_CASE(arrays_can_be_moved_out)
   BOOST_CHECK((moved_begins == std::vector<std::size_t>{0, 1, 2}));
 }
 
+BOOST_AUTO_TEST_CASE(lists_that_were_moved_from_are_empty)
+{
+  CGAL::Neighbor_lists lists({0, 1, 2}, {1, 0});
+  const CGAL::Neighbor_lists moved = std::move(lists);
+  BOOST_CHECK_EQUAL(moved.size(), 2);
+  BOOST_CHECK_EQUAL(lists.size(), 0);
+  BOOST_CHECK(lists.begin() == lists.end());
+}
+
 BOOST_AUTO_TEST_CASE(lists_of_two_ranges_hold_positions_in_the_second)
 {
   const Points a = uniform_points(2, 200, 0, 1, 9), b = uniform_points(2, 20000, 0, 1, 10);
