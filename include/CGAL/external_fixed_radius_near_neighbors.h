@@ -31,7 +31,8 @@ range once, and holds only some of its points at a time. So the elements of the 
 when they are read, as from a file: the range need not be in memory. A chapter of the manual,
 \ref thickBeyondMemory, shows such a range.
 
-The budget is for the data of the search, which may exceed it by up to a tenth. It covers neither
+The budget is for the data of the search, which may exceed it by up to a tenth; by up to three
+fifths if very many pairs are about as far apart as the bound, as in a lattice. It covers neither
 the program itself nor what the range and the callback hold. The scratch file takes 32 bytes per
 point in space and 24 in the plane, and up to as many for points near the borders of parts. It has
 no name, so it vanishes with the process, however that ends; on systems where an open file keeps its

@@ -58,8 +58,9 @@ public:
   }
 
   // The points that are searched at the same time. A search takes up to 30 bytes for each of them
-  // (benchmark/results.md, memory), and has places for less than half as many as places can tell
-  // apart.
+  // (benchmark/results.md, memory), or up to 80 if very many pairs are near ties: smaller parts for
+  // these would take longer in all scenes. It has places for less than half as many as places can
+  // tell apart.
   std::size_t points_per_search() const
   {
     return (std::min)(bytes_ / 16 * 13 / (point_size_ + 30), std::size_t(max_place / 2 - 1));

@@ -187,8 +187,8 @@ private:
   std::uint64_t size_ = 0; // of the points that were read
 };
 
-// Smaller budgets would be exceeded by more than a tenth: buffers of a search have sizes of their
-// own.
+// Usual scenes would exceed smaller budgets by more than a tenth: buffers of a search have sizes of
+// their own.
 inline void check_budget(std::size_t bytes)
 {
   constexpr std::size_t least = std::size_t(1) << 22;
