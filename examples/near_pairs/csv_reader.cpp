@@ -303,7 +303,8 @@ bool Csv_reader::is_comment() const
 // Some programs end all rows with a separator, but not the header.
 void Csv_reader::check_fields()
 {
-  if(rows_ == 0 && fields_.size() == header_.size() + 1 && fields_.back().empty())
+  const bool is_first = !std::exchange(has_row_, true);
+  if(is_first && fields_.size() == header_.size() + 1 && fields_.back().empty())
     ++fields_per_row_;
   if(fields_.size() != fields_per_row_)
     throw error(plural(fields_.size(), "field") + ", but the "

@@ -62,6 +62,7 @@ private:
   std::vector<std::string> fields_; // of the record in hand
   bool is_first_row_ready_ = false; // in fields_
   std::size_t fields_per_row_ = 0;
+  bool has_row_ = false; // behind the header, perhaps an empty one
   std::size_t rows_ = 0; // up to now, with those that are skipped
   std::vector<std::size_t> columns_;
   std::vector<std::size_t> motion_columns_;
