@@ -41,11 +41,13 @@ bool Records::next_text()
 {
   while(lines_.next(record_)) {
     const std::string_view text = trimmed(record_);
+    const bool has_fields
+      = !is_first_ && separator_ == '\t' && record_.find(separator_) != std::string::npos;
     begins_with_hash_ = !text.empty() && text.front() == '#';
     line_ = lines_.number();
     if(line_ == 1 && take_separator_line())
       continue;
-    if(!text.empty() && !(is_first_ && begins_with_hash_))
+    if(has_fields || (!text.empty() && !(is_first_ && begins_with_hash_)))
       return true;
     if(is_first_)
       comment_ = text.empty() ? text : text.substr(1);

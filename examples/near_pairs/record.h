@@ -16,7 +16,8 @@ namespace near_pairs {
 
 // Blanks around a field are no part of it. Inside quotes, separators and line ends are text, and a
 // quote is doubled; a quote inside a field that does not begin with one is text. Blank lines are
-// skipped, and so are lines that begin with # before the first record.
+// skipped, and so are lines that begin with # before the first record. If tabs separate fields, a
+// line of tabs behind this record is one of empty fields.
 class Records
 {
 public:
