@@ -149,7 +149,12 @@ bool Csv_reader::has_header_in_comment(const Read_options& options)
 {
   if(options.no_header || !options.columns.empty())
     return false;
-  header_ = in_utf8(records_.fields_of(records_.comment()));
+  try {
+    header_ = in_utf8(records_.fields_of(records_.comment()));
+  }
+  catch(const Error&) { // the comment is no record, so it is no header
+    return false;
+  }
   const bool is_header
     = header_.size() == fields_per_row_ && !guess_in_header(options).columns.empty();
   if(!is_header)

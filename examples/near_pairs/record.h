@@ -28,7 +28,7 @@ public:
   // Reads the next record; returns false at the end.
   bool next(std::vector<std::string>& fields);
 
-  // The fields of a text as if it were a record of one line.
+  // The fields of a text as if it were a record of one line. Throws Error if it is none.
   std::vector<std::string> fields_of(const std::string& text);
 
   // Whether the record in hand begins with #, as a comment does.
