@@ -258,7 +258,7 @@ bool Csv_reader::next(Row& row)
   for(int axis = 0; axis < dimension; ++axis)
     row.coordinates[axis] = number_in(columns_[axis], names[axis]);
   if(id_column_)
-    row.id = fields_[*id_column_];
+    row.id = utf8(fields_[*id_column_]);
   read_motion(row);
   return true;
 }

@@ -19,7 +19,7 @@
 
 namespace near_pairs {
 
-// Names of columns may be in UTF-8 or in Latin-1, and are UTF-8 from here on.
+// Names of columns and of points may be in UTF-8 or in Latin-1, and are UTF-8 from here on.
 //
 // The first record is a point, and no header, if the user says so, or if numbers stand where the
 // coordinates are. Then the comment before it is taken as the header if it names the coordinates,
