@@ -113,10 +113,16 @@ std::string csv_field(const std::string& text)
 
 std::string json_string(const std::string& text)
 {
+  const char* const digits = "0123456789abcdef";
   std::string quoted = "\"";
-  for(char letter : readable(text))
-    quoted += letter == '"' || letter == '\\' ? std::string("\\") + letter
-                                              : std::string(1, letter);
+  for(char letter : utf8(text)) {
+    const auto byte = static_cast<unsigned char>(letter);
+    if(byte < 32 || byte == 127)
+      quoted += std::string("\\u00") + digits[byte >> 4] + digits[byte & 15];
+    else
+      quoted += letter == '"' || letter == '\\' ? std::string("\\") + letter
+                                                : std::string(1, letter);
+  }
   return quoted + "\"";
 }
 
