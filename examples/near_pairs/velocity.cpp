@@ -56,7 +56,7 @@ Velocity read_velocity(const Place& place, bool is_geographic)
     throw bad_motion(place, 1, ": a course of " + place.row.motion[1]
                                  + " is outside [-360, 360] degrees");
   if(has_no_speed || (has_no_course && *speed != 0))
-    return {0, 0, climb, false};
+    return {0, 0, 0, false};
   return {*speed, course.value_or(0), climb, true};
 }
 
