@@ -126,6 +126,9 @@ std::array<double, 3> place_on_sphere(const Place& place)
   const double altitude
     = place.reader.dimension == 3 ? read_number(place, 2).value * place.reader.altitude_unit : 0;
   const double radius = earth_radius + altitude;
+  if(radius <= 0) // the place would be on the other side
+    throw bad_coordinate(place, 2, ": " + place.row.coordinates[2] + " is too low: the center of "
+                         "the sphere is not below it");
   if(!std::isfinite(radius))
     throw bad_coordinate(place, 2, ": " + place.row.coordinates[2] + " is too high");
   if(std::abs(latitude) == 90) // with any longitude
