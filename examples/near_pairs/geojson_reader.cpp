@@ -11,7 +11,10 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <charconv>
+#include <cstdint>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 namespace near_pairs {
@@ -186,6 +189,22 @@ Error error_at(const Input& input, const std::string& bytes, std::size_t at,
   return Error(input.name(), line, at - line_begin + 1, what);
 }
 
+// The end of the number at a place. The library rounds integers of more than 64 bits to doubles, so
+// that two ids could be one.
+std::size_t end_of_number(const Input& input, const std::string& bytes, std::size_t at)
+{
+  const std::size_t end = std::min(bytes.find_first_not_of("+-.0123456789eE", at), bytes.size());
+  const char* const first = bytes.data() + at;
+  const char* const last = bytes.data() + end;
+  std::int64_t negative = 0;
+  std::uint64_t positive = 0;
+  const auto [rest, error] = *first == '-' ? std::from_chars(first, last, negative)
+                                           : std::from_chars(first, last, positive);
+  if(rest == last && error == std::errc::result_out_of_range)
+    throw error_at(input, bytes, at, "an integer has more than 64 bits; write it as a string");
+  return end;
+}
+
 // The end of the text that begins at a place: behind its last bracket, or before the separator of
 // the next one. The library writes properties by a function that calls itself, so there is a limit.
 std::size_t end_of_text(const Input& input, const std::string& bytes, std::size_t at)
@@ -198,6 +217,8 @@ std::size_t end_of_text(const Input& input, const std::string& bytes, std::size_
       is_quoted = !is_quoted;
     else if(is_quoted)
       at += byte == '\\';
+    else if(byte == '-' || (byte >= '0' && byte <= '9'))
+      at = end_of_number(input, bytes, at) - 1;
     else if((byte == '{' || byte == '[') && ++depth > most_brackets)
       throw error_at(input, bytes, at, "brackets are nested too deep");
     else if((byte == '}' || byte == ']') && --depth == 0)
