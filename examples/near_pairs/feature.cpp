@@ -53,7 +53,8 @@ bool has_features(const std::string& file, const Read_options& options)
          || std::find(formats.begin(), formats.end(), format_of(file, options)) != formats.end();
 }
 
-std::vector<Feature> read_features(const Input& input, const Read_options& options)
+std::vector<Feature> read_features(const Input& input, const Read_options& options,
+                                   std::string& system)
 {
   if(!has_features(input.name(), options))
     return read_points(input, options);
@@ -64,7 +65,7 @@ std::vector<Feature> read_features(const Input& input, const Read_options& optio
     throw Error(input.name(), "--skip-missing is for points: features may be empty");
   if(options.solids)
     return read_solids(input, options);
-  return format_of(input.name(), options) == "wkt" ? read_wkt(input)
+  return format_of(input.name(), options) == "wkt" ? read_wkt(input, system)
                                                    : read_geojson(input, options);
 }
 

@@ -45,12 +45,14 @@ struct Feature
 bool has_features(const std::string& file, const Read_options& options);
 
 // Reads the features of such a file, or the points of any other one. Throws Error, with the line or
-// the member, if anything in the file cannot be taken at its word.
-std::vector<Feature> read_features(const Input& input, const Read_options& options);
+// the member, if anything in the file cannot be taken at its word. `system` is the SRID that a file
+// has told before, or empty: coordinates of two systems of reference cannot be compared.
+std::vector<Feature> read_features(const Input& input, const Read_options& options,
+                                   std::string& system);
 
 // Readers of one format. A geometry of WKT is a feature, and begins on a line of its own; a line
 // that begins with # is a comment. Solids are those that a mesh names, or one without an id.
-std::vector<Feature> read_wkt(const Input& input);
+std::vector<Feature> read_wkt(const Input& input, std::string& system);
 std::vector<Feature> read_geojson(const Input& input, const Read_options& options);
 std::vector<Feature> read_solids(const Input& input, const Read_options& options);
 

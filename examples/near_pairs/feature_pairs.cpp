@@ -168,10 +168,11 @@ void add_solids(Files& sets, std::vector<Feature> solids, const std::string& fil
 Files read_files(const Options& options, std::vector<std::string>& guessed)
 {
   Files files;
+  std::string system;
   for(std::size_t file = 0; file < options.files.size(); ++file) {
     const Input input(options.files[file], options.progress);
     const Read_options& reading = options.readings[file];
-    std::vector<Feature> features = read_features(input, reading);
+    std::vector<Feature> features = read_features(input, reading, system);
     if(options.solids)
       add_solids(files, std::move(features), input.name(), options.files.size());
     else

@@ -58,7 +58,7 @@ std::string why_not(const std::string& kind)
 class Wkt_parser
 {
 public:
-  explicit Wkt_parser(const Input& input) : lines_(input) {}
+  Wkt_parser(const Input& input, std::string& system) : lines_(input), system_(system) {}
 
   // Returns false at the end of the file.
   bool next(Feature& feature)
@@ -189,7 +189,6 @@ private:
     return vertices;
   }
 
-  // Coordinates of two systems of reference cannot be compared.
   void reference_system()
   {
     expect('=');
@@ -287,16 +286,16 @@ private:
   std::string line_;
   std::size_t at_ = 0; // in the line
   Feature feature_;
-  std::string system_; // of reference; empty if no geometry has told it
+  std::string& system_; // of reference; empty if no geometry has told it
   int numbers_ = 0;    // of each position of the geometry; 0: not known yet
 };
 
 } // namespace
 
-std::vector<Feature> read_wkt(const Input& input)
+std::vector<Feature> read_wkt(const Input& input, std::string& system)
 {
   std::vector<Feature> features;
-  Wkt_parser parser(input);
+  Wkt_parser parser(input, system);
   for(Feature feature; parser.next(feature); )
     features.push_back(std::move(feature));
   return features;

@@ -10,14 +10,17 @@
 #include <nlohmann/json.hpp>
 
 #include <iostream>
+#include <string>
 
 namespace {
 
 nlohmann::json read(const char* file)
 {
   nlohmann::json features = nlohmann::json::array();
+  std::string system;
   try {
-    for(const near_pairs::Feature& feature : near_pairs::read_features(near_pairs::Input(file), {}))
+    for(const near_pairs::Feature& feature :
+        near_pairs::read_features(near_pairs::Input(file), {}, system))
       features.push_back({{"lines", feature.lines}, {"polygons", feature.polygons}});
   }
   catch(const near_pairs::Error& error) {

@@ -124,9 +124,10 @@ void read_motion(near_pairs::Options options)
 void read(near_pairs::Options options, std::size_t most_points)
 {
   options.readings.assign(1, options);
+  std::string system;
   try {
     if(near_pairs::has_features(options.files.front(), options))
-      check(near_pairs::read_features(near_pairs::Input(options.files.front()), options));
+      check(near_pairs::read_features(near_pairs::Input(options.files.front()), options, system));
     else
       check(near_pairs::read_scene(options), most_points);
   }
