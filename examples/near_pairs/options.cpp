@@ -215,8 +215,8 @@ void check_solids(const po::variables_map& map, const Options& options)
       throw Error(std::string("--") + option + " is for points, and --solids has none");
 }
 
-// The options of tables are for the tables among the files. If there is none, the readers refuse
-// them.
+// The options of tables are for the tables among the files, and --skip-missing is for files with
+// rows. If there are none, the readers refuse them.
 void read_readings(const po::variables_map& map, Options& options)
 {
   for(const char* option : {"columns", "id", "frame", "altitude", "time", "track", "velocity"})
@@ -224,6 +224,10 @@ void read_readings(const po::variables_map& map, Options& options)
       throw Error(std::string("--") + option + " is given once, or once for each file");
   const auto is_one = [&](const std::string& file) { return is_table(file, options); };
   const bool has_table = std::any_of(options.files.begin(), options.files.end(), is_one);
+  const auto has_rows = [&](const std::string& file) {
+    return !has_features(file, options) && format_of(file, options) != "bin";
+  };
+  const bool may_skip = std::any_of(options.files.begin(), options.files.end(), has_rows);
   for(std::size_t file = 0; file < options.files.size(); ++file) {
     Read_options reading = options;
     reading.id = text_for_file(map, "id", file);
@@ -237,8 +241,8 @@ void read_readings(const po::variables_map& map, Options& options)
       reading.take_no_table();
     if(has_features(options.files[file], options))
       reading.id = id; // a property
-    else if(format_of(options.files[file], options) != "bin")
-      reading.skip_missing = options.skip_missing;
+    if(may_skip)
+      reading.skip_missing = options.skip_missing && has_rows(options.files[file]);
     options.readings.push_back(reading);
   }
 }

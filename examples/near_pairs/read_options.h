@@ -35,7 +35,7 @@ struct Read_options
   void take_no_table()
   {
     separator = 0;
-    no_header = comma_numbers = skip_missing = false;
+    no_header = comma_numbers = false;
     columns.clear();
     id.clear();
     altitude.clear();
