@@ -56,6 +56,7 @@ Csv_reader::Csv_reader(const Input& input, const Read_options& options)
     has_times_(!options.time.empty())
 {
   is_table = true;
+  may_skip_missing = options.may_skip_missing;
   if(!records_.next(fields_))
     throw Error(records_.file(), "is empty");
   fields_per_row_ = fields_.size();
@@ -277,8 +278,7 @@ bool Csv_reader::next_row()
     if(is_empty)
       continue;
     if(empty_rows != 0 && !skip_missing_)
-      throw Error(records_.file(), first_empty_line, "the row is empty; --skip-missing leaves such "
-                  "rows out");
+      throw Error(records_.file(), first_empty_line, "the row is empty" + advice_on_missing());
     rows_ += empty_rows;
     skipped += empty_rows;
     return true;

@@ -41,7 +41,7 @@ std::string text_of(double value)
 
 Numbers::Numbers(const Input& input, const Read_options& options, char comment)
   : input_(input), is_decimal_(options.decimal), may_be_missing_(options.skip_missing),
-    comment_(comment), lines_(input)
+    may_skip_missing_(options.may_skip_missing), comment_(comment), lines_(input)
 {}
 
 bool Numbers::next_word()
@@ -106,9 +106,10 @@ std::string Numbers::coordinate() const
     return std::string(word());
   const double number = value();
   if(!std::isfinite(number) && !(may_be_missing_ && std::isnan(number)))
-    throw wrong(std::isnan(number) ? "has a coordinate that is no number; --skip-missing leaves "
-                                     "such ones out"
-                                   : "has an infinite coordinate");
+    throw wrong(!std::isnan(number) ? "has an infinite coordinate"
+                : may_skip_missing_ ? "has a coordinate that is no number; --skip-missing leaves "
+                                      "such ones out"
+                                    : "has a coordinate that is no number");
   return std::isnan(number) ? "nan" : text_of(number);
 }
 

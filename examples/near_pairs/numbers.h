@@ -66,7 +66,7 @@ private:
   Error cut_off() const;
 
   const Input& input_;
-  const bool is_decimal_, may_be_missing_;
+  const bool is_decimal_, may_be_missing_, may_skip_missing_;
   const char comment_;
   Lines lines_;
   std::string line_;                // the line in hand, without its comment

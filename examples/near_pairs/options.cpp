@@ -241,6 +241,7 @@ void read_readings(const po::variables_map& map, Options& options)
       reading.take_no_table();
     if(has_features(options.files[file], options))
       reading.id = id; // a property
+    reading.may_skip_missing = options.memory == 0 && has_rows(options.files[file]);
     if(may_skip)
       reading.skip_missing = options.skip_missing && has_rows(options.files[file]);
     options.readings.push_back(reading);

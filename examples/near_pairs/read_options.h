@@ -22,6 +22,7 @@ struct Read_options
   bool no_header = false;
   bool comma_numbers = false;     // decimals have a comma where others have a point
   bool skip_missing = false;      // leave out rows without a coordinate
+  bool may_skip_missing = false;  // whether the command line may ask for it
   std::vector<std::string> columns;
   std::string id;                 // the column of names; empty: the one that is called so
   bool decimal = false;

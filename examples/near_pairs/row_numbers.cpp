@@ -33,18 +33,18 @@ bool has_thousands(std::string text)
 }
 
 // What is wrong with the text of a coordinate, and what to do.
-std::string fault_of(const std::string& text, bool is_table)
+std::string fault_of(const std::string& text, const Row_reader& reader)
 {
   const std::string word = text.empty() ? " is empty" : ": '" + text + "'";
   if(has_thousands(text))
     return word + " has a comma between thousands"
-           + (is_table && has_decimal_comma(text)
+           + (reader.is_table && has_decimal_comma(text)
                 ? ", or in the place of the decimal point, where --comma-numbers takes it" : "");
   if(has_decimal_comma(text))
     return word + " has a comma in the place of the decimal point"
-           + (is_table ? "; --comma-numbers takes it" : "");
+           + (reader.is_table ? "; --comma-numbers takes it" : "");
   return word + (text.empty() ? "" : " is no finite number")
-         + (is_missing(text) ? "; --skip-missing leaves such rows out" : "");
+         + (is_missing(text) ? reader.advice_on_missing() : "");
 }
 
 Error bad_coordinate(const Place& place, int axis, const std::string& fault)
@@ -63,7 +63,8 @@ void check_degrees(const Place& place, int axis, double degrees)
   const std::string range = std::to_string(most);
   throw bad_coordinate(place, axis, (is_latitude ? ": latitude " : ": longitude ") + text
                        + " is outside [-" + range + ", " + range + "]"
-                       + (is_latitude && degrees == 91 ? "; --skip-missing leaves such rows out"
+                       + (is_latitude && degrees == 91 && place.reader.is_table
+                            ? place.reader.advice_on_missing()
                           : place.reader.latitude_axis == 1 ? "; --columns takes any numbers"
                                                             : ""));
 }
@@ -112,7 +113,7 @@ Number read_number(const Place& place, int axis)
   std::optional<Decimal> decimal = parse_decimal(text);
   const double value = decimal ? nearest_double(text) : 0;
   if(!decimal || !std::isfinite(value))
-    throw bad_coordinate(place, axis, fault_of(text, place.reader.is_table));
+    throw bad_coordinate(place, axis, fault_of(text, place.reader));
   if(place.reader.latitude_axis != -1 && axis < 2)
     check_degrees(place, axis, value);
   return {std::move(*decimal), value};

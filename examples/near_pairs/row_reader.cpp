@@ -101,6 +101,7 @@ std::unique_ptr<Row_reader> open_rows(const Input& input, const Read_options& op
     throw Error(input.name(), "unknown format; name one of csv (for any table), xyz, off, ply, "
                 "obj, pdb, cif, tsp, bin, wkt and geojson by --format" + advice_on(format));
   refuse_options_for_tables(input, options, reader->latitude_axis != -1);
+  reader->may_skip_missing = options.may_skip_missing;
   if(options.skip_missing)
     return std::make_unique<Present_rows>(std::move(reader));
   return reader;

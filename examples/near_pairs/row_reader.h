@@ -59,7 +59,14 @@ public:
   bool has_ids = false;
   bool is_table = false;
   bool are_guessed = false; // the columns of a table, by their names
+  bool may_skip_missing = false; // whether --skip-missing is taken for the file
   std::size_t skipped = 0; // rows that were left out, up to now
+
+  // What to do with rows without coordinates; empty where they cannot be left out.
+  std::string advice_on_missing() const
+  {
+    return may_skip_missing ? "; --skip-missing leaves such rows out" : "";
+  }
 
   // The one that is read; the count is known from the end of the rows.
   Frame frame;

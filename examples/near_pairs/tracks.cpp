@@ -83,7 +83,7 @@ private:
       input_ = &place.input;
     }
     if(place.reader.has_ids && place.row.id.empty())
-      throw error_in(place, "the row has no track; --skip-missing leaves such rows out");
+      throw error_in(place, "the row has no track" + place.reader.advice_on_missing());
     has_ids_ = place.reader.has_ids;
     const auto [track, is_new] = numbers_.emplace(place.row.id, result_.tracks.size());
     if(is_new)
@@ -101,7 +101,7 @@ private:
     const auto time = parse_time(text);
     if(!time && is_missing(text))
       throw error_in(place, name + (text.empty() ? " is empty" : ": '" + text + "' is no time")
-                            + "; --skip-missing leaves such rows out");
+                            + place.reader.advice_on_missing());
     if(!time)
       throw error_in(place, name + ": '" + text + "' is no time: a number, hh:mm:ss, or a date as "
                             "2018-08-01T05:00:00Z");
