@@ -5,7 +5,9 @@
 
 #include "hints.h"
 
+#include "error.h"
 #include "exact_number.h"
+#include "text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,7 +62,8 @@ void print_hints(std::ostream& out, const Scene& scene, const Options& options,
            "a sphere and measures meters\n";
   if(scene.cell && !scene.cell->space_group.empty())
     out << "near_pairs: hint: the copies of the atoms in the cell by the space group "
-        << scene.cell->space_group << " are not in the file, and are not searched\n";
+        << one_line(readable(scene.cell->space_group))
+        << " are not in the file, and are not searched\n";
   if(found_ties + lost_ties != 0)
     out << "near_pairs: hint: pairs are at the distance but for rounding to doubles ("
         << found_ties << " of those found, " << lost_ties << " of those not found); --decimal "

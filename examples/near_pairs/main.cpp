@@ -21,6 +21,7 @@
 #include "standard_streams.h"
 #include "summary.h"
 #include "tables.h"
+#include "text.h"
 #include "track_pairs.h"
 #include "tracks.h"
 
@@ -100,7 +101,8 @@ void print_summary(std::ostream& out, const Scene& scene, const Options& options
   print_points(out, scene);
   print_name(out, "closest pair") << scene.position(i) << ' ' << scene.position(j);
   if(!scene.ids.empty())
-    out << ", " << scene.ids[i] << " and " << scene.ids[j];
+    out << ", " << one_line(readable(scene.ids[i])) << " and "
+        << one_line(readable(scene.ids[j]));
   out << '\n';
   if(scene.cell) {
     print_name(out, "offset");
