@@ -183,20 +183,22 @@ Files read_files(const Options& options, std::vector<std::string>& guessed)
   return files;
 }
 
-// Throws Error if --id names what is nowhere. A table without the column was refused; of features,
-// some may have no such property.
+// Throws Error if an --id names what is in no file that it is given for. A table without the column
+// was refused; of features, some may have no such property.
 void check_id(const Options& options, const Files& files)
 {
-  const std::string& first = options.readings.front().id;
-  const std::string& id = first.empty() ? options.readings.back().id : first;
-  const auto is_one = [&](const std::string& file) { return is_table(file, options); };
   const auto has_id = [](const Feature& feature) { return !feature.id.empty(); };
-  const auto may_have_ids = [&](const std::vector<Feature>& features) {
-    return features.empty() || std::any_of(features.begin(), features.end(), has_id);
+  const auto may_have_ids = [&](std::size_t file) {
+    return is_table(options.files[file], options) || files[file].empty()
+           || std::any_of(files[file].begin(), files[file].end(), has_id);
   };
-  if(!id.empty() && std::none_of(options.files.begin(), options.files.end(), is_one)
-     && std::none_of(files.begin(), files.end(), may_have_ids))
-    throw Error("--id: no feature has the property '" + id + "'");
+  for(const Read_options& reading : options.readings) {
+    bool is_found = reading.id.empty();
+    for(std::size_t file = 0; !is_found && file < files.size(); ++file)
+      is_found = options.readings[file].id == reading.id && may_have_ids(file);
+    if(!is_found)
+      throw Error("--id: no feature has the property '" + reading.id + "'");
+  }
 }
 
 // Searches, and writes the pairs into the table if there is one. Returns how many there are.
