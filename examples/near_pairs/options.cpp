@@ -106,7 +106,7 @@ void add_search_options(po::options_description& all, Options& options)
     ("progress", po::bool_switch(&options.progress),
      "show a percentage, but not of --closest of two files")
     ("help", po::bool_switch(&options.help),
-     "print this text; --help-tracks: of points that move")
+     "print this text; --help-tracks: motion, --altitude")
     ("version", po::bool_switch(&options.version), "print the versions of program and CGAL");
   all.add(search).add(output);
 }

@@ -140,7 +140,8 @@ std::string track_help_text()
       "if it says that it does not know one: 102.3 or 102.2 knots, 360 or 511 degrees.\n"
       "\n"
       "With --geographic, straight motion is along a chord of the sphere. The chord of\n"
-      "an arc of c meters is up to c^2/(8R) below it, R = 6371008.8: 8 m if c = 20 km.\n";
+      "an arc of c meters is up to c^2/(8R) below it, R = 6371008.8: 8 m if c = 20 km.\n"
+      "Points that stand still may have an --altitude, too.\n";
   po::options_description visible(columns_of_help, columns_of_descriptions);
   add_track_options(visible);
   std::ostringstream text;
