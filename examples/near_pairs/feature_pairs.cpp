@@ -274,9 +274,11 @@ void run_features(const Options& options)
   finish(out, "the summary");
   if(options.solids)
     print_hints(files);
-  if(has_lost_ties(files, options, pairs))
-    std::cerr << "near_pairs: hint: pairs beyond the distance may be at it but for rounding of "
-                 "decimals to doubles; a distance that is a little longer finds them\n";
+  if(has_moved_ties(files, options, pairs))
+    std::cerr << "near_pairs: hint: pairs " << (options.open ? "within" : "beyond")
+              << " the distance may be at it but for rounding of decimals to doubles; a distance "
+                 "that is a little "
+              << (options.open ? "shorter leaves them out\n" : "longer finds them\n");
 }
 
 } // namespace near_pairs

@@ -24,10 +24,10 @@ using Feature_pair_sink = std::function<void(std::size_t i, std::size_t j)>;
 void search_features(const std::vector<std::vector<Feature>>& files, const Options& options,
                      const Feature_pair_sink& sink);
 
-// Whether more than so many pairs are within a distance that is longer by what rounding of decimals
-// to doubles may change.
-bool has_lost_ties(const std::vector<std::vector<Feature>>& files, const Options& options,
-                   std::size_t pairs);
+// Whether rounding of decimals to doubles may have moved pairs over the bound, within which so many
+// were found: a longer bound has more, or a shorter one has fewer if the bound is open.
+bool has_moved_ties(const std::vector<std::vector<Feature>>& files, const Options& options,
+                    std::size_t pairs);
 
 // Whether one of the files has features, or solids.
 bool have_features(const Options& options);

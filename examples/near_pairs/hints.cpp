@@ -28,7 +28,7 @@ void print_chord(std::ostream& out, double arc)
 } // namespace
 
 Tie_watch::Tie_watch(const Scene& scene, const Options& options)
-  : scene_(scene), reach_(reach_of(options)),
+  : scene_(scene), reach_(reach_of(options)), is_open_(options.open),
     is_on_(scene.rounding != 0 && std::isfinite(reach_))
 {}
 
@@ -39,7 +39,7 @@ void Tie_watch::add_found(std::size_t i, std::size_t j, const Offset& offset)
 
 void Tie_watch::add_lost(std::size_t i, std::size_t j, const Offset& offset)
 {
-  lost_ += is_on_ && is_tie(i, j, offset);
+  lost_ += is_on_ && !is_open_ && is_tie(i, j, offset);
 }
 
 bool Tie_watch::is_tie(std::size_t i, std::size_t j, const Offset& offset) const

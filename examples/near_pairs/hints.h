@@ -25,7 +25,7 @@ public:
   // Those that are at exactly the bound count as well.
   void add_found(std::size_t i, std::size_t j, const Offset& offset);
 
-  // Of a pair that is beyond the bound.
+  // Of a pair that is beyond the bound. An open bound has none of these with --decimal, either.
   void add_lost(std::size_t i, std::size_t j, const Offset& offset);
 
   // How many of the pairs that were found only rounding keeps from being at exactly the bound,
@@ -38,6 +38,7 @@ private:
 
   const Scene& scene_;
   double reach_;
+  bool is_open_;
   bool is_on_; // whether --decimal could see other ties
   std::size_t found_ = 0, lost_ = 0;
 };

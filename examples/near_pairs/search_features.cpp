@@ -146,18 +146,6 @@ bool report_pairs(const std::vector<std::vector<Feature>>& files, const Exact_bo
   return report_pairs_by<CGAL::Sequential_tag>(files, bound, options, functor);
 }
 
-// How many pairs are within the distance or at it.
-std::size_t count_pairs(const std::vector<std::vector<Feature>>& files, Options options)
-{
-  options.open = false;
-  std::size_t count = 0;
-  report_pairs(files, bound_of(options), options, [&](std::size_t, std::size_t) {
-    ++count;
-    return !stop_requested;
-  });
-  return count;
-}
-
 // What a distance of features may be wrong by because decimals are rounded to doubles.
 double rounding_in(const std::vector<std::vector<Feature>>& files)
 {
@@ -194,23 +182,22 @@ void search_features(const std::vector<std::vector<Feature>>& files, const Optio
     throw Error("stopped");
 }
 
-bool has_lost_ties(const std::vector<std::vector<Feature>>& files, const Options& options,
-                   std::size_t pairs)
+bool has_moved_ties(const std::vector<std::vector<Feature>>& files, const Options& options,
+                    std::size_t pairs)
 {
   if(options.overlap)
     return false;
   const double excess = excess_of_longer_bound(options, rounding_in(files));
   if(excess == 0)
     return false;
+  const Exact_bound moved = longer_bound_of(options, options.open ? -excess : excess);
   Options quietly = options; // the search has shown its progress
   quietly.progress = false;
-  if(options.open) // pairs at exactly the distance are not lost
-    pairs = count_pairs(files, quietly);
   std::size_t count = 0;
-  const auto is_no_tie
-    = [&](std::size_t, std::size_t) { return ++count <= pairs && !stop_requested; };
-  return !report_pairs(files, longer_bound_of(options, excess), quietly, is_no_tie)
-         && !stop_requested;
+  report_pairs(files, moved, quietly, [&](std::size_t, std::size_t) {
+    return ++count <= pairs && !stop_requested;
+  });
+  return count != pairs && !stop_requested;
 }
 
 } // namespace near_pairs

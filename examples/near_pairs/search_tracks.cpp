@@ -81,7 +81,9 @@ public:
       const CGAL::Closest_approach approach = *approach_of(i, j);
       const auto order = compare(approach.squared_distance);
       const bool is_found = options_.open ? order < 0 : order <= 0;
-      result.has_lost_ties |= order > 0 && excess != 0;
+      const bool is_tie
+        = options_.open ? is_found && length(approach) >= reach_of(options_) - excess : order > 0;
+      result.has_moved_ties |= is_tie && excess != 0;
       result.on_boundary += is_found && order == 0;
       if(is_found)
         result.pairs.push_back({i, j, CGAL::to_double(approach.time), length(approach)});

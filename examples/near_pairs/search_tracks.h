@@ -28,7 +28,8 @@ struct Track_result
 {
   std::vector<Approach> pairs; // by i and j, which are i < j
   std::size_t on_boundary = 0; // pairs exactly at the distance, if the bound is closed
-  bool has_lost_ties = false;  // pairs are beyond the distance, and rounding may be the reason
+  bool has_moved_ties = false; // pairs are beyond the bound, or within an open one, and rounding
+                               // may be the reason
   std::string tier;            // the arithmetic that the tracks needed
 };
 

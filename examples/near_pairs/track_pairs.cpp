@@ -159,9 +159,10 @@ void print_hints(const Tracks& tracks, const Track_result& result, const Options
   if(tracks.scene.has_degrees && !options.decimal)
     std::cerr << "near_pairs: hint: degrees are taken as numbers in the plane; --geographic puts "
                  "them on a sphere and measures meters\n";
-  if(result.has_lost_ties)
-    std::cerr << "near_pairs: hint: pairs beyond the distance may be at it but for rounding of "
-                 "decimals to doubles; --decimal takes decimals exactly\n";
+  if(result.has_moved_ties)
+    std::cerr << "near_pairs: hint: pairs " << (options.open ? "within" : "beyond")
+              << " the distance may be at it but for rounding of decimals to doubles; --decimal "
+                 "takes decimals exactly\n";
 }
 
 } // namespace
