@@ -37,6 +37,16 @@ FT time_as(std::int64_t tick)
     return to_rational(*parse_decimal(std::to_string(tick)));
 }
 
+// The first conversion to a double may be wrong by many ticks, the second one is of few.
+std::pair<std::int64_t, double> tick_and_part(const CGAL::Exact_rational& time)
+{
+  const auto near = static_cast<std::int64_t>(CGAL::to_double(time));
+  const double rest
+    = CGAL::to_double(CGAL::Exact_rational(time - time_as<CGAL::Exact_rational>(near)));
+  const double whole = std::floor(rest);
+  return {near + static_cast<std::int64_t>(whole), rest - whole};
+}
+
 // The tracks for the library, which knows nothing of gaps: each piece is a track of its own. Pieces
 // of one track are there at different times, and so never near.
 template <class Kernel>
@@ -85,8 +95,10 @@ public:
         = options_.open ? is_found && length(approach) >= reach_of(options_) - excess : order > 0;
       result.has_moved_ties |= is_tie && excess != 0;
       result.on_boundary += is_found && order == 0;
-      if(is_found)
-        result.pairs.push_back({i, j, CGAL::to_double(approach.time), length(approach)});
+      if(is_found) {
+        const auto [tick, part] = tick_and_part(approach.time);
+        result.pairs.push_back({i, j, tick, part, length(approach)});
+      }
     }
     return result;
   }

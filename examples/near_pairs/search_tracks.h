@@ -10,18 +10,22 @@
 #include "tracks.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace near_pairs {
 
-// When two tracks are closest, the first time if there are several, and how close. The numbers are
-// rounded.
+// When two tracks are closest, the first time if there are several, and how close. The part and the
+// distance are rounded.
 struct Approach
 {
-  std::size_t i, j; // among the tracks of all files
-  double tick;
+  std::size_t i, j;  // among the tracks of all files
+  std::int64_t tick; // the last one that is not behind the time
+  double part;       // of the next one
   double distance;
+
+  double rounded_tick() const { return static_cast<double>(tick) + part; }
 };
 
 struct Track_result

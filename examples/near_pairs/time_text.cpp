@@ -173,21 +173,52 @@ std::string padded(std::int64_t number, std::size_t digits)
   return std::string(digits - std::min(digits, text.size()), '0') + text;
 }
 
-std::string number_text(double seconds)
+std::int64_t power_of_ten_in_bits(int exponent)
 {
-  std::array<char, 32> text;
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), seconds + 0.,
-                                     std::chars_format::general, 13).ptr};
+  std::int64_t power = 1;
+  for(; exponent > 0; --exponent)
+    power *= 10;
+  return power;
 }
 
-std::string clock_text(std::int64_t milliseconds)
+// The time in finer ticks, to the nearest one.
+std::int64_t finer_ticks(const Moment& moment, int more_digits)
 {
-  std::string text = padded(milliseconds / 3600000, 2) + ':'
-                     + padded(milliseconds / 60000 % 60, 2) + ':'
-                     + padded(milliseconds / 1000 % 60, 2);
-  if(milliseconds % 1000 != 0)
-    text += '.' + padded(milliseconds % 1000, 3);
+  const std::int64_t finer = power_of_ten_in_bits(more_digits);
+  return moment.tick * finer + std::llround(moment.part * static_cast<double>(finer));
+}
+
+std::string number_text(const Moment& moment)
+{
+  const int digits = static_cast<int>(std::to_string(std::abs(moment.tick)).size());
+  const int more_digits = moment.part == 0 ? 0 : std::max(0, 16 - digits);
+  const std::int64_t ticks = finer_ticks(moment, more_digits);
+  const auto decimals = static_cast<std::size_t>(moment.scale + more_digits);
+  if(decimals > 2 * most_digits)
+    return std::to_string(ticks) + "e-" + std::to_string(decimals);
+  std::string text = padded(std::abs(ticks), decimals + 1);
+  if(decimals != 0) {
+    text.insert(text.size() - decimals, ".");
+    text.erase(text.find_last_not_of('0') + 1);
+    if(text.back() == '.')
+      text.pop_back();
+  }
+  return (ticks < 0 ? "-" : "") + text;
+}
+
+// The fraction is in ticks of so many decimals.
+std::string clock_text(std::int64_t seconds, std::int64_t fraction, int decimals)
+{
+  std::string text = padded(seconds / 3600, 2) + ':' + padded(seconds / 60 % 60, 2) + ':'
+                     + padded(seconds % 60, 2);
+  if(fraction != 0)
+    text += '.' + padded(fraction, decimals);
   return text;
+}
+
+std::int64_t remainder_of(std::int64_t number, std::int64_t divisor)
+{
+  return (number % divisor + divisor) % divisor;
 }
 
 } // namespace
@@ -200,20 +231,30 @@ std::optional<Time> parse_time(const std::string& text)
   return date ? date : parse_clock(text);
 }
 
-std::string time_text(double seconds, const Time_form& form)
+std::string time_text(const Moment& moment, const Time_form& form)
 {
   if(form.kind == Time_form::NUMBER)
-    return number_text(seconds);
-  std::int64_t milliseconds = std::llround(seconds * 1000);
+    return number_text(moment);
+  const int decimals = std::max(3, moment.scale);
+  const std::int64_t ticks = finer_ticks(moment, decimals - moment.scale);
+  const std::int64_t second = power_of_ten_in_bits(decimals);
+  const std::int64_t fraction = remainder_of(ticks, second);
+  std::int64_t seconds = (ticks - fraction) / second;
   if(form.kind == Time_form::CLOCK)
-    return clock_text(milliseconds);
-  milliseconds += 1000 * *parse_zone(form.zone);
-  const std::int64_t of_day = 86400000;
-  const std::int64_t of_clock = (milliseconds % of_day + of_day) % of_day;
+    return clock_text(seconds, fraction, decimals);
+  seconds += *parse_zone(form.zone);
+  const std::int64_t day = 86400, of_clock = remainder_of(seconds, day);
   const auto date = Calendar::from_day_number(static_cast<Calendar::date_int_type>(
-    (milliseconds - of_clock) / of_day + days_before_1970()));
+    (seconds - of_clock) / day + days_before_1970()));
   return padded(date.year, 4) + '-' + padded(date.month, 2) + '-' + padded(date.day, 2)
-         + form.separator + clock_text(of_clock) + form.zone;
+         + form.separator + clock_text(of_clock, fraction, decimals) + form.zone;
+}
+
+std::string seconds_text(double seconds)
+{
+  std::array<char, 32> text;
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), seconds + 0.,
+                                     std::chars_format::general, 13).ptr};
 }
 
 bool are_comparable(const Time_form& a, const Time_form& b)

@@ -36,8 +36,20 @@ struct Time
 // nothing if the text is no time, or if it has more than 18 digits.
 std::optional<Time> parse_time(const std::string& text);
 
-// The text of a time in this form, rounded to milliseconds, or to 13 digits if it is a number.
-std::string time_text(double seconds, const Time_form& form);
+// A time in ticks of 10^-scale seconds, and a part of the next one, from 0 to 1.
+struct Moment
+{
+  std::int64_t tick;
+  double part;
+  int scale; // not negative
+};
+
+// The text of a time in this form. Ticks are not rounded. A part of one is: a number has 16 digits,
+// or as many as its ticks, and a clock milliseconds, or ticks that are finer.
+std::string time_text(const Moment& moment, const Time_form& form);
+
+// The text of seconds that are rounded already, with 13 digits.
+std::string seconds_text(double seconds);
 
 // Whether times of the two forms can be compared: they have the same kind, and dates have zones, or
 // have none.

@@ -54,8 +54,8 @@ public:
            << ',';
     for(const std::size_t track : {pair.i, pair.j})
       if(with_coordinates_)
-        write_place(tracks_.place_at(track, pair.tick));
-    out_ << time_text(tracks_.seconds(pair.tick), tracks_.form) << ',' << pair.distance << '\n';
+        write_place(tracks_.place_at(track, pair.rounded_tick()));
+    out_ << tracks_.time_text(pair.tick, pair.part) << ',' << pair.distance << '\n';
   }
 
 private:
@@ -114,7 +114,7 @@ void print_closest(std::ostream& out, const Tracks& tracks, const Track_result& 
   print_name(out, "closest") << name_of(closest->i) << " and " << name_of(closest->j) << ", "
     << std::setprecision(10) << closest->distance << (unit.empty() ? "" : " ") << unit
     << (tracks.are_looked_ahead ? ", after " : ", at ")
-    << time_text(tracks.seconds(closest->tick), tracks.form)
+    << tracks.time_text(closest->tick, closest->part)
     << (tracks.are_looked_ahead ? " s\n" : "\n");
 }
 

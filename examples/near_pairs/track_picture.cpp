@@ -171,8 +171,8 @@ private:
     std::string path;
     std::set<std::string> dots;
     for(const Approach& pair : pairs) {
-      const Position a = position_of(tracks_.place_at(pair.i, pair.tick));
-      const Position b = position_of(tracks_.place_at(pair.j, pair.tick));
+      const Position a = position_of(tracks_.place_at(pair.i, pair.rounded_tick()));
+      const Position b = position_of(tracks_.place_at(pair.j, pair.rounded_tick()));
       const std::string begin = pixels(panel_.place(a)), end = pixels(panel_.place(b));
       dots.insert({begin, end});
       if(begin != end && is_drawn(a, b))

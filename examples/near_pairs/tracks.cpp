@@ -121,8 +121,7 @@ private:
     const std::vector<std::int64_t> ticks = ticks_of_times();
     const std::int64_t first
       = ticks.empty() ? 0 : *std::min_element(ticks.begin(), ticks.end());
-    result_.seconds_per_tick = std::pow(10., -result_.scale);
-    result_.first_second = static_cast<double>(first) * result_.seconds_per_tick;
+    result_.first_tick = first;
     for(std::size_t number = 0; number < result_.tracks.size(); ++number) {
       Track& track = result_.tracks[number];
       Piece fixes = std::move(track.pieces.front());
@@ -223,7 +222,7 @@ private:
     }
     result_.are_looked_ahead = true;
     scene.rounding = 0; // other numbers than decimals are compared
-    result_.seconds_per_tick = seconds;
+    result_.look_ahead = seconds;
   }
 
   const Options& options_;
@@ -261,6 +260,13 @@ std::array<double, 3> Tracks::place_at(std::size_t track, double tick) const
     place[axis] = begin + part * (scene.coordinate(next->point, axis) - begin);
   }
   return place;
+}
+
+std::string Tracks::time_text(std::int64_t tick, double part) const
+{
+  if(are_looked_ahead)
+    return seconds_text((static_cast<double>(tick) + part) * look_ahead);
+  return near_pairs::time_text({first_tick + tick, part, scale}, form);
 }
 
 double Tracks::longest_leg() const

@@ -45,11 +45,11 @@ struct Tracks
   // Ticks are steps of 10^-scale seconds, from the earliest fix on. With --velocity there are two,
   // 0 and 1, at the beginning and the end of the look ahead.
   int scale = 0;
-  double seconds_per_tick = 1;
-  double first_second = 0; // of tick 0
+  std::int64_t first_tick = 0; // since the time 0 of the form
   Time_form form;
 
   bool are_looked_ahead = false; // with --velocity
+  double look_ahead = 0;         // in seconds, then
   std::size_t standing = 0;      // rows without a speed or a course, then
 
   // Of a track in its file: with --velocity, that of its row.
@@ -58,7 +58,8 @@ struct Tracks
   // The coordinates of a track at a time, rounded. A piece of it must be there.
   std::array<double, 3> place_at(std::size_t track, double tick) const;
 
-  double seconds(double tick) const { return first_second + tick * seconds_per_tick; }
+  // The text of a time, which is so much of a tick behind one.
+  std::string time_text(std::int64_t tick, double part) const;
 
   // The length of the longest leg, rounded.
   double longest_leg() const;
