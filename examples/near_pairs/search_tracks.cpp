@@ -176,11 +176,14 @@ private:
     return squared_distance < squared ? -1 : squared < squared_distance ? 1 : 0;
   }
 
-  // In the unit of the file.
+  // In the unit of the file. A square may be out of the range of doubles, where its root is not.
   double length(const CGAL::Closest_approach& approach) const
   {
-    return std::sqrt(CGAL::to_double(approach.squared_distance))
-           / std::pow(10., tracks_.scene.scale);
+    const double rounded = CGAL::to_double(approach.squared_distance);
+    const double unit = rounded > 1e300 ? 1e155 : rounded < 1e-280 ? 1e-153 : 1;
+    const CGAL::Exact_rational squared
+      = approach.squared_distance / CGAL::Exact_rational(unit) / CGAL::Exact_rational(unit);
+    return std::sqrt(CGAL::to_double(squared)) * unit / std::pow(10., tracks_.scene.scale);
   }
 
   const Tracks& tracks_;
