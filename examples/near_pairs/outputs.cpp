@@ -8,6 +8,9 @@
 #include "error.h"
 #include "temporary_files.h"
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstring>
 #include <iostream>
@@ -18,6 +21,15 @@ namespace near_pairs {
 namespace {
 
 namespace fs = std::filesystem;
+
+// Whether what is written here would stand among the lines of the summary. fs::equivalent() of GCC
+// 12 compares no pipes. A device, such as /dev/null or a terminal, may be both.
+bool is_standard_output(const fs::path& file)
+{
+  struct stat a, b;
+  return ::stat(file.c_str(), &a) == 0 && ::fstat(STDOUT_FILENO, &b) == 0 && a.st_dev == b.st_dev
+         && a.st_ino == b.st_ino && !S_ISCHR(a.st_mode);
+}
 
 } // namespace
 
@@ -46,13 +58,13 @@ Output_file::Output_file(const std::string& file, const std::vector<std::string>
       throw Error(file, "is the input file");
   target_ = target_of(file); // a link stays one: its target is replaced
   if(fs::exists(target_, ignored)) {
+    if(is_standard_output(target_))
+      throw Error(file, "is the standard output, which has the name - here");
     file_.open(target_, std::ios::app); // changes nothing: asks whether it may be replaced
     if(!file_)
       throw Error(file, std::strerror(errno));
     if(!fs::is_regular_file(target_, ignored))
       return;
-    if(fs::equivalent(target_, "/dev/stdout", ignored)) // it would lose the summary
-      throw Error(file, "is the standard output, which has the name - here");
     file_.close();
   }
   open_temporary();
