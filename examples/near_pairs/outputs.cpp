@@ -85,6 +85,9 @@ void Output_file::open_temporary()
     forget_temporary_file(temporary_.string());
     throw Error(name_, std::strerror(error));
   }
+  const fs::perms permissions = fs::status(target_, ignored).permissions();
+  if(permissions != fs::perms::unknown) // of a file that is replaced
+    fs::permissions(temporary_, permissions, ignored);
 }
 
 Output_file::~Output_file()
