@@ -6,6 +6,7 @@
 #include "external.h"
 
 #include "error.h"
+#include "hints.h"
 #include "outputs.h"
 #include "standard_streams.h"
 #include "summary.h"
@@ -49,8 +50,7 @@ void print_summary(std::ostream& out, const Options& options, const External_res
   print_guessed(out, {result.guessed});
   print_frames(out, {result.frame});
   print_name(out, "pairs") << result.pairs << '\n';
-  print_name(out, "distance")
-    << distance_in_words(options, options.geographic ? "m" : "") << '\n';
+  print_name(out, "distance") << distance_in_words(options, result.unit) << '\n';
   print_name(out, "on boundary") << "not counted with --memory\n";
   print_kernel(out, options);
   print_costs(out, result.seconds, ", with reading and outputs");
@@ -79,6 +79,7 @@ void run_external(const Options& options)
   std::ostream& out = options.pairs == "-" ? std::cerr : std::cout;
   print_summary(out, options, result);
   finish(out, "the summary");
+  print_degree_hints(std::cerr, options, result.unit == "deg");
   if(pairs)
     std::cerr << "near_pairs: hint: pairs are positions with --memory, without ids and distances\n";
 }

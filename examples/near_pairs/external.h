@@ -20,6 +20,7 @@ struct External_result
 {
   std::uint64_t points = 0;
   std::uint64_t pairs = 0;
+  std::string unit;    // of the distance
   std::string guessed; // the columns of a table, if names told them
   Frame frame;
   double seconds = 0; // from reading the file to the last pair

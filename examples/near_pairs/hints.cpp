@@ -15,10 +15,13 @@
 namespace near_pairs {
 namespace {
 
-// Tells what an arc on the sphere measures, if it is long enough for the difference to matter.
-void print_chord(std::ostream& out, double arc)
+// Tells what an arc on the sphere measures, if it is long enough for the difference to matter. A
+// distance is that of an arc if the user gave it, and that of a chord if it was found.
+void print_chord(std::ostream& out, double distance, bool is_found)
 {
   const double radius = earth_radius, pi = std::acos(-1.), noticeable = 0.999;
+  const double arc
+    = is_found ? 2 * radius * std::asin(std::min(1., distance / (2 * radius))) : distance;
   const double chord = 2 * radius * std::sin(arc / (2 * radius));
   if(arc <= pi * radius && chord < noticeable * arc)
     out << "near_pairs: hint: distances are straight lines through the sphere: "
@@ -52,14 +55,19 @@ bool Tie_watch::is_tie(std::size_t i, std::size_t j, const Offset& offset) const
   return std::abs(scene_.distance(i, j, offset) - reach_) <= rounding_of(largest);
 }
 
+void print_degree_hints(std::ostream& out, const Options& options, bool has_degrees)
+{
+  if(options.geographic)
+    print_chord(out, reach_of(options), options.closest);
+  if(has_degrees && !options.decimal)
+    out << "near_pairs: hint: degrees are taken as numbers in the plane; --geographic puts them on "
+           "a sphere and measures meters\n";
+}
+
 void print_hints(std::ostream& out, const Scene& scene, const Options& options,
                  std::size_t found_ties, std::size_t lost_ties)
 {
-  if(options.geographic)
-    print_chord(out, reach_of(options));
-  if(scene.has_degrees && !options.decimal)
-    out << "near_pairs: hint: degrees are taken as numbers in the plane; --geographic puts them on "
-           "a sphere and measures meters\n";
+  print_degree_hints(out, options, scene.has_degrees);
   if(scene.cell && !scene.cell->space_group.empty())
     out << "near_pairs: hint: the copies of the atoms in the cell by the space group "
         << one_line(readable(scene.cell->space_group))

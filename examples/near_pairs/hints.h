@@ -43,8 +43,11 @@ private:
   std::size_t found_ = 0, lost_ = 0;
 };
 
-// Prints a line for each hint. Of ties that rounding moved to one of the sides of the bound, some
-// were found, and some lost.
+// Prints a line for each hint about degrees.
+void print_degree_hints(std::ostream& out, const Options& options, bool has_degrees);
+
+// Prints a line for each hint. With --closest, the options have the distance that was found. Of
+// ties that rounding moved to one of the sides of the bound, some were found, and some lost.
 void print_hints(std::ostream& out, const Scene& scene, const Options& options,
                  std::size_t found_ties, std::size_t lost_ties);
 

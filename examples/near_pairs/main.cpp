@@ -211,14 +211,15 @@ private:
 void run_closest(const Options& options, const Scene& scene, Outputs& outputs)
 {
   const Closest_result closest = find_closest(scene, options);
-  outputs.begin(options_at(closest.squared_distance, options));
+  const Options found = options_at(closest.squared_distance, options);
+  outputs.begin(found);
   outputs.add_pair(closest.pair.first, closest.pair.second, closest.offset);
   outputs.finish();
   std::ostream& out = outputs.summary();
   print_summary(out, scene, options, closest);
   outputs.print_components(out);
   finish(out, "the summary");
-  print_hints(std::cerr, scene, options, 0, 0);
+  print_hints(std::cerr, scene, found, 0, 0);
 }
 
 // The search gives points of the plane a third coordinate of 0, which is not in the user's file.

@@ -31,6 +31,8 @@ public:
 
   int dimension() const { return dimension_; }
 
+  std::string unit() const { return options_.geographic ? "m" : reader_ ? reader_->unit : ""; }
+
   // The columns that were guessed, for a summary.
   std::string guessed() const { return reader_ ? guessed_columns(*reader_) : ""; }
 

@@ -70,6 +70,7 @@ public:
         ++result_->points;
         return;
       }
+      result_->unit = stream_->unit();
       result_->frame = stream_->frame();
       stream_.reset();
     }
