@@ -80,6 +80,21 @@ std::vector<std::string> fields_of(std::string line)
   return words(line, 4);
 }
 
+// Whether a separator has nothing before it, or nothing behind it. Many blanks are one.
+bool has_empty_field(const std::string& line)
+{
+  const auto has = [&](char letter) { return line.find(letter) != std::string::npos; };
+  const char separator = has(',') ? ',' : has(';') ? ';' : '\t';
+  std::size_t begin = 0, end;
+  do {
+    end = std::min(line.find(separator, begin), line.size());
+    if(line.find_first_not_of(" \t\r", begin) >= end)
+      return true;
+    begin = end + 1;
+  } while(end != line.size());
+  return false;
+}
+
 // Messages give the byte that the line begins at: no process knows how many lines come before it.
 std::array<double, 3> point_of(const std::string& file, std::uint64_t byte,
                                const std::string& line)
@@ -91,6 +106,8 @@ std::array<double, 3> point_of(const std::string& file, std::uint64_t byte,
   if(line.find(',') != std::string::npos && line.find(';') != std::string::npos)
     throw Error(file, place + " has ',' and ';': one of them is to separate, and decimals have a "
                 "point");
+  if(has_empty_field(line))
+    throw Error(file, place + " has an empty field");
   std::array<double, 3> point = {0, 0, 0};
   for(std::size_t axis = 0; axis < fields.size(); ++axis) {
     if(!parse_decimal(fields[axis]))
