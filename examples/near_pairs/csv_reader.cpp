@@ -11,19 +11,10 @@
 #include "text.h"
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
 
 namespace near_pairs {
 namespace {
-
-// Whether the bytes may be those of a compressed file, or of a program.
-bool is_no_text(const std::string& bytes)
-{
-  return std::any_of(bytes.begin(), bytes.end(), [](unsigned char byte) {
-    return std::iscntrl(byte) != 0 && std::isspace(byte) == 0;
-  });
-}
 
 // The column that a number from 1 names.
 std::optional<std::size_t> numbered_column(const std::string& text, std::size_t columns)

@@ -9,6 +9,7 @@
 #include "error.h"
 #include "input.h"
 #include "row_reader.h"
+#include "text.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -136,7 +137,10 @@ Points read_lines(const std::string& file, std::uint64_t size, int part, int par
       take_mark(line, file);
     const std::vector<std::string> fields = fields_of(line);
     const bool is_comment = fields.empty() || fields.front().front() == '#';
-    const bool is_header = begin == 0 && !is_comment && !parse_decimal(fields.front());
+    const bool is_header
+      = begin == 0 && !is_comment && std::none_of(fields.begin(), fields.end(), parse_decimal);
+    if(is_header && is_no_text(line))
+      throw Error(file, "is no text; unpack it if it is compressed, or name it .bin");
     if(!is_comment && !is_header)
       points.push_back(point_of(file, begin, line));
   }

@@ -17,9 +17,10 @@ namespace near_pairs {
 //
 // A .bin file has three doubles per point, least byte first. Any other file has a point on each
 // line, as two or three decimals with commas, semicolons, tabs or blanks between them. Blank lines
-// and lines that begin with # are skipped, and so is the first line if it begins with no number.
+// and lines that begin with # are skipped, and so is the first line if it has no number.
 //
 // Throws Error if the file cannot be read, or if something in the part cannot be taken at its word.
+// That the file has no point at all is for the caller to see.
 std::vector<std::array<double, 3>> read_share(const std::string& file, int part, int part_count);
 
 } // namespace near_pairs

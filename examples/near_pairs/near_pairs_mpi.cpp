@@ -144,10 +144,17 @@ void run(const Arguments& arguments)
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   MPI_Comm_size(MPI_COMM_WORLD, &size);
   std::vector<Point> points;
-  std::ofstream output;
   do_together([&] {
     for(const auto& x : read_share(arguments.file, rank, size))
       points.emplace_back(x[0], x[1], x[2]);
+  });
+  const std::uint64_t own_points = points.size();
+  std::uint64_t all_points = 0;
+  MPI_Reduce(&own_points, &all_points, 1, MPI_UINT64_T, MPI_SUM, 0, MPI_COMM_WORLD);
+  std::ofstream output;
+  do_together([&] {
+    if(rank == 0 && all_points == 0) // of another format, perhaps
+      throw Error(arguments.file, "has no point");
     const std::string name = arguments.pairs + "." + std::to_string(rank) + ".csv";
     if(!arguments.pairs.empty())
       output.open(name);

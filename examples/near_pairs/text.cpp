@@ -58,6 +58,13 @@ std::string readable(const std::string& text)
   return result;
 }
 
+bool is_no_text(const std::string& bytes)
+{
+  return std::any_of(bytes.begin(), bytes.end(), [](unsigned char byte) {
+    return std::iscntrl(byte) != 0 && std::isspace(byte) == 0;
+  });
+}
+
 std::string utf8(const std::string& text)
 {
   if(is_utf8(text))

@@ -15,6 +15,9 @@ namespace near_pairs {
 // A text that may have any bytes, with ? for each one that is not allowed.
 std::string readable(const std::string& text);
 
+// Whether the bytes may be those of a compressed file, or of a program.
+bool is_no_text(const std::string& bytes);
+
 // The text in UTF-8, which it is in already, or else in Latin-1.
 std::string utf8(const std::string& text);
 
