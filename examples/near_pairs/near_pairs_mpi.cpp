@@ -27,11 +27,13 @@
 #include <cstdint>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <optional>
 #include <sstream>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -143,8 +145,12 @@ void run(const Arguments& arguments)
   int rank, size;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   MPI_Comm_size(MPI_COMM_WORLD, &size);
+  const std::string name = arguments.pairs + "." + std::to_string(rank) + ".csv";
   std::vector<Point> points;
   do_together([&] {
+    std::error_code ignored;
+    if(!arguments.pairs.empty() && std::filesystem::equivalent(name, arguments.file, ignored))
+      throw Error(name, "is the input file");
     for(const auto& x : read_share(arguments.file, rank, size))
       points.emplace_back(x[0], x[1], x[2]);
   });
@@ -155,7 +161,6 @@ void run(const Arguments& arguments)
   do_together([&] {
     if(rank == 0 && all_points == 0) // of another format, perhaps
       throw Error(arguments.file, "has no point");
-    const std::string name = arguments.pairs + "." + std::to_string(rank) + ".csv";
     if(!arguments.pairs.empty())
       output.open(name);
     if(!output)
