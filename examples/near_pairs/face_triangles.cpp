@@ -39,7 +39,7 @@ std::size_t axis_of_view(const Corners& corners)
 class Ear_cutter
 {
 public:
-  explicit Ear_cutter(const Corners& corners) : left_(corners.size())
+  explicit Ear_cutter(const Corners& corners) : left_(corners.size()), is_no_ear_(corners.size())
   {
     std::iota(left_.begin(), left_.end(), std::size_t(0));
     const std::size_t axis = axis_of_view(corners);
@@ -50,16 +50,23 @@ public:
 
   std::vector<std::array<std::size_t, 3>> cut()
   {
-    // Invariant: the triangles and the corners that are left have the boundary of the face. Convex
-    // faces get diagonals from the first corner, as other programs draw them.
+    // Invariant: the triangles and the corners that are left have the boundary of the face, and the
+    // last `failed` corners are no ears. Convex faces get diagonals from the first corner, as other
+    // programs draw them. After a round without an ear, all corners are tested anew: where edges
+    // touch, more corners become ears than the neighbors of one that is cut off.
     std::size_t failed = 0;
     for(std::size_t at = 1; left_.size() > 3; at %= left_.size())
-      if(is_ear(at, failed >= left_.size())) {
+      if(!is_no_ear_[left_[at]] && is_ear(at, failed >= 2 * left_.size())) {
         take(at);
         failed = 0;
       }
-      else if(++at, ++failed == 2 * left_.size())
-        return {};
+      else {
+        is_no_ear_[left_[at++]] = true;
+        if(++failed % left_.size() == 0)
+          std::fill(is_no_ear_.begin(), is_no_ear_.end(), false);
+        if(failed == 3 * left_.size())
+          return {};
+      }
     if(CGAL::orientation(point(0), point(1), point(2)) * turn_ == CGAL::NEGATIVE)
       return {};
     take(1);
@@ -107,12 +114,15 @@ private:
   void take(std::size_t at)
   {
     const std::size_t size = left_.size();
-    triangles_.push_back({left_[(at + size - 1) % size], left_[at], left_[(at + 1) % size]});
+    const std::size_t before = left_[(at + size - 1) % size], behind = left_[(at + 1) % size];
+    triangles_.push_back({before, left_[at], behind});
+    is_no_ear_[before] = is_no_ear_[behind] = false;
     left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(at));
   }
 
   std::vector<Point> points_;     // as seen along an axis
   std::vector<std::size_t> left_; // the corners that are not cut off
+  std::vector<bool> is_no_ear_;   // of all corners: tested since a neighbor was cut off
   CGAL::Orientation turn_;
   std::vector<std::array<std::size_t, 3>> triangles_;
 };
