@@ -93,14 +93,15 @@ def draw_parcel(drawing, parcel, at, side, fill, stroke):
             if (i + u, j + v) not in parcel:
                 a = i + (u > 0), j + (v > 0)
                 drawing.line(at(*a), at(a[0] + abs(v), a[1] + abs(u)), stroke,
-                             'stroke-width="2" stroke-linecap="square"')
+                             'stroke-width="2" stroke-linecap="square" '
+                             'shape-rendering="crispEdges"')
 
 
 def parcels(folder):
-    side, step = 17, 128
-    drawing = Drawing(step * len(PARCELS) + 12, 175, "Parcels that touch, and that overlap")
+    side, step = 17, 152
+    drawing = Drawing(step * len(PARCELS), 175, "Parcels that touch, and that overlap")
     for panel, (title, a, b) in enumerate(PARCELS):
-        x0 = 20 + panel * step
+        x0 = panel * step + (step - 6 * side) / 2
         at = lambda i, j, x0=x0: (x0 + i * side, 122 - j * side)
         middle = x0 + 3 * side
         do_overlap = bool(a & b)
