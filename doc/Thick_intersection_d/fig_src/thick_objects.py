@@ -44,7 +44,7 @@ def closest_points(c, d):
 
 
 def capsules(folder):
-    drawing = Drawing(620, 250, "Segments with a radius each")
+    drawing = Drawing(630, 256, "Segments with a radius each")
     at = lambda p: (float(p[0]), 210 - float(p[1]))
     for a, b, r in CAPSULES:
         drawing.line(at(a), at(b), CELL, f'stroke-width="{2 * r}" stroke-linecap="round"')
@@ -60,10 +60,11 @@ def capsules(folder):
             drawing.line(at(p), at(q), PAIR if is_pair else CUT,
                          'stroke-width="2.5"' if is_pair else DASHES)
             sign = "=" if square == reach ** 2 else "&lt;" if is_pair else "&gt;"
-            x, y = max(at(p), at(q), key=lambda end: end[1])
-            drawing.text(x + 4, y + 16, f"{math.sqrt(square):.4g} {sign} {c[2]} + {d[2]}", "start",
-                         style='font-weight="bold"')
-    drawing.text(310, 238, "distance of the segments and sum of the radii, of pairs (green) and of "
+            sides = [end[0] + s * r for *ends, r in (c, d) for end in ends for s in (-1, 1)]
+            drawing.text((min(sides) + max(sides)) / 2, 216,
+                         f"{math.sqrt(square):.4g} {sign} {c[2]} + {d[2]}",
+                         color=PAIR if is_pair else CUT, style='font-weight="bold"')
+    drawing.text(315, 244, "distance of the segments and sum of the radii, of pairs (green) and of "
                  "others (red)")
     drawing.write(f"{folder}/capsules.svg")
 
