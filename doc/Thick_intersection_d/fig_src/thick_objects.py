@@ -145,7 +145,7 @@ def path(rings, at, fill, stroke):
 
 
 def solids(folder):
-    drawing = Drawing(620, 270, "Solids inside of a solid, in its hollow and beside it")
+    drawing = Drawing(670, 250, "Solids inside of a solid, in its hollow and beside it")
     at = lambda p: (20 + p[0], 245 - p[1])
     drawing.parts.append(path(SHELL, at, CELL, POINT))
     for ring in SMALL:
@@ -160,11 +160,11 @@ def solids(folder):
         drawing.text(at(p)[0] + 8, at((0, 226))[1], str(len(found)), "start", color,
                      'font-weight="bold"')
     for y, fill, words in ((70, CELL, "a solid with a hollow"), (95, STRIP, "small solids")):
-        drawing.rectangle(465, y - 12, 18, 14, fill, POINT)
-        drawing.text(491, y, words, "start")
+        drawing.rectangle(485, y - 12, 18, 14, fill, POINT)
+        drawing.text(511, y, words, "start")
     for y, color, words in ((120, PAIR, "odd: inside"), (145, CUT, "even: outside")):
-        drawing.circle((474, y - 4), fill=color)
-        drawing.text(491, y, words, "start")
+        drawing.circle((494, y - 4), fill=color)
+        drawing.text(511, y, words, "start")
     drawing.write(f"{folder}/solids.svg")
 
 
