@@ -44,10 +44,11 @@ def strip(folder):
     for side in (cx - d, cx):
         drawing.rectangle(side, base - d, d, d, "none", CUT)
     drawing.line((cx, top), (cx, bottom + 10), CUT)
-    for pair, name in ((pair1, "d1"), (pair2, "d2")):
+    for pair, name, shift in ((pair1, "d1", (-8, -12)), (pair2, "d2", (14, 14))):
         drawing.line(at(pair[0]), at(pair[1]), PALE)
         middle = [(at(pair[0])[k] + at(pair[1])[k]) / 2 for k in (0, 1)]
-        drawing.text(middle[0] + 14, middle[1] + 14, name, color="#555", style='font-style="italic"')
+        drawing.text(middle[0] + shift[0], middle[1] + shift[1], name, color="#555",
+                     style='font-style="italic"')
     drawing.line(at(crossing[1]), at(crossing[2]), PAIR, 'stroke-width="2.5"')
     for p in LEFT + RIGHT:
         drawing.circle(at(p), fill=POINT if abs(p[0]) <= d else PALE)
