@@ -46,7 +46,7 @@ def closest_approach():
 def draw(folder):
     drawing = Drawing(640, 250, "Two points that move, and their distance over time")
     least = closest_approach()
-    at = lambda p: (15 + float(p[0]), 195 - float(p[1]))
+    at = lambda p: (27 + float(p[0]), 195 - float(p[1]))
     for track, color in zip(TRACKS, (POINT, CUT)):
         for (_, p), (_, q) in zip(track, track[1:]):
             drawing.line(at(p), at(q), color)
@@ -58,11 +58,11 @@ def draw(folder):
     drawing.line(*closest, PAIR, 'stroke-width="3"')
     for point in closest:
         drawing.circle(point, 4, PAIR)
-    drawing.text(150, 236, "fixes (full), minutes, closest approach (green)")
+    drawing.text(162, 236, "fixes (full), minutes, closest approach (green)")
 
     at = lambda time, distance: (340 + 45 * float(time), 200 - 0.72 * float(distance))
     drawing.line(at(0, 0), at(6, 0), "#222", 'stroke-width="1.2"')
-    drawing.line(at(0, 0), at(0, 215), "#222", 'stroke-width="1.2"')
+    drawing.line(at(0, 0), at(0, 250), "#222", 'stroke-width="1.2"')
     drawing.line(at(0, BOUND), at(6, BOUND), PAIR, 'stroke-width="1.5" stroke-dasharray="5 3"')
     drawing.text(at(6, 0)[0], at(6, BOUND)[1] - 6, "the bound", "end", PAIR)
     times = sorted([Fraction(k, 20) for k in range(121)] + [least])
