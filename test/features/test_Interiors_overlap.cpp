@@ -153,6 +153,16 @@ BOOST_AUTO_TEST_CASE(a_ring_touches_an_edge_on_a_common_line)
   BOOST_CHECK(!do_overlap(ring, {{3, 0, 0}, {6, 0, 0}, {4, -1, 0}}));
 }
 
+// Only edges of the triangle cross that line, and the common point is on an edge before them.
+BOOST_AUTO_TEST_CASE(a_ring_runs_along_an_edge_and_crosses_it)
+{
+  const Chain ring = {{0, 0, 0}, {10, 0, 0}, {10, 5, 0}, {4, 5, 0}, {4, 3, 0},
+                      {5, -2, 0}, {6, 3, 0}, {4, 3, 0},  {4, 5, 0}, {0, 5, 0}};
+  const Chain below = {{-5, 0, 0}, {-5, -9, 0}, {15, -9, 0}, {15, 0, 0}};
+  BOOST_CHECK(do_overlap(ring, below));
+  BOOST_CHECK(do_overlap(below, ring));
+}
+
 // Edges of no length end where others begin, and tell of no arm.
 BOOST_AUTO_TEST_CASE(all_vertices_are_repeated)
 {
