@@ -3,7 +3,7 @@
 
 // The work of the search of tracks: the pairs of legs that it looks at and compares are counted
 // where nearly all boxes meet, as legs cross the whole scene, are of one track, or are of a known
-// pair; and bytes where there are many fixes and pairs.
+// pair; bytes where there are many fixes and pairs; and how many tracks there are at most.
 
 #include "support/counting_allocator.h"
 #include "support/point_generators.h"
@@ -238,6 +238,16 @@ BOOST_AUTO_TEST_CASE(memory_is_linear_in_legs_and_pairs)
     check("standing still", standing(n), 1e-3, 250);
     check("moored", {moored(10 * n), moored(10 * n)}, 1, 230);
   }
+}
+
+// They take no memory, so they are too many before the fixes are.
+BOOST_AUTO_TEST_CASE(tracks_without_fixes_count)
+{
+  const Track none;
+  Legs legs;
+  for(internal::Place count = 1; count < internal::max_place / 2; ++count)
+    legs.add_track(none);
+  BOOST_CHECK_THROW(legs.add_track(none), std::length_error);
 }
 
 } // namespace
