@@ -42,14 +42,15 @@ void check_lists(std::size_t size, std::size_t count)
 // Points fill no bin, one bin, two bins, and some of a third one; or have positions of 17 bits.
 BOOST_AUTO_TEST_CASE(lists_are_the_sorted_pairs)
 {
+  constexpr std::size_t bin_size = internal::Neighbor_bins::bin_size;
   check_lists(0, 0);
   check_lists(1, 0);
   check_lists(2, 1);
   check_lists(1000, 20000);
-  check_lists(16384, 1000);
-  check_lists(16385, 1000);
-  check_lists(32768, 1000);
-  check_lists(40000, 50000);
+  check_lists(bin_size, 1000);
+  check_lists(bin_size + 1, 1000);
+  check_lists(2 * bin_size, 1000);
+  check_lists(5 * bin_size / 2, 50000);
   check_lists(100000, 50000);
 }
 
