@@ -376,11 +376,12 @@ BOOST_AUTO_TEST_CASE(a_profile_is_that_of_the_last_search)
   BOOST_CHECK(profile.distribution() == as_is);
 }
 
-// Of a process without points as well. The functor may change itself.
-BOOST_AUTO_TEST_CASE(progress_ends_at_1_on_each_process)
+// One process has all points. The functor may change itself.
+template <class Point>
+void check_progress(const std::vector<Point>& points)
 {
-  for(const std::size_t size : {0, 1000}) {
-    const std::vector<Point_3> points = points_3(uniform_points(3, size, 0, 1, 9));
+  for(const CGAL::Point_distribution distribution : {balanced, as_is}) {
+    CGAL::Distributed_profile profile(distribution);
     double last = -1;
     const auto grow = [&last, before = 0.](double done) mutable {
       BOOST_CHECK_GE(done, before);
@@ -388,9 +389,18 @@ BOOST_AUTO_TEST_CASE(progress_ends_at_1_on_each_process)
       return true;
     };
     BOOST_CHECK(CGAL::distributed_fixed_radius_near_neighbors(
-      MPI_COMM_WORLD, my_share_of(points, Shares::EVEN), CGAL::within_distance(0.05), ignore,
-      CGAL::parameters::callback(grow)));
+      MPI_COMM_WORLD, my_share_of(points, Shares::LAST), CGAL::within_distance(0.05), ignore,
+      profile, CGAL::parameters::callback(grow)));
     BOOST_CHECK_EQUAL(last, 1);
+  }
+}
+
+// Of a process without points as well, beside others without points or one with points.
+BOOST_AUTO_TEST_CASE(progress_ends_at_1_on_each_process)
+{
+  for(const std::size_t size : {0, 1000}) {
+    check_progress(points_3(uniform_points(3, size, 0, 1, 9)));
+    check_progress(thirds_of(uniform_points(2, size, 0, 1, 9)));
   }
 }
 
