@@ -356,6 +356,30 @@ BOOST_AUTO_TEST_CASE(boxes_are_compared_a_few_times_for_each_face)
   }
 }
 
+// Faces with vertices beyond the doubles on both sides have boxes without ends.
+Soups with_endless_faces(Soups soups)
+{
+  for(auto& [points, triples] : soups)
+    for(std::size_t i = 0; i < 8; ++i) {
+      triples.push_back({points.size(), points.size(), points.size() + 1});
+      points.insert(points.end(), {Point(-infinity, -infinity, -infinity),
+                                   Point(infinity, infinity, infinity)});
+    }
+  return soups;
+}
+
+// Each of them meets all faces of the other mesh. The other faces stay in order.
+BOOST_AUTO_TEST_CASE(faces_beyond_doubles_are_sorted)
+{
+  for(const std::size_t n : {20, 40}) {
+    check_comparisons("staircases and endless faces",
+                      with_endless_faces(staircases(50 * n, static_cast<double>(n))), 1.8);
+    check_comparisons("steep staircases and endless faces",
+                      with_endless_faces(staircases(50 * n, 2)), 1.8);
+    check_comparisons("linked rings and endless faces", with_endless_faces(linked_rings(n)), 1.8);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(all_strings_that_touch_are_found)
 {
   const std::size_t n = 1000;
