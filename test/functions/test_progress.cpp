@@ -185,6 +185,25 @@ BOOST_AUTO_TEST_CASE(progress_of_images_ends_at_1)
   }
 }
 
+// A functor that is given by value is copied once for a search, so it may count, or know when it
+// was called first.
+BOOST_AUTO_TEST_CASE(parts_of_a_search_of_images_call_one_functor)
+{
+  const Kernel::Iso_rectangle_2 box(0, 0, 1, 1);
+  for(const double radius : {.01, 1.5})
+    for(const Search& search : periodic_searches_of(200, box, radius))
+      BOOST_TEST_CONTEXT(search.name)
+      {
+        std::size_t calls = 0;
+        const auto count = [&calls, own = std::size_t(0)](double) mutable {
+          BOOST_CHECK_EQUAL(++own, ++calls);
+          return true;
+        };
+        search.run({}, count);
+        BOOST_CHECK_GT(calls, 1u);
+      }
+}
+
 // By the join, by comparing few points, and by slabs.
 BOOST_AUTO_TEST_CASE(progress_of_closest_pairs_ends_at_1)
 {

@@ -158,7 +158,8 @@ auto find_periodic_closest_pair(const Domain& domain, const NamedParameters& np,
 {
   return with_periodic_sets<Domain>(np, [&](const auto& points, const One_set&) {
     using Elements = std::decay_t<decltype(points)>;
-    return Periodic_closest_pair_search<Elements, Domain>(points, domain, threads).find(np);
+    return Periodic_closest_pair_search<Elements, Domain>(points, domain, threads)
+      .find(parameters_for_parts(np));
   }, range);
 }
 

@@ -18,6 +18,7 @@
 #include <CGAL/Thick_intersection_d/internal/periodic/Periods.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/periodic_search.h>
 #include <CGAL/Thick_intersection_d/internal/periodic/periodic_sets.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 
 #include <boost/range/iterator_range_core.hpp>
 
@@ -153,10 +154,11 @@ auto collect_periodic_neighbors(const Domain& domain, const Distance_bound<NT>& 
     auto& scene = search.scene();
     Neighbor_lists of_homes(std::vector<std::size_t>(scene.first_size() + 1, 0), {},
                             !Sets::are_two);
-    bool is_complete = scene.find_images(np);
+    const auto np_of_search = parameters_for_parts(np);
+    bool is_complete = scene.find_images(np_of_search);
     if(is_complete)
       scene.with_homes([&](const auto& homes) {
-        const auto np_of_homes = scene.parameters_of_homes(np);
+        const auto np_of_homes = scene.parameters_of_homes(np_of_search);
         is_complete = collect_pairs(of_homes, homes, sets,
                                     near_search(bound, np_of_homes, threads), threads);
       });
@@ -166,7 +168,7 @@ auto collect_periodic_neighbors(const Domain& domain, const Distance_bound<NT>& 
       add_neighbors<Sets, dimension>(i, j, offset, parts.local());
     };
     if(is_complete)
-      search.report_near(add, np, nullptr);
+      search.report_near(add, np_of_search, nullptr);
     return merged_lists<dimension>(
       of_homes, Image_neighbors<dimension>(of_homes.size(), parts), !Sets::are_two,
       [&](std::size_t i, std::size_t j) {

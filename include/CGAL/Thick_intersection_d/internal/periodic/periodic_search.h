@@ -260,7 +260,7 @@ bool report_periodic_pairs(const Domain& domain, const Distance_bound<NT>& bound
     if constexpr(check_callback<Callback, First, Second, Offsets>()) {
       auto&& report
         = pair_output<Offsets>(elements.first(), elements.second(), callback, threads);
-      return search.report(report, np, profile);
+      return search.report(report, parameters_for_parts(np), profile);
     }
     else
       return false;

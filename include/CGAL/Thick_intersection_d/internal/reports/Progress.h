@@ -11,6 +11,7 @@
 #include <CGAL/Named_function_parameters.h>
 
 #include <cstddef>
+#include <memory>
 #include <mutex>
 #include <type_traits>
 
@@ -134,7 +135,29 @@ struct Part_of_progress
   }
 };
 
-// Returns the named parameters of a part of a search.
+// A functor that its copies share: what it keeps, it keeps from one part of a search to the next.
+template <class Functor>
+struct Shared_functor
+{
+  std::shared_ptr<Functor> functor;
+
+  bool operator()(double done) { return (*functor)(done); }
+};
+
+// Returns the named parameters of a search whose parts call one functor.
+template <class NamedParameters>
+auto parameters_for_parts([[maybe_unused]] const NamedParameters& np)
+{
+  if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::callback_t>::value)
+    return parameters::default_values();
+  else {
+    const auto& functor = parameters::get_parameter(np, internal_np::callback);
+    using Functor = std::decay_t<decltype(functor)>;
+    return parameters::callback(Shared_functor<Functor>{std::make_shared<Functor>(functor)});
+  }
+}
+
+// Returns the named parameters of a part of a search, from those for parts.
 template <class NamedParameters>
 auto parameters_of_part([[maybe_unused]] const NamedParameters& np, [[maybe_unused]] double start,
                         [[maybe_unused]] double end,
