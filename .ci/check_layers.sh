@@ -91,7 +91,7 @@ forbid 'these headers include each other in a circle' < <(
   tsort <<< "$includes" 2>&1 > /dev/null | sed -nE 's|^tsort: (CGAL/)|\1|p')
 
 forbid 'only machine/ names oneTBB and calls an operating system' < <(
-  find_lines '(tbb::|include *[<"](oneapi/)?tbb|CGAL_LINKED_WITH_TBB|madvise|include *<sys/|unistd)' |
+  find_lines '(tbb::|include *[<"](oneapi/)?tbb|CGAL_LINKED_WITH_TBB|madvise|include *<sys/|fcntl|unistd)' |
     grep -v "^$internal/machine/")
 forbid 'only distributed/ calls MPI, and one public header takes a communicator' < <(
   find_lines '(^|[^_[:alnum:]])MPI_[A-Z]' | grep -v "^$internal/distributed/" |

@@ -247,6 +247,28 @@ BOOST_AUTO_TEST_CASE(a_scratch_file_that_cannot_be_opened_leaves_nothing_behind)
 }
 #endif
 
+#ifdef __linux__
+// The file has no name, so it is found among those that the process has opened.
+BOOST_AUTO_TEST_CASE(a_scratch_file_is_for_its_owner_alone)
+{
+  const Scratch_folder folder;
+  const mode_t mask = umask(0);
+  const Scratch_file file(folder.path);
+  umask(mask);
+  int found = 0;
+  for(const fs::directory_entry& opened : fs::directory_iterator("/proc/self/fd")) {
+    std::error_code ignored; // of that by which the directory is read
+    const std::string name = fs::read_symlink(opened.path(), ignored).string();
+    if(name.find(folder.path.filename().string()) == std::string::npos)
+      continue;
+    ++found;
+    BOOST_CHECK(fs::status(opened.path()).permissions()
+                == (fs::perms::owner_read | fs::perms::owner_write));
+  }
+  BOOST_CHECK_EQUAL(found, 1);
+}
+#endif
+
 BOOST_AUTO_TEST_CASE(a_scratch_file_leaves_nothing_behind)
 {
   const Scratch_folder folder;

@@ -9,12 +9,13 @@
 
 #include <CGAL/Dimension.h>
 
+#include <CGAL/Thick_intersection_d/internal/machine/private_file.h>
+
 #include <array>
 #include <cerrno>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <ios>
@@ -94,7 +95,8 @@ public:
   }
 
 private:
-  // Makes a file that did not exist: another process may look for a name at the same time.
+  // Makes a file that did not exist: another process may look for a name at the same time, or for
+  // points of another user.
   void make_empty_file()
   {
     const auto start = std::chrono::system_clock::now().time_since_epoch().count();
@@ -102,10 +104,8 @@ private:
       path_ = directory_ / ("thick_intersection_d_" + std::to_string(start) + "_"
                             + std::to_string(attempt));
       errno = 0;
-      if(std::FILE* file = std::fopen(path_.string().c_str(), "wbx")) {
-        std::fclose(file);
+      if(make_private_file(path_.string().c_str()))
         return;
-      }
       if(errno != EEXIST)
         break;
     }

@@ -7,7 +7,6 @@
 
 // Huge pages for large arrays. The system clears each page when the search touches it first. With
 // pages of 4 kB and 10^7 points in the plane, this took a quarter of the search (doc/dropped.md).
-// Only this file calls an operating system.
 
 #include <cstddef>
 #include <cstdint>
