@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 namespace CGAL {
@@ -26,8 +27,8 @@ class Memory_budget
 public:
   /// constructs a budget of so many bytes. The default folder is that of the system for temporary
   /// files, which the environment variable `TMPDIR` names on POSIX systems.
-  explicit Memory_budget(std::size_t bytes,
-                         std::filesystem::path directory = std::filesystem::temp_directory_path())
+  /// \throws std::system_error if there is no such folder.
+  explicit Memory_budget(std::size_t bytes, std::filesystem::path directory = default_directory())
     : bytes_(bytes), directory_(std::move(directory))
   {}
 
@@ -38,6 +39,16 @@ public:
   const std::filesystem::path& directory() const { return directory_; }
 
 private:
+  // The message of the standard library names neither what is wanted nor how to name another one.
+  static std::filesystem::path default_directory()
+  {
+    std::error_code error;
+    std::filesystem::path directory = std::filesystem::temp_directory_path(error);
+    if(error)
+      throw std::system_error(error, "There is no folder for temporary files, which TMPDIR names");
+    return directory;
+  }
+
   std::size_t bytes_;
   std::filesystem::path directory_;
 };

@@ -233,6 +233,19 @@ BOOST_AUTO_TEST_CASE(a_folder_that_is_missing_is_an_error)
 }
 
 #ifdef __unix__
+BOOST_AUTO_TEST_CASE(a_folder_of_the_system_that_is_missing_is_an_error_with_its_variable)
+{
+  const char* const given = std::getenv("TMPDIR");
+  const std::string before = given == nullptr ? "" : given;
+  setenv("TMPDIR", "/no/such/place", 1);
+  const auto names_variable = [](const std::system_error& error) {
+    return std::string(error.what()).find("TMPDIR") != std::string::npos;
+  };
+  BOOST_CHECK_EXCEPTION(CGAL::Memory_budget{large}, std::system_error, names_variable);
+  BOOST_CHECK_EQUAL(CGAL::Memory_budget(large, "here").directory(), "here");
+  given == nullptr ? unsetenv("TMPDIR") : setenv("TMPDIR", before.c_str(), 1);
+}
+
 // As a user who may not read what was made. The superuser may, and plays another user.
 BOOST_AUTO_TEST_CASE(a_scratch_file_that_cannot_be_opened_leaves_nothing_behind)
 {
