@@ -298,6 +298,8 @@ std::vector<Feature> read_wkt(const Input& input, std::string& system)
   Wkt_parser parser(input, system);
   for(Feature feature; parser.next(feature); )
     features.push_back(std::move(feature));
+  if(features.empty())
+    throw Error(input.name(), "is empty");
   return features;
 }
 

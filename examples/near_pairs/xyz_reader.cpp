@@ -52,8 +52,10 @@ Xyz_reader::Xyz_reader(const Input& input, const Read_options& options)
   frame.number = options.frame;
   words_ = dimension;
   is_held_ = take_line();
+  if(!is_held_)
+    throw Error(input.name(), "is empty");
   const std::vector<std::string> texts = words(line_, 2);
-  has_frames_ = is_held_ && texts.size() == 1 && parse_count(texts.front());
+  has_frames_ = texts.size() == 1 && parse_count(texts.front());
   if(!has_frames_)
     return;
   frame.count = 0;
