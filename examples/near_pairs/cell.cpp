@@ -162,7 +162,7 @@ Cell parse_cell(const std::string& text)
 {
   const std::string what = "--periodic";
   std::vector<Exact_number> numbers;
-  std::istringstream list(text);
+  std::istringstream list(text.empty() ? text : text + ','); // what is behind the last one counts
   for(std::string number; numbers.size() < 10 && std::getline(list, number, ','); )
     numbers.push_back(number_of(number, what));
   switch(numbers.size()) {

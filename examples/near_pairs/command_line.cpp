@@ -28,7 +28,7 @@ std::string text_for_file(const po::variables_map& map, const std::string& optio
 Texts split_at_commas(const std::string& text)
 {
   Texts names;
-  std::istringstream list(text);
+  std::istringstream list(text.empty() ? text : text + ',');
   for(std::string name; std::getline(list, name, ','); )
     names.emplace_back(trimmed(name));
   return names;

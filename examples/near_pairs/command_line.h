@@ -29,6 +29,7 @@ po::options_description group(const char* title);
 std::string text_for_file(const po::variables_map& map, const std::string& option,
                           std::size_t file);
 
+// What is between commas, before the first and behind the last one; nothing of an empty text.
 Texts split_at_commas(const std::string& text);
 
 } // namespace near_pairs

@@ -228,7 +228,8 @@ std::optional<std::size_t> Csv_reader::find_column(const std::string& name) cons
 
 std::size_t Csv_reader::named_column(const std::string& name) const
 {
-  if(const std::optional<std::size_t> column = find_column(name))
+  const bool is_named = !name.empty(); // a column without a name has its number
+  if(const std::optional<std::size_t> column = is_named ? find_column(name) : std::nullopt)
     return *column;
   if(const std::optional<std::size_t> number = numbered_column(name, fields_per_row_))
     return *number;
