@@ -7,6 +7,7 @@
 
 #include "decimal.h"
 
+#include <algorithm>
 #include <sstream>
 
 namespace near_pairs {
@@ -23,6 +24,11 @@ std::string text_for_file(const po::variables_map& map, const std::string& optio
     return "";
   const Texts& texts = map[option].as<Texts>();
   return texts.size() == 1 ? texts.front() : texts[file];
+}
+
+bool are_all_empty(const Texts& texts)
+{
+  return std::all_of(texts.begin(), texts.end(), [](const auto& text) { return text.empty(); });
 }
 
 Texts split_at_commas(const std::string& text)

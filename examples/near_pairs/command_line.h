@@ -29,6 +29,9 @@ po::options_description group(const char* title);
 std::string text_for_file(const po::variables_map& map, const std::string& option,
                           std::size_t file);
 
+// Whether an option was given, but for no file: as by a variable of a shell that is not set.
+bool are_all_empty(const Texts& texts);
+
 // What is between commas, before the first and behind the last one; nothing of an empty text.
 Texts split_at_commas(const std::string& text);
 

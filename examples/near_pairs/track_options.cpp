@@ -10,7 +10,6 @@
 #include "quantity.h"
 #include "row_reader.h"
 
-#include <algorithm>
 #include <optional>
 #include <sstream>
 
@@ -62,8 +61,7 @@ void read_track_options(const po::variables_map& map, Options& options)
   if(has_times && has_velocity)
     throw Error("--time is for places at many times, and --velocity for places at one");
   const std::string option = has_times ? "time" : "velocity";
-  const Texts& texts = map[option].as<Texts>();
-  if(std::all_of(texts.begin(), texts.end(), [](const auto& text) { return text.empty(); }))
+  if(are_all_empty(map[option].as<Texts>()))
     throw Error("--" + option + " names no column");
   if(has_times && map.count("id"))
     throw Error("--id names points, and --track names the tracks of --time");
