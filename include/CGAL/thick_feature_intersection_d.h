@@ -112,8 +112,9 @@ numbers decide.
 
 \tparam ConcurrencyTag is `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. In
 sequence, the order of reports depends on the input alone. In parallel, the same pairs are reported
-in any order. Several threads call the callback at once, so it must allow this. `Parallel_tag`
-requires \tbb.
+in any order. Several threads call the callback at once, so it must allow this. If there are meshes,
+they also read the features and the property map at the same time, before the first report and after
+it, so these must allow this as well. `Parallel_tag` requires \tbb.
 
 \tparam FeatureRange is a range of features with forward iterators or better. It is not reordered.
 It may be a view of C++20. It may be the result of `interiors()`.
