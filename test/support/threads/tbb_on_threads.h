@@ -93,6 +93,13 @@ namespace tbb {
 
 namespace this_task_arena {
 inline int max_concurrency() { return stand_in::slot_count.load(std::memory_order_relaxed); }
+
+// A thread that waits takes no other task here anyway.
+template <class Function>
+void isolate(const Function& function)
+{
+  function();
+}
 } // namespace this_task_arena
 
 // Some slots are for threads that come from outside. Only for tests in which one thread does.

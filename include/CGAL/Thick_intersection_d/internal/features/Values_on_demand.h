@@ -19,13 +19,15 @@ namespace CGAL {
 namespace Thick_intersection_d {
 namespace internal {
 
-// A thread that asks locks some of the positions until the value is there.
+// A thread that asks locks some of the positions until the value is there. To make it, functions of
+// the user may be called, which may use oneTBB. So the thread takes no other task meanwhile: that
+// could ask for one of these positions, and the thread would wait for itself.
 template <class Value>
 class Values_on_demand
 {
 public:
   Values_on_demand(std::size_t size, const Threads& threads)
-    : are_threads_many_(threads.are_many()), values_(size)
+    : threads_(threads), values_(size)
   {}
 
   // Returns the value of a position, which make() makes.
@@ -33,16 +35,16 @@ public:
   const Value& get(std::size_t position, const Make& make) const
   {
     std::unique_lock<std::mutex> lock(mutexes_[position % mutexes_.size()], std::defer_lock);
-    if(are_threads_many_)
+    if(threads_.are_many())
       lock.lock();
     std::unique_ptr<const Value>& value = values_[position];
     if(!value)
-      value = std::make_unique<const Value>(make());
+      threads_.run_isolated([&] { value = std::make_unique<const Value>(make()); });
     return *value;
   }
 
 private:
-  const bool are_threads_many_;
+  const Threads threads_;
   mutable std::array<std::mutex, 256> mutexes_;
   mutable std::vector<std::unique_ptr<const Value>> values_;
 };

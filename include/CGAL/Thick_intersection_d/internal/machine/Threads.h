@@ -68,6 +68,7 @@ struct One_thread
   static std::size_t block_count() { return 1; }
   static void run(std::size_t count, const Block_task& task) { task(0, count); }
   static void run_each(std::size_t count, const Block_task& task) { task(0, count); }
+  static void run_isolated(const Block_task& task) { task(0, 1); }
   static std::unique_ptr<Thread_pointers> make_pointers() { return nullptr; }
 };
 
@@ -94,6 +95,11 @@ struct Threads_of_tbb
     const auto run_block = [&](const auto& block) { task(block.begin(), block.end()); };
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count), run_block,
                       tbb::simple_partitioner());
+  }
+
+  static void run_isolated(const Block_task& task)
+  {
+    tbb::this_task_arena::isolate([&] { task(0, 1); });
   }
 
   static std::unique_ptr<Thread_pointers> make_pointers()
@@ -138,7 +144,8 @@ public:
             = std::conditional_t<is_parallel<ConcurrencyTag>(), Threads_of_tbb, One_thread>>
   explicit Threads(ConcurrencyTag)
     : block_count_(&Kind::block_count), run_(&Kind::run), run_each_(&Kind::run_each),
-      make_pointers_(&Kind::make_pointers), are_many_(Kind::are_many)
+      run_isolated_(&Kind::run_isolated), make_pointers_(&Kind::make_pointers),
+      are_many_(Kind::are_many)
   {}
 
   bool are_many() const { return are_many_; }
@@ -165,6 +172,14 @@ public:
   void run_each(std::size_t count, const Task& task) const
   {
     run_each_(count, Block_task(task));
+  }
+
+  // Calls task(), which may use oneTBB itself. While this thread waits for tasks of that, it takes
+  // no other ones: these may want what the thread has locked.
+  template <class Task>
+  void run_isolated(const Task& task) const
+  {
+    run_isolated_(Block_task([&](std::size_t, std::size_t) { task(); }));
   }
 
   // Calls task(block, first, last) for `blocks` blocks that cover the indices [0, count).
@@ -208,6 +223,7 @@ private:
   std::size_t (*block_count_)();
   void (*run_)(std::size_t, const Block_task&);
   void (*run_each_)(std::size_t, const Block_task&);
+  void (*run_isolated_)(const Block_task&);
   std::unique_ptr<Thread_pointers> (*make_pointers_)();
   bool are_many_;
 };
