@@ -223,6 +223,29 @@ Polygon star(std::size_t count, std::size_t first)
   return ring;
 }
 
+// Such a star, of diameters that are within ten degrees. Between the last one and the first one, it
+// goes to and fro so many times, in the boxes of all diameters, and never at the height of the
+// origin.
+Polygon star_with_rim(std::size_t count, std::size_t first, std::size_t rim)
+{
+  const auto at = [&](double diameter, double radius) {
+    const double angle = 0.7 + 0.17 / static_cast<double>(count) * diameter;
+    return Point(radius * std::cos(angle), radius * std::sin(angle));
+  };
+  Polygon ring;
+  for(std::size_t i = 0; i < rim; ++i) {
+    const double part = static_cast<double>(i) / static_cast<double>(rim);
+    ring.push_back(at(static_cast<double>(first) + .2 + .6 * part, (i % 2 ? .8 : .6) + .05 * part));
+  }
+  for(std::size_t k = 1; k <= count; ++k) {
+    const std::size_t diameter = (k % count + first) % count;
+    const double side = (k % count % 2 == 0) == (k % count + first < count) ? -1 : 1;
+    for(const double along : {side, -side})
+      ring.push_back(at(static_cast<double>(diameter), along));
+  }
+  return ring;
+}
+
 // The teeth of a comb touch a long edge.
 Polygons comb_on_line(std::size_t teeth)
 {
@@ -284,6 +307,12 @@ BOOST_AUTO_TEST_CASE(edges_where_boundaries_meet_are_read_a_few_times)
     BOOST_CHECK_LT(reads_per_test("stars", {star(n / 4 + 1, 0), star(n / 4 + 1, 1)}, 0), 40);
     BOOST_CHECK_LT(reads_per_test("an antenna", antenna_across_border(n), 0), 150);
   }
+}
+
+BOOST_AUTO_TEST_CASE(edges_far_from_where_boundaries_cross_are_read_a_few_times)
+{
+  const Polygons stars = {star_with_rim(31, 0, 8000), star_with_rim(31, 1, 0)};
+  BOOST_CHECK_LT(reads_per_test("a star with a rim", stars, 0), 30);
 }
 
 } // namespace

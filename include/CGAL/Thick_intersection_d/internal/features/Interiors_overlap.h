@@ -107,6 +107,7 @@ class Interiors_overlap
 {
   using Segment = typename Pieces::Segment;
   static constexpr bool are_both_open = is_first_open && is_second_open;
+  static constexpr std::size_t many = 500; // edges
 
 public:
   explicit Interiors_overlap(const Threads& threads) : searched_(threads) {}
@@ -184,7 +185,8 @@ private:
 
   // Whether two parts whose edges cross have no other edges at the point where they do. Then each
   // is on one side of its edge there, so they overlap. If the second part is closed, its edge is
-  // enough.
+  // enough. Where many edges are near, does not know: the point itself tells with less work, if few
+  // of them are at its height.
   static bool are_plain(const Pieces& pieces, const Part_at_point& a, const Part_at_point& b)
   {
     const Bbox_2 box_a = bounding_box(pieces[a.segment]),
@@ -192,8 +194,11 @@ private:
     const Bbox_2 box((std::max)(box_a.xmin(), box_b.xmin()), (std::max)(box_a.ymin(), box_b.ymin()),
                      (std::min)(box_a.xmax(), box_b.xmax()),
                      (std::min)(box_a.ymax(), box_b.ymax()));
+    std::size_t asked = 0;
     const auto is_alone = [&](const Part_at_point& place, Place other) {
       return !pieces.is_any_in_box(box, place.part, [&](Place segment) {
+        if(++asked > many)
+          return true;
         return segment != place.segment && do_overlap(box, bounding_box(pieces[segment]))
                && may_cross_both(pieces[segment], pieces[place.segment], pieces[other]);
       });
