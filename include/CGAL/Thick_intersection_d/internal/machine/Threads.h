@@ -61,6 +61,17 @@ public:
   virtual void*& own() = 0;
 };
 
+// What Threads do.
+struct Thread_functions
+{
+  bool are_many;
+  std::size_t (*block_count)();
+  void (*run)(std::size_t, const Block_task&);
+  void (*run_each)(std::size_t, const Block_task&);
+  void (*run_isolated)(const Block_task&);
+  std::unique_ptr<Thread_pointers> (*make_pointers)();
+};
+
 // What Threads do if there is one thread.
 struct One_thread
 {
@@ -120,6 +131,11 @@ struct Threads_of_tbb
 struct Threads_of_tbb;
 #endif
 
+template <class Kind>
+inline constexpr Thread_functions thread_functions
+  = {Kind::are_many, Kind::block_count, Kind::run, Kind::run_each, Kind::run_isolated,
+     Kind::make_pointers};
+
 // Whether a tag asks for many threads. Explains to the compiler's user what is no tag.
 template <class ConcurrencyTag>
 constexpr bool is_parallel()
@@ -143,27 +159,25 @@ public:
             class Kind
             = std::conditional_t<is_parallel<ConcurrencyTag>(), Threads_of_tbb, One_thread>>
   explicit Threads(ConcurrencyTag)
-    : block_count_(&Kind::block_count), run_(&Kind::run), run_each_(&Kind::run_each),
-      run_isolated_(&Kind::run_isolated), make_pointers_(&Kind::make_pointers),
-      are_many_(Kind::are_many)
+    : functions_(&thread_functions<Kind>)
   {}
 
-  bool are_many() const { return are_many_; }
+  bool are_many() const { return functions_->are_many; }
 
   // Returns the number of blocks to divide elements into, when each block costs some work of its
   // own. So there are few blocks, but more than one per thread: then the threads finish at about
   // the same time.
-  std::size_t block_count() const { return block_count_(); }
+  std::size_t block_count() const { return functions_->block_count(); }
 
   // Returns nothing if there is one thread.
-  std::unique_ptr<Thread_pointers> make_pointers() const { return make_pointers_(); }
+  std::unique_ptr<Thread_pointers> make_pointers() const { return functions_->make_pointers(); }
 
   // Calls task(first, last) on blocks that cover the indices [0, count): one block in sequence,
   // several blocks at the same time in parallel.
   template <class Task>
   void run_blocks(std::size_t count, const Task& task) const
   {
-    run_(count, Block_task(task));
+    functions_->run(count, Block_task(task));
   }
 
   // As run_blocks(), but in parallel each index is a block. A thread takes one after another, and
@@ -171,7 +185,7 @@ public:
   template <class Task>
   void run_each(std::size_t count, const Task& task) const
   {
-    run_each_(count, Block_task(task));
+    functions_->run_each(count, Block_task(task));
   }
 
   // Calls task(), which may use oneTBB itself. While this thread waits for tasks of that, it takes
@@ -179,7 +193,7 @@ public:
   template <class Task>
   void run_isolated(const Task& task) const
   {
-    run_isolated_(Block_task([&](std::size_t, std::size_t) { task(); }));
+    functions_->run_isolated(Block_task([&](std::size_t, std::size_t) { task(); }));
   }
 
   // Calls task(block, first, last) for `blocks` blocks that cover the indices [0, count).
@@ -206,7 +220,7 @@ public:
           check(index);
       }
       catch(...) {
-        if(!are_many_)
+        if(!are_many())
           throw;
         const std::lock_guard<std::mutex> lock(mutex);
         if(index < least) {
@@ -220,12 +234,7 @@ public:
   }
 
 private:
-  std::size_t (*block_count_)();
-  void (*run_)(std::size_t, const Block_task&);
-  void (*run_each_)(std::size_t, const Block_task&);
-  void (*run_isolated_)(const Block_task&);
-  std::unique_ptr<Thread_pointers> (*make_pointers_)();
-  bool are_many_;
+  const Thread_functions* functions_;
 };
 
 // Whether a search was stopped, as all of its threads see it.
