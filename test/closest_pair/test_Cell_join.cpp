@@ -44,7 +44,8 @@ private:
 // Joins all points within a distance.
 template <int Dimension, class ConcurrencyTag = CGAL::Sequential_tag, class Elements>
 internal::Joined join_all(const Elements& elements, double distance, double cell_side,
-                          Set_taker& taker, std::size_t max_steps = no_limit)
+                          Set_taker& taker, std::size_t max_steps = no_limit,
+                          std::uint64_t seed = 1)
 {
   internal::Join_task<Dimension> task;
   const internal::Scene scene = scene_of(elements);
@@ -54,7 +55,7 @@ internal::Joined join_all(const Elements& elements, double distance, double cell
   internal::Unwatched_progress progress;
   internal::Element_points<Dimension, Elements, internal::Unwatched_progress> points(elements,
                                                                                      progress);
-  internal::Cell_join<Dimension> join(points, task, distance, cell_side, 1);
+  internal::Cell_join<Dimension> join(points, task, distance, cell_side, seed);
   return join(internal::Some_positions(elements.size()), max_steps, taker);
 }
 
@@ -141,6 +142,15 @@ BOOST_AUTO_TEST_CASE(parallel_joins_have_room_for_points_at_corners_of_cells)
   for(std::size_t i = 0; i < points.size(); i += 2)
     missing += taker.pairs.count({i, i + 1}) == 0;
   BOOST_CHECK_EQUAL(missing, 0u);
+}
+
+// With this seed, the two cells on both sides of the border have one hash.
+BOOST_AUTO_TEST_CASE(no_point_is_paired_with_itself)
+{
+  Set_taker taker;
+  join_all<2>(plain_points({{16. * 1004921425, 16. * 704540135.5}}), 2, 16, taker, no_limit,
+              0xd9741991032d64b3);
+  BOOST_CHECK_EQUAL(taker.taken(), 0u);
 }
 
 // Each list has pairs of twins.

@@ -100,13 +100,15 @@ private:
     std::uint32_t next;
   };
 
-  // Gives the pairs of an entry and the entries of its cell that are linked from `other` on.
+  // Gives the pairs of an entry and the entries of its cell that are linked from `other` on. A
+  // point may have two of them, if two of its cells have one hash. These are no pair.
   BOOST_NOINLINE
   bool give_cell(Cell_entry entry, const Link* links, std::uint32_t other, std::uint32_t none)
   {
     for(; other != none; other = links[other].next, ++steps_)
-      if(links[other].entry.cell == entry.cell) {
-        *next_++ = {links[other].entry.position, entry.position};
+      if(const Cell_entry& e = links[other].entry;
+         e.cell == entry.cell && e.position != entry.position) {
+        *next_++ = {e.position, entry.position};
         if(next_ == pairs_.data() + pairs_.size() && !flush())
           return false;
       }
