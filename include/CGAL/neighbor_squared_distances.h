@@ -10,7 +10,10 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Neighbor_lists.h>
 
+#include <CGAL/Thick_intersection_d/internal/input/check_range.h>
 #include <CGAL/Thick_intersection_d/internal/lists/neighbor_distances.h>
+
+#include <type_traits>
 
 namespace CGAL {
 
@@ -65,7 +68,9 @@ computes the squared distances of all neighbors in lists of two ranges, in the o
 The lists are those of the points of `points_a`, and hold positions in `points_b`. Otherwise the
 function is as the version for one range. The points of both ranges have the same type.
 */
-template <class PointRangeA, class PointRangeB, class CGAL_NP_TEMPLATE_PARAMETERS>
+template <class PointRangeA, class PointRangeB, class CGAL_NP_TEMPLATE_PARAMETERS,
+          class = std::enable_if_t<!Thick_intersection_d::internal::are_named_parameters_v<
+            std::decay_t<PointRangeB>>>>
 auto neighbor_squared_distances(const Neighbor_lists& lists, PointRangeA&& points_a,
                                 PointRangeB&& points_b,
                                 const CGAL_NP_CLASS& np = parameters::default_values())

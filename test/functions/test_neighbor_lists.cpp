@@ -222,6 +222,8 @@ BOOST_AUTO_TEST_CASE(squared_distances_of_mapped_points_of_any_dimension)
   const std::vector<double> distances = CGAL::neighbor_squared_distances(lists, elements, np);
   BOOST_CHECK((distances == std::vector<double>{18, 18}));
   BOOST_CHECK(CGAL::neighbor_squared_distances(lists, elements, elements, np) == distances);
+  BOOST_CHECK(CGAL::neighbor_squared_distances(lists, elements, CGAL::parameters::point_map(Map()))
+              == distances); // not a second range
 }
 
 BOOST_AUTO_TEST_CASE(lists_of_other_points_have_no_distances)
