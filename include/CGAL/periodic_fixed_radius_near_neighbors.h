@@ -79,10 +79,10 @@ an iso-box as well; offsets are those between the points as they are given.
 \throws std::invalid_argument if a coordinate or a period is NaN or infinite, if a point is not in
 the iso-box, if periods that repeat are linearly dependent, or if the bound is negative, NaN or
 infinite, before anything is reported. The message gives the position of the point.
-\throws std::length_error if there are 2<sup>31</sup> - 1 points and images or more, if two points,
-an image or the bound are 2<sup>28</sup> periods apart or more, or if the lengths of periods differ
-so much that quotients of coordinates overflow. The images are counted before they are made, and the
-message has their number.
+\throws std::length_error if there are 2<sup>31</sup> - 1 points and images or more, if two points
+are 2<sup>29</sup> periods apart or more, or a point and an image of it, if the bound is
+2<sup>28</sup> periods long or more, or if the lengths of periods differ so much that quotients of
+coordinates overflow. The images are counted before they are made, and the message has their number.
 \throws std::runtime_error if the processor is set to flush denormal numbers to zero.
 
 \sa `Periodic_lattice_d`

@@ -97,6 +97,10 @@ BOOST_AUTO_TEST_CASE(what_is_refused)
                     "The distance bound is negative or NaN.");
   BOOST_CHECK_EQUAL(message_of(points, unit_square, 1e9),
                     "The bound is 1000000000 periods long, and must be shorter than 268435456.");
+  const CGAL::Periodic_lattice_d unit_lattice(unit_square);
+  BOOST_CHECK_EQUAL(message_of({{0, 0}, {0x1p29 - 1, 0}}, unit_lattice, 0.1), "");
+  BOOST_CHECK_EQUAL(message_of({{0, 0}, {0x1p29, 0}}, unit_lattice, 0.1),
+                    "The scene is 536870912 periods long, and must be shorter than 536870912.");
   BOOST_CHECK_EQUAL(message_of({{0, 0}, {infinity, 0}}, unit_square, 0.1),
                     "Coordinate 0 of point 1 is NaN or infinite.");
   BOOST_CHECK_EQUAL(message_of(points, CGAL::Periodic_lattice_d(Vector(1, 2), Vector(3, 6)), 0.1),
