@@ -7,6 +7,7 @@
 #include "support/check_pairs.h"
 #include "support/kernel_types.h"
 #include "support/parallel_pairs.h"
+#include "support/rounding_mode.h"
 #include "support/seeds.h"
 #include "support/usual_kernels.h"
 
@@ -414,5 +415,16 @@ BOOST_AUTO_TEST_CASE(stretches_hold_their_points)
     check_stretches({1, 1}, {1, 1}, count);
     check_stretches({0, 0}, {largest, largest}, count);
     check_stretches({largest, largest}, {-largest, -largest}, count); // its length is infinite
+  }
+}
+
+// In some rounding modes, a length that overflows is the largest double.
+BOOST_AUTO_TEST_CASE(stretches_beyond_the_doubles_hold_their_points_in_every_rounding_mode)
+{
+  constexpr double largest = (std::numeric_limits<double>::max)();
+  for(const int mode : rounding_modes) {
+    const Rounding_mode rounding(mode);
+    check_stretches({largest, largest}, {-largest, -largest}, 8);
+    check_stretches({-largest, -0x1p1023}, {-0x1p970, largest}, 8);
   }
 }

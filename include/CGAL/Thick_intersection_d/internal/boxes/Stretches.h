@@ -47,7 +47,7 @@ BOOST_NOINLINE inline Interval interval_of_stretch(const Interval& source, const
 {
   Interval whole = source;
   whole.add(target);
-  if(count == 1 || !std::isfinite(whole.length()))
+  if(count == 1 || whole.half_length() >= 0x1p1022) // differences may overflow
     return whole;
   const double slack = (std::max)(std::fabs(whole.low), std::fabs(whole.high)) * 0x1p-48
                        + (std::numeric_limits<double>::min)();
