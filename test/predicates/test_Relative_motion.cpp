@@ -178,6 +178,18 @@ BOOST_AUTO_TEST_CASE(errors_of_places_and_times_widen_the_enclosure)
   }
 }
 
+// A vanishing share of an infinite error is NaN.
+BOOST_AUTO_TEST_CASE(nothing_is_known_of_places_beyond_the_doubles)
+{
+  const double largest = (std::numeric_limits<double>::max)();
+  for(const double time_error : {0., 0x1p-1074, 1.}) {
+    const internal::Leg<2> leg = {{{{largest, 0}, {largest, 0}}}, {0, 4}, infinity, time_error};
+    const internal::Interval distance = internal::distance_of(leg, leg);
+    BOOST_CHECK_EQUAL(distance.low, -infinity);
+    BOOST_CHECK_EQUAL(distance.high, infinity);
+  }
+}
+
 // The common time may be shorter than the error, or there may be none.
 BOOST_AUTO_TEST_CASE(common_times_may_be_unknown)
 {

@@ -124,7 +124,8 @@ BOOST_FORCEINLINE Interval distance_of(const Leg<N>& a, const Leg<N>& b)
   double error = a.error + b.error;
   if(time_error != 0) // times that are off by e move shares by up to 3e over the duration of a leg
     error += 16 * (largest + error) * (time_error / (std::min)(a.duration(), b.duration()));
-  const double slack = 0x1p-45 * (std::max)(largest, 0x1p48 * error);
+  // The error of numbers beyond the doubles is infinite, or NaN, which max() keeps if it is first.
+  const double slack = 0x1p-45 * (std::max)(0x1p48 * error, largest);
   if(!(common.length() >= time_error && (std::max)(a.duration(), b.duration()) <= 0x1p1000
        && slack <= 0x1p355))
     return {-infinity, infinity};
