@@ -146,6 +146,16 @@ void check_limit(std::int64_t limit)
   BOOST_CHECK(!is_known(5, 0x1p-30));
 }
 
+// In some rounding modes, a difference that overflows is the largest double.
+BOOST_AUTO_TEST_CASE(differences_that_overflow_are_too_long_in_every_rounding_mode)
+{
+  for(const int mode : rounding_modes) {
+    const Rounding_mode rounding(mode);
+    BOOST_CHECK(!answer<2>({{-3, 0, 0}}, {{3, 0, 0}}, {0, 0, 1}, 0x1p1022, 0, false));
+    BOOST_CHECK(!answer<3>({{3, 0, 0}}, {{-3, 0, 0}}, {0, 0, 1}, 0x1p1022, 0, false));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(integers_that_are_too_long)
 {
   check_limit<2>(std::int64_t(1) << 28);

@@ -4,6 +4,7 @@
 // How close the points of two legs come: in doubles, in integers and in rationals, against tracks
 // of one leg each.
 
+#include "support/rounding_mode.h"
 #include "support/track_oracle.h"
 #include "support/unit_test.h"
 
@@ -206,6 +207,22 @@ BOOST_AUTO_TEST_CASE(common_times_may_be_unknown)
   }
   BOOST_CHECK_GE(distance(1, 0).high, 1);
   BOOST_CHECK_LT(distance(1, 0).high, 1.001);
+}
+
+// In some rounding modes, a difference that overflows is the largest double.
+BOOST_AUTO_TEST_CASE(integers_refuse_differences_that_overflow_in_every_rounding_mode)
+{
+  const double unit = 0x1p1022, x = 3 * unit;
+  const internal::Leg<2> still = {{{{0, 0}, {0, 0}}}, {0, unit}};
+  const internal::Leg<2> across = {{{{-x, 0}, {x, 0}}}, {0, unit}};
+  const internal::Leg<2> long_ago = {{{{0, 0}, {unit, 0}}}, {-x, x}};
+  for(const int mode : rounding_modes) {
+    const Rounding_mode rounding(mode);
+    for(const internal::Leg<2>& leg : {across, long_ago}) {
+      BOOST_CHECK(!internal::Integer_legs<2>(leg, still, unit).are_near(false));
+      BOOST_CHECK_EQUAL(internal::distance_of(leg, still).high, infinity);
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(integers_refuse_what_they_cannot_hold)

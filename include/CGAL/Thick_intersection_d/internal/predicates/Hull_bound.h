@@ -81,6 +81,8 @@ public:
       for(const std::array<double, Dimension>& vertex : *hull)
         for(const double x : vertex)
           grid_.add(x);
+    // If a difference overflows, rounding may make the largest double of it: many steps below this.
+    is_usable_ = grid_.exponent() < 990;
     reach_ = steps(radius_of_a) + steps(radius_of_b) + steps(radius);
   }
 
@@ -124,7 +126,7 @@ private:
 
   const Doubles& a_;
   const Doubles& b_;
-  bool is_usable_ = true;
+  bool is_usable_;
   Double_grid grid_;
   Int128 reach_;
 };

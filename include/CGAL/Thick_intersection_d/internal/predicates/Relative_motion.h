@@ -172,10 +172,11 @@ public:
   }
 
 private:
-  // All numbers are multiples of the grid, so the difference of two is a double, if it is small.
+  // All numbers are multiples of the grid, so the difference of two is a double, if it is small. If
+  // it overflows, rounding may make the largest double of it, which may be few steps.
   static Int128 steps_of(double x, const Double_grid& grid, double& largest)
   {
-    const double steps = std::ldexp(x, -grid.exponent());
+    const double steps = std::fabs(x) < 0x1p1023 ? std::ldexp(x, -grid.exponent()) : 0x1p1023;
     largest = (std::max)(largest, std::fabs(steps));
     return std::fabs(steps) < 0x1p62 ? static_cast<std::int64_t>(steps) : 0;
   }
