@@ -81,20 +81,19 @@ std::optional<Time> with_fraction(std::int64_t seconds, std::string fraction,
   return Time{seconds, -static_cast<int>(fraction.size()), form};
 }
 
-// Takes hh:mm or hh:mm:ss, and leaves the fraction. Returns the seconds, or -1.
-int take_clock(Time_scanner& text, std::size_t digits_of_hours, int most_hours)
+// Takes hh:mm or hh:mm:ss, and a fraction of the seconds, but not one of the minutes: in 17:05.5,
+// people may mean it, or 5.5 seconds. Returns the whole seconds, or -1.
+int take_clock(Time_scanner& text, std::size_t digits_of_hours, int most_hours,
+               std::string& fraction)
 {
   const int hours = text.take_number(1, digits_of_hours, most_hours);
   const int minutes = hours != -1 && text.take(':') ? text.take_number(2, 2, 59) : -1;
-  if(minutes == -1)
-    return -1;
-  const int seconds = text.take(':') ? text.take_number(2, 2, 59) : 0;
+  if(minutes == -1 || !text.take(':'))
+    return minutes == -1 ? -1 : 3600 * hours + 60 * minutes;
+  const int seconds = text.take_number(2, 2, 59);
+  if(seconds != -1 && (text.take('.') || text.take(',')))
+    fraction = text.take_digits(most_digits);
   return seconds == -1 ? -1 : 3600 * hours + 60 * minutes + seconds;
-}
-
-std::string take_fraction(Time_scanner& text)
-{
-  return text.take('.') || text.take(',') ? text.take_digits(most_digits) : "";
 }
 
 // The seconds of Z, +hh, +hhmm or +hh:mm.
@@ -139,8 +138,8 @@ std::optional<Time> parse_date(const std::string& date)
   form.separator = text.take(' ') ? ' ' : 'T';
   if(form.separator == 'T' && !text.take('T'))
     return std::nullopt;
-  const int clock = take_clock(text, 2, 23);
-  const std::string fraction = clock == -1 ? "" : take_fraction(text);
+  std::string fraction;
+  const int clock = take_clock(text, 2, 23, fraction);
   form.zone = trimmed(text.rest());
   const std::optional<int> zone = parse_zone(form.zone);
   if(clock == -1 || !zone)
@@ -153,8 +152,8 @@ std::optional<Time> parse_clock(const std::string& clock)
   Time_scanner text(clock);
   Time_form form;
   form.kind = Time_form::CLOCK;
-  const int seconds = take_clock(text, 4, 9999);
-  const std::string fraction = seconds == -1 ? "" : take_fraction(text);
+  std::string fraction;
+  const int seconds = take_clock(text, 4, 9999, fraction);
   return seconds == -1 || !text.is_at_end() ? std::nullopt
                                             : with_fraction(seconds, fraction, form);
 }
