@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <mutex>
 #include <optional>
 #include <type_traits>
@@ -150,6 +151,26 @@ private:
                                                           parameters);
   }
 
+  // The part of a path that tells where it is between two times, both of which it has.
+  static auto part_between(const Path& path, const FT& begin, const FT& end)
+  {
+    const auto first = std::partition_point(
+      std::next(path.begin()), path.end(), [&](const auto& fix) { return fix.first <= begin; });
+    const auto last = std::partition_point(
+      first, path.end(), [&](const auto& fix) { return fix.first < end; });
+    return CGAL::make_range(std::prev(first), last == path.end() ? last : std::next(last));
+  }
+
+  // Only the parts at common times are read: a long piece may meet very many short ones.
+  static std::optional<CGAL::Closest_approach> approach_of_paths(const Path& a, const Path& b)
+  {
+    const FT& begin = std::max(a.front().first, b.front().first);
+    const FT& end = std::min(a.back().first, b.back().first);
+    if(end < begin)
+      return std::nullopt;
+    return CGAL::closest_approach(part_between(a, begin, end), part_between(b, begin, end));
+  }
+
   // The closest approach of two tracks: that of two of their pieces. Of two pieces, the one that
   // ends first has no time in common with those that come next.
   std::optional<CGAL::Closest_approach> approach_of(std::size_t a, std::size_t b) const
@@ -157,7 +178,7 @@ private:
     std::optional<CGAL::Closest_approach> best;
     std::size_t i = first_path_[a], j = first_path_[b];
     while(i < first_path_[a + 1] && j < first_path_[b + 1]) {
-      const auto approach = CGAL::closest_approach(paths_[i], paths_[j]);
+      const auto approach = approach_of_paths(paths_[i], paths_[j]);
       if(approach && (!best || approach->squared_distance < best->squared_distance))
         best = approach;
       const bool ends_first = paths_[i].back().first <= paths_[j].back().first;
