@@ -232,8 +232,13 @@ BOOST_AUTO_TEST_CASE(coordinates_of_a_grid_have_limits)
   BOOST_CHECK(!scale_of_grid<2>(0x1p30, 0, 0x1p24 + 1, 1).is_usable());
   BOOST_CHECK(scale_of_grid<2>(0, 0, 0, 0).is_usable());
   BOOST_CHECK(!scale_of_grid<2>(1, 0, 1, std::uint64_t(0) - 1).is_usable()); // nothing is near
-  for(const int exponent : {-1074, -1024, 1023}) // the scale is no normal number
-    BOOST_CHECK(!scale_of_grid<2>(0, exponent, 1, 1).is_usable());
+  for(const int mode : rounding_modes) {
+    const Rounding_mode rounding(mode);
+    for(const int exponent : {-1074, -1024, 1023}) // the scale is no normal number
+      BOOST_CHECK(!scale_of_grid<2>(0, exponent, 1, 1).is_usable());
+    const Box<2> box = cube<2>(-0x1.8p1023, 0x1.8p1023); // differences overflow
+    BOOST_CHECK(!internal::Narrow_scale<2>(box, 1013, 1, 1).is_usable());
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -60,11 +60,14 @@ public:
   // least number of squared steps that is beyond the bound. A coordinate becomes its number of
   // steps from the lower end, without error.
   // Floats compute squared distances within the bound without error if they have 24 bits.
+  // Beyond these exponents the scale may overflow, or a difference of coordinates. The result would
+  // be finite in some rounding modes.
   Narrow_scale(const Box& box, int grid_exponent, double steps, std::uint64_t first_beyond)
     : max_square_(first_beyond - 1)
   {
     const double scale = std::ldexp(1., -grid_exponent);
-    if(!std::isnormal(scale) || !(extent_of(box) * scale <= max_narrow_coordinate)
+    if(grid_exponent < -1023 || grid_exponent > 992
+       || !(extent_of(box) * scale <= max_narrow_coordinate)
        || !(steps <= max_narrow_reach / 2) || first_beyond == 0)
       return;
     set(box, scale);
