@@ -21,6 +21,17 @@ using CGAL::Arithmetic_tier;
 using CGAL::Scene_profile;
 using namespace CGAL::Thick_intersection_d::internal;
 
+namespace plans {
+
+struct Road : Epeck::Segment_2
+{
+  using Epeck::Segment_2::Segment_2;
+};
+
+bool do_intersect(const Road&, const Road&);
+
+} // namespace plans
+
 namespace {
 
 // One type of callback, because compilers make a search for each.
@@ -250,6 +261,39 @@ BOOST_AUTO_TEST_CASE(boxes_of_lazy_objects_do_not_shrink_in_a_search)
           truth.emplace_back(i, j);
     BOOST_REQUIRE_MESSAGE(sorted(found_pairs(segments, triangles)) == truth, "seed " << seed);
   });
+}
+
+// With a radius, a road is the segment that its base is, although it has a test of its own.
+BOOST_AUTO_TEST_CASE(boxes_of_derived_objects_with_radii_do_not_shrink_in_a_search)
+{
+  Random random(3);
+  const auto point = [](double x, double y) {
+    const auto number = [](double z) {
+      const Epeck::FT large = Epeck::FT(1e14) / Epeck::FT(3);
+      return Epeck::FT(z) + large - large; // in an interval that is a hundredth long
+    };
+    return Epeck::Point_2(number(x), number(y));
+  };
+  const auto near_to = [&](double x, double size) { return x + size * random.uniform(); };
+  std::vector<std::pair<plans::Road, Epeck::FT>> roads;
+  std::vector<std::pair<Epeck::Segment_2, Epeck::FT>> segments;
+  for(int i = 0; i < 300; ++i) {
+    const double x = near_to(0, 100), y = near_to(0, 100);
+    const double z = near_to(0, 100), w = near_to(0, 100);
+    roads.emplace_back(plans::Road(point(x, y), point(z, w)), 0);
+    segments.emplace_back(Epeck::Segment_2(point(x, y), point(z, w)), 0);
+  }
+  std::vector<Epeck::Triangle_2> triangles, others;
+  for(int i = 0; i < 5000; ++i) {
+    std::array<double, 6> x;
+    x[0] = near_to(0, 100), x[1] = near_to(0, 100);
+    for(std::size_t k = 2; k < 6; ++k)
+      x[k] = near_to(x[k - 2], .3);
+    for(std::vector<Epeck::Triangle_2>* list : {&triangles, &others})
+      list->emplace_back(point(x[0], x[1]), point(x[2], x[3]), point(x[4], x[5]));
+  }
+  check_pairs("roads", sorted(found_pairs(segments, others)),
+              sorted(found_pairs(roads, triangles)));
 }
 
 // 1,000 segments and the boxes of 20,000 triangles meet 400,000 times.

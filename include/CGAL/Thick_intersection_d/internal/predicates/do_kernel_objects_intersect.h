@@ -87,7 +87,7 @@ void settle(const Object& object)
   if constexpr(is_mixed_v<Object>)
     with_kind(object, [](const auto& kind) { internal::settle(kind); });
   else if constexpr(Is_thickened<Object>::value) {
-    settle(object.first);
+    settle(hull_points(object));
     if constexpr(Is_lazy<typename Object::second_type>::value)
       CGAL::exact(object.second);
   }
