@@ -415,6 +415,18 @@ BOOST_AUTO_TEST_CASE(radii_may_be_numbers_of_another_type)
   BOOST_CHECK(pairs_of(kinds) == (Pairs{{0, 1}}));
 }
 
+// With a radius, a wire is the segment that its base is, although it has a test of its own.
+BOOST_AUTO_TEST_CASE(profile_has_the_grid_of_derived_objects_with_radii)
+{
+  const std::vector<std::pair<plans::Wire, double>> wires
+    = {{{Segment({0, 0}, {2, .25}), 1}, 1}, {{Segment({0, 2.25}, {2, 2.25}), 2}, 1}};
+  CGAL::Scene_profile profile;
+  Pairs pairs;
+  CGAL::thick_self_intersection_d(wires, Pair_collector{pairs}, profile);
+  BOOST_CHECK(pairs == (Pairs{{0, 1}}));
+  BOOST_CHECK_EQUAL(profile.grid_exponent(), -2);
+}
+
 // ---- traits -------------------------------------------------------------------------------------
 
 // Traits of the package with another question: do two objects meet, unless they are equal?

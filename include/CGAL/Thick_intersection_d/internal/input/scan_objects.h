@@ -35,7 +35,7 @@ bool refine_grid(const Object& object, Double_grid& grid)
   else if constexpr(Is_thickened<Object>::value) {
     const std::pair<double, double> radius = bounds(object.second);
     grid.add(radius.first);
-    return radius.first == radius.second && refine_grid(object.first, grid);
+    return radius.first == radius.second && refine_grid(hull_points(object), grid);
   }
   else
     return read_vertices(object, [&](std::size_t, int, double x) { grid.add(x); });
