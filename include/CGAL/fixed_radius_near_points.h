@@ -40,8 +40,9 @@ of these or of a `Point_2` or `Point_3` and a radius, which are all points withi
 or `std::variant`s of these and of points. Two objects are near if a point of one and a point of the
 other are within the bound. So objects that intersect are near, but for an open bound of zero.
 Objects may be degenerate, as for `thick_self_intersection_d()`, and the result is that of real
-arithmetic. An object of a class that derives from one of these is what its base is. Objects of
-other classes have traits, a model of `ThickDistanceTraits_d`.
+arithmetic. An object of a class that derives from one of these is what its base is, unless
+`do_intersect()` takes the class itself: `point_map` may give its base then. Objects of other
+classes have traits, a model of `ThickDistanceTraits_d`.
 
 The search takes \f$ O(n \log n + k) \f$ time and \f$ O(n) \f$ space in the plane and in space,
 where \f$ k \f$ is the number of pairs \cgalCite{v-riato-03}. In other dimensions, it puts a box on
