@@ -65,6 +65,21 @@ bool do_intersect(const Wire& wire, const Pin&)
   return wire.layer == 1;
 }
 
+// A wire with a radius, which meets others only on its own layer.
+struct Thick_wire : std::pair<Segment, double>
+{
+  Thick_wire(const Segment& segment, double radius, int number)
+    : std::pair<Segment, double>(segment, radius), layer(number)
+  {}
+  CGAL::Bbox_2 bbox() const { return CGAL::Bbox_2(-9, -9, 9, 9); }
+  int layer;
+};
+
+bool do_intersect(const Thick_wire& a, const Thick_wire& b)
+{
+  return a.layer == b.layer;
+}
+
 // A wire that is wider than its base, and has a box of its own.
 struct Wide_wire : Segment
 {
@@ -250,6 +265,11 @@ BOOST_AUTO_TEST_CASE(derived_object_with_a_test_of_its_own_is_asked)
   const std::vector<plans::Wide_wire> wide
     = {{Point(0, 0), Point(9, 0)}, {Point(0, 2), Point(9, 2)}, {Point(0, 5), Point(9, 5)}};
   BOOST_CHECK(pairs_of(wide) == (Pairs{{0, 1}}));
+
+  // So it is if it has a radius.
+  const std::vector<plans::Thick_wire> thick
+    = {{across, 1, 1}, {other, 1, 2}, {Segment({8, 8}, {9, 9}), 1, 1}};
+  BOOST_CHECK(pairs_of(thick) == (Pairs{{0, 2}}));
 
   // An object of another class is tested as the segment that it is.
   const auto [long_ones, short_ones] = split(nearly_touching_segments(), 160);

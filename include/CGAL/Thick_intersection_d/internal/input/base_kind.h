@@ -66,6 +66,8 @@ template <class K>
 Kind_with_vertices<Circle_2<K>, 0> base_of(const Circle_2<K>*);
 template <class K>
 Kind_with_vertices<Sphere_3<K>, 0> base_of(const Sphere_3<K>*);
+template <class Object, class Radius>
+Kind_with_vertices<std::pair<Object, Radius>, 0> base_of(const std::pair<Object, Radius>*);
 
 // The class of CGAL that a class derives from, or else the class itself. A Bbox may be a part of a
 // kernel object that has its box at hand.

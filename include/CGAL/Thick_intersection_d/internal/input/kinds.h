@@ -55,14 +55,15 @@ struct Is_object_with_index<Object, std::void_t<typename Object::second_type>>
 {};
 
 // Whether an object is thickened by a radius: all points within the radius of it. A point with a
-// radius is a closed ball.
+// radius is a closed ball. An object of a class with a test of its own is what the test says.
 template <class Object, class = void>
 struct Is_thickened : std::false_type {};
 template <class Object>
 struct Is_thickened<Object, std::void_t<typename Object::second_type>>
   : std::bool_constant<Has_vertices<typename Object::first_type>::value
                        && is_number_v<typename Object::second_type>
-                       && !Is_object_with_index<Object>::value>
+                       && !Is_object_with_index<Object>::value
+                       && !Has_own_test<Object, Object>::value>
 {};
 
 // The object without its radius, if it has one: all points of the object are within the radius of
