@@ -79,6 +79,24 @@ BOOST_AUTO_TEST_CASE(integers_of_64_bits_have_bounds)
   static_assert(std::is_same_v<internal::Exact_number_t<unsigned>, CGAL::Exact_rational>);
 }
 
+// CGAL's interval of a long double is never a number, and has to be finite.
+BOOST_AUTO_TEST_CASE(long_doubles_have_bounds)
+{
+  using namespace CGAL::Thick_intersection_d::internal;
+  using Bounds = std::pair<double, double>;
+  const double largest = (std::numeric_limits<double>::max)();
+  BOOST_CHECK(bounds(.5l) == Bounds(.5, .5));
+  BOOST_CHECK(bounds(-0x1p-1074l) == Bounds(-0x1p-1074, -0x1p-1074));
+  const std::pair<double, double> third = bounds(1.l / 3);
+  BOOST_CHECK(third.first <= 1.l / 3 && third.second >= 1.l / 3);
+  if(std::numeric_limits<long double>::max_exponent > 1024) {
+    BOOST_CHECK(bounds(std::ldexp(1.l, 1030)) == Bounds(largest, infinity));
+    BOOST_CHECK(bounds(-std::ldexp(1.l, 1030)) == Bounds(-infinity, -largest));
+  }
+  BOOST_CHECK(!is_finite_number(static_cast<long double>(infinity)));
+  BOOST_CHECK(!is_finite_number(static_cast<long double>(NAN)));
+}
+
 // CGAL's interval of a tiny Mpzf is far from it if rounding goes up.
 BOOST_AUTO_TEST_CASE(bounds_of_tiny_numbers_are_close_in_every_rounding_mode)
 {

@@ -262,10 +262,11 @@ std::pair<double, double> bounds(const NT& x)
   else if constexpr(std::is_same_v<NT, Mpzf>)
     return bounds_of_mpzf(x);
 #endif
-  else if constexpr(std::is_integral_v<NT>) { // CGAL does not know all of these types
+  else if constexpr(std::is_arithmetic_v<NT>) { // CGAL knows not all of them, nor all long doubles
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const double value = static_cast<double>(x);
-    if(-0x1p53 < value && value < 0x1p53)
+    if(std::is_integral_v<NT> ? -0x1p53 < value && value < 0x1p53
+                              : static_cast<long double>(value) == static_cast<long double>(x))
       return {value, value};
     return {std::nextafter(value, -infinity), std::nextafter(value, infinity)};
   }
