@@ -9,6 +9,10 @@
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
 
 #include <CGAL/Exact_integer.h>
+#include <CGAL/MP_Float.h>
+#ifdef CGAL_USE_GMP
+#include <CGAL/Gmpzf.h>
+#endif
 
 BOOST_AUTO_TEST_SUITE(exact_number)
 
@@ -32,6 +36,41 @@ BOOST_AUTO_TEST_CASE(numbers_are_converted_without_rounding)
   BOOST_CHECK(internal::rational_power_of_two(3001) == large);
   BOOST_CHECK(internal::rational_power_of_two(-3001) * large == 1);
   BOOST_CHECK(to_exact_rational(CGAL::Quotient<int>(1, 3)) == Exact(1) / 3);
+}
+
+// Their texts are those of doubles.
+template <class NT>
+void check_dyadic(const char* type)
+{
+  using internal::rational_power_of_two;
+  BOOST_TEST_CONTEXT(type)
+  for(const int mode : rounding_modes)
+    for(const double factor : {1., 0x1p-300, 0x1p-700, 0x1p700}) {
+      NT number(3), power(1);
+      for(int i = 0; i < 3; ++i)
+        power = power * NT(factor);
+      number = (number + NT(0x1p-70)) * power;
+      std::optional<Rounding_mode> in_mode(mode);
+      const CGAL::Exact_rational value = internal::to_exact_rational(number);
+      in_mode.reset();
+      BOOST_CHECK(value == (3 + CGAL::Exact_rational(0x1p-70))
+                             * rational_power_of_two(3 * std::ilogb(factor)));
+      BOOST_CHECK(internal::to_exact_rational(NT(-number)) == -value);
+    }
+  BOOST_CHECK(internal::to_exact_rational(NT(0)) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(integers_times_powers_of_two_are_converted_without_rounding)
+{
+  check_dyadic<CGAL::MP_Float>("MP_Float");
+#ifdef CGAL_HAS_MPZF
+  check_dyadic<CGAL::Mpzf>("Mpzf");
+#endif
+#ifdef CGAL_USE_GMP
+  check_dyadic<CGAL::Gmpzf>("Gmpzf");
+#endif
+  const CGAL::Quotient<CGAL::MP_Float> third(CGAL::MP_Float(1) + CGAL::MP_Float(0x1p-70), 3);
+  BOOST_CHECK(internal::to_exact_rational(third) * 3 == 1 + CGAL::Exact_rational(0x1p-70));
 }
 
 #ifdef __SIZEOF_INT128__

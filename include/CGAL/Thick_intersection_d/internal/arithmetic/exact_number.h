@@ -16,6 +16,7 @@
 #include <CGAL/Quotient.h>
 #include <CGAL/number_utils.h>
 
+#include <CGAL/Thick_intersection_d/internal/arithmetic/dyadic_numbers.h>
 #include <CGAL/Thick_intersection_d/internal/machine/hints.h>
 
 #include <cfloat>
@@ -83,14 +84,6 @@ NT mantissa(const NT& x, int& exponent)
 }
 } // namespace floating
 
-inline Exact_rational rational_power_of_two(int exponent)
-{
-  if(std::abs(exponent) <= 1000)
-    return Exact_rational(std::ldexp(1., exponent));
-  const Exact_rational root = rational_power_of_two(exponent / 2);
-  return root * root * rational_power_of_two(exponent % 2);
-}
-
 // Returns the rational value of a finite floating-point number of any precision. Takes the leading
 // 53 bits off the mantissa, and makes the rest a mantissa again, until no bits are left. Nothing is
 // rounded.
@@ -151,6 +144,8 @@ Exact_rational to_exact_rational(const NT& x)
     return Exact_rational(static_cast<double>(x));
   else if constexpr(floating::Is_floating<NT>::value)
     return rational_of_floating(x);
+  else if constexpr(is_dyadic_v<NT>)
+    return rational_of_dyadic(x);
   else if constexpr(Is_lazy<NT>::value)
     return to_exact_rational(CGAL::exact(x));
   else if constexpr(Is_quotient<NT>::value)
