@@ -13,6 +13,9 @@
 #ifdef CGAL_USE_GMP
 #include <CGAL/Gmpzf.h>
 #endif
+#include <CGAL/boost_mp.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
 
 BOOST_AUTO_TEST_SUITE(exact_number)
 
@@ -153,6 +156,40 @@ BOOST_AUTO_TEST_CASE(bounds_of_tiny_numbers_are_close_in_every_rounding_mode)
         BOOST_CHECK(Exact(enclosing.second) >= number);
         BOOST_CHECK_LE(enclosing.second - enclosing.first, 4 * step);
       }
+}
+
+template <class NT>
+void check_bounds(const NT& number)
+{
+  const CGAL::Exact_rational value = internal::to_exact_rational(number);
+  for(const int mode : rounding_modes) {
+    std::optional<Rounding_mode> in_mode(mode);
+    const std::pair<double, double> enclosing = internal::bounds(number);
+    in_mode.reset();
+    BOOST_CHECK(std::isinf(enclosing.first) || enclosing.first <= value);
+    BOOST_CHECK(std::isinf(enclosing.second) || enclosing.second >= value);
+    BOOST_CHECK(internal::are_bounds_of_finite(enclosing));
+  }
+}
+
+template <class NT>
+void check_bounds_of_all_sizes()
+{
+  for(const double factor : {1., 0x1p-358, 0x1p-400, 0x1p300, 0x1.fp341, 0x1p500})
+    for(const NT& number : {NT(1) + NT(0x1p-70), NT(-7)})
+      check_bounds(NT(number * NT(factor) * NT(factor) * NT(factor)));
+}
+
+BOOST_AUTO_TEST_CASE(bounds_enclose_numbers_of_all_sizes_in_every_rounding_mode)
+{
+  using Rational = boost::multiprecision::cpp_rational;
+  check_bounds_of_all_sizes<Rational>();
+  check_bounds(Rational(Rational((std::numeric_limits<double>::max)()) + 1));
+  check_bounds_of_all_sizes<CGAL::MP_Float>();
+  check_bounds_of_all_sizes<CGAL::Quotient<CGAL::MP_Float>>();
+#ifdef CGAL_USE_GMP
+  check_bounds_of_all_sizes<CGAL::Gmpzf>();
+#endif
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -10,6 +10,7 @@
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Exact_rational.h>
+#include <CGAL/FPU.h>
 #include <CGAL/Fraction_traits.h>
 #include <CGAL/Lazy_exact_nt.h>
 #include <CGAL/Mpzf.h>
@@ -265,7 +266,11 @@ std::pair<double, double> bounds(const NT& x)
       return {value, value};
     return {std::nextafter(value, -infinity), std::nextafter(value, infinity)};
   }
+  else if constexpr(std::is_same_v<NT, Gmpzf>) // CGAL's interval of a tiny one does not enclose it
+    return bounds(to_exact_rational(x));
   else {
+    // If rounding goes down, CGAL takes the largest double for powers of two beyond the doubles.
+    const Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
     const std::pair<double, double> interval = CGAL::to_interval(x);
     if constexpr(Is_quotient<NT>::value) // infinite if its parts are beyond the doubles
       if(std::isinf(interval.second) || std::isinf(interval.first))
