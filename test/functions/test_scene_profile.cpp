@@ -10,6 +10,7 @@
 #include "support/brute_force.h"
 #include "support/check_pairs.h"
 #include "support/kernels.h"
+#include "support/rounding_mode.h"
 
 #include <CGAL/Cartesian_d.h>
 
@@ -184,6 +185,23 @@ BOOST_AUTO_TEST_CASE(grids_at_the_ends_of_the_doubles)
     Points points = lattice_points(2, 12, std::ldexp(3., exponent));
     points.push_back({std::ldexp(1., exponent), 0});
     check_tiers<Plane>(points, std::ldexp(15., exponent), Arithmetic_tier::INT64);
+  }
+}
+
+// The search divides all coordinates by 2^600. One of them becomes the least normal number then,
+// and another one is rounded to it. So the two points, which differ along both axes, seem to be
+// within the bound.
+BOOST_AUTO_TEST_CASE(ties_of_coordinates_that_are_scaled_to_the_least_normal_number)
+{
+  const double r = 0x1p600, x = 0x1p-422;
+  Points points = {{std::nextafter(x, 0.), r}, {x, 2 * r}};
+  for(int i = 0; i < 400; ++i)
+    points.push_back({3.7 * r * (i + 2), r});
+  const auto made = make_points<Plane>(points);
+  CGAL::Scene_profile profile;
+  for(const int mode : rounding_modes) {
+    const Rounding_mode rounding(mode);
+    BOOST_CHECK(pairs_with(profile, made, CGAL::within_distance(r)).empty());
   }
 }
 

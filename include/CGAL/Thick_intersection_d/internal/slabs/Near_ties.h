@@ -24,6 +24,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <type_traits>
 
@@ -99,12 +100,14 @@ private:
   }
 
   // Sets the scaled doubles of two points to their doubles. They are read again if one of them may
-  // have underflowed: those of both, because runs may have the axes in another order.
+  // have underflowed, perhaps to the least normal number: those of both, because runs may have the
+  // axes in another order.
   void take_back_scale(Doubles& x, Doubles& y, std::size_t i, std::size_t j) const
   {
+    constexpr double least = (std::numeric_limits<double>::min)();
     bool are_normal = true;
     for(int axis = 0; axis < Dimension; ++axis) {
-      are_normal = are_normal && std::isnormal(x[axis]) && std::isnormal(y[axis]);
+      are_normal = are_normal && std::fabs(x[axis]) > least && std::fabs(y[axis]) > least;
       x[axis] /= task_.near.scale;
       y[axis] /= task_.near.scale;
     }
