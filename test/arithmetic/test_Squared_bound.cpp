@@ -128,4 +128,15 @@ BOOST_AUTO_TEST_CASE(the_first_square_beyond_is_that_of_rational_numbers)
     }
 }
 
+// The interval of a lazy number is wide after a cancellation.
+BOOST_AUTO_TEST_CASE(doubles_are_close_to_a_lazy_bound)
+{
+  using Lazy = CGAL::Lazy_exact_nt<CGAL::Exact_rational>;
+  const Lazy large(1e16), r(Lazy(large + Lazy(8.5)) - large);
+  BOOST_REQUIRE(CGAL::to_interval(r) != std::make_pair(8.5, 8.5));
+  const internal::Squared_bound<Lazy> bound(CGAL::within_distance(r));
+  BOOST_CHECK_LT(bound.squared().second - bound.squared().first, 1e-10);
+  BOOST_CHECK_EQUAL(bound.reach(), 8.5);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

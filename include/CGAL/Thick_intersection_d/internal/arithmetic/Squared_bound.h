@@ -61,6 +61,8 @@ public:
     if(unbounded_)
       return;
 
+    if constexpr(Is_lazy<NT>::value)
+      CGAL::exact(bound.value()); // narrows its interval, which may be as wide as the scene
     if constexpr(std::is_same_v<NT, Exact>)
       numerator_ = square_of(bound.value(), bound.is_squared());
     else if constexpr(is_held_by_double_v<NT>) // which Exact holds as well
