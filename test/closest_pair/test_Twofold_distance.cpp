@@ -153,4 +153,18 @@ BOOST_AUTO_TEST_CASE(differences_that_are_rounded_are_no_tie)
   BOOST_CHECK(!found || *found == -1);
 }
 
+// Some rounding modes make the largest double of them. These two distances are the same.
+BOOST_AUTO_TEST_CASE(differences_that_overflow_are_left_to_exact_numbers)
+{
+  const auto distance_to = [](double x, double y) {
+    return internal::Twofold_distance([](int i) { return (i == 0 ? -12.5 : -12) * 0x1p1020; },
+                                      [&](int i) { return (i == 0 ? x : y) * 0x1p1020; }, 2,
+                                      0x1p-1022);
+  };
+  for(const int mode : rounding_modes) {
+    const Rounding_mode rounding(mode);
+    BOOST_CHECK(distance_to(12.5, -12).compare(distance_to(-5.5, 12)) == std::nullopt);
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -6,6 +6,7 @@
 
 #include "support/check_closest_pair.h"
 #include "support/check_pairs.h"
+#include "support/rounding_mode.h"
 
 using namespace test_support;
 
@@ -142,6 +143,24 @@ BOOST_AUTO_TEST_CASE(the_closest_of_rounded_squares)
   const double x = 0x1p-537 * std::sqrt(.4), y = 0x1p-537 * std::sqrt(.6);
   const auto points = make_points<Epick_points<3>>({{0, 0, 0}, {x, x, 0}, {0, 0, 1}, {y, 0, 1}});
   BOOST_CHECK(CGAL::closest_pair(points) == Pair(2, 3));
+}
+
+// Some rounding modes make the largest double of differences that overflow. In the second scene,
+// the distances from the first point are the same.
+BOOST_AUTO_TEST_CASE(the_closest_of_points_whose_differences_overflow)
+{
+  const double unit = 0x1p1020, shift = 0x1p971;
+  for(const int mode : rounding_modes)
+    for(const double sign : {1., -1.}) {
+      const double u = sign * unit;
+      const auto points = make_points<Epick_points<2>>({{-11 * u, 0}, {11 * u, 0}, {0, 15 * u}});
+      const auto ties = make_points<Epick_points<2>>({{-12.5 * u, -12 * u + shift},
+                                                      {-5.5 * u, 12 * u + shift},
+                                                      {12.5 * u, -12 * u + shift}});
+      const Rounding_mode rounding(mode);
+      BOOST_CHECK(CGAL::closest_pair(points) == Pair(0, 2));
+      BOOST_CHECK(CGAL::closest_pair(ties) == Pair(0, 1));
+    }
 }
 
 // Nearly all points are in the strip, so that it is cut into cells; the closest pair is often in

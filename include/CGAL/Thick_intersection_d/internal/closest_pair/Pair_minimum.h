@@ -219,11 +219,12 @@ private:
   }
 
   // Returns doubles that enclose the scaled distance of two points along an axis. If a difference
-  // overflows, that of the halves does not. What halving loses is less than 2^-1074.
+  // overflows, to infinity or, as some rounding modes have it, to the largest double, that of the
+  // halves does not. What halving loses is less than 2^-1074.
   Gap scaled_gap(const Point& p, const Point& q, int axis) const
   {
     const Gap g = gap_along(p, q, axis);
-    if(g.sup <= (std::numeric_limits<double>::max)())
+    if(g.sup < (std::numeric_limits<double>::max)())
       return {g.inf * scale_, g.sup * scale_};
     const std::pair<double, double> x = coordinate_bounds(p, axis);
     const std::pair<double, double> y = coordinate_bounds(q, axis);

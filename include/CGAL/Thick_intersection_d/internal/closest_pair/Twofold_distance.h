@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace CGAL {
@@ -62,14 +63,17 @@ public:
     for(int i = 0; i < dimension; ++i) {
       differences_[i] = twofold_sum(x(i), -y(i));
       gaps_[i] = std::fabs(differences_[i].value);
+      if(gaps_[i] >= (std::numeric_limits<double>::max)()) // may be less than the difference
+        differences_[i].rest = std::numeric_limits<double>::quiet_NaN();
       has_exact_gaps_ = has_exact_gaps_ && is_exact_difference(x(i), y(i));
     }
     std::sort(gaps_.begin(), gaps_.begin() + dimension);
   }
 
   // Returns a negative number, 0 or a positive number if this distance is less than the other one,
-  // equal, or greater. Returns nothing if only exact numbers can tell. For distances of one
-  // dimension and scale, with scaled squares between min_twofold_square and max_twofold_square.
+  // equal, or greater. Returns nothing if only exact numbers can tell, or a difference overflows.
+  // For distances of one dimension and scale, with scaled squares between min_twofold_square and
+  // max_twofold_square.
   std::optional<int> compare(const Twofold_distance& other) const
   {
     if(has_exact_gaps_ && other.has_exact_gaps_)
