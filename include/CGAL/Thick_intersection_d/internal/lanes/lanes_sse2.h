@@ -10,7 +10,7 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Near_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Run.h>
-#include <CGAL/Thick_intersection_d/internal/lanes/shuffle.h>
+#include <CGAL/Thick_intersection_d/internal/lanes/instruction_set.h>
 
 #include <boost/config.hpp>
 

@@ -12,7 +12,7 @@
 
 #if defined(__GNUC__) && defined(__x86_64__)
 
-#include <CGAL/Thick_intersection_d/internal/lanes/shuffle.h>
+#include <CGAL/Thick_intersection_d/internal/lanes/instruction_set.h>
 
 #include <cstddef>
 #include <cstdint>
