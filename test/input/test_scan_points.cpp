@@ -9,6 +9,7 @@
 
 #include <CGAL/Thick_intersection_d/internal/input/scan_points.h>
 
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
 
 BOOST_AUTO_TEST_SUITE(scan_points)
@@ -34,6 +35,18 @@ BOOST_AUTO_TEST_CASE(the_box_holds_all_points_and_no_more)
     BOOST_CHECK_EQUAL(scene.box[axis].low, *std::min_element(x.begin(), x.end()));
     BOOST_CHECK_EQUAL(scene.box[axis].high, *std::max_element(x.begin(), x.end()));
   }
+}
+
+// Otherwise all pairs would be within the error of a search.
+BOOST_AUTO_TEST_CASE(a_lazy_number_without_leading_bits_is_made_exact)
+{
+  using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
+  const Epeck::FT large = 1e16;
+  const Epeck::Point_2 wide((large + 0.25) - large, 0.5), other(0.75, 1);
+  const internal::Scene scene = internal::scan_points(std::vector{other, wide, other}, "point");
+  BOOST_CHECK_EQUAL(scene.error, 0);
+  BOOST_CHECK_EQUAL(scene.box[0].low, 0.25);
+  BOOST_CHECK_EQUAL(scene.grid_exponent.value(), -2);
 }
 
 BOOST_AUTO_TEST_CASE(the_first_bad_point_of_all_blocks_is_kept)

@@ -135,15 +135,12 @@ private:
   std::size_t first_bad_ = (std::numeric_limits<std::size_t>::max)();
 };
 
-// Returns the scene of the points, and calls store(position, axis, lower bound) for each
-// coordinate. Throws if a coordinate is NaN or infinite, or if a point has another dimension than
-// the first point; messages call a point `name`. Throws if denormal numbers are flushed to zero.
+// Scans the points by several threads.
 template <class Elements, class Store>
 CGAL_THICK_INTERSECTION_D_RARELY_CALLED
-Scene scan_points(const Elements& points, const char* name, bool finds_grid, const Store& store,
-                  const Threads& threads)
+Scene_scan scan_in_blocks(const Elements& points, int dimension, bool finds_grid,
+                          const Store& store, const Threads& threads)
 {
-  const int dimension = points.size() == 0 ? 0 : dimension_of(points[0]);
   Scene_scan all(dimension, finds_grid);
   std::mutex mutex;
   threads.run_numbered_blocks(
@@ -154,9 +151,45 @@ Scene scan_points(const Elements& points, const char* name, bool finds_grid, con
       const std::lock_guard<std::mutex> lock(mutex);
       all.add(scan);
     });
-  if(all.first_bad() < points.size())
-    check_point(points[all.first_bad()], dimension, name, all.first_bad());
-  return all.scene(points.size());
+  return all;
+}
+
+// Makes lazy coordinates exact if their bounds are further apart than `width`.
+template <class Elements>
+void make_exact(const Elements& points, int dimension, double width)
+{
+  for(std::size_t position = 0; position < points.size(); ++position) {
+    const auto& point = points[position];
+    for(int axis = 0; axis < dimension; ++axis) {
+      const std::pair<double, double> x = coordinate_bounds(point, axis);
+      if(x.second - x.first > width)
+        CGAL::exact(coordinate(point, axis));
+    }
+  }
+}
+
+// Returns the scene of the points, and calls store(position, axis, lower bound) for each
+// coordinate, perhaps more than once. Throws if a coordinate is NaN or infinite, or if a point has
+// another dimension than the first point; messages call a point `name`. Throws if denormal numbers
+// are flushed to zero.
+//
+// A search looks at the pairs within its reach and the error. So a single number that has lost its
+// leading bits would bring all pairs near each other: such numbers are made exact.
+template <class Elements, class Store>
+Scene scan_points(const Elements& points, const char* name, bool finds_grid, const Store& store,
+                  const Threads& threads)
+{
+  const int dimension = points.size() == 0 ? 0 : dimension_of(points[0]);
+  const Scene_scan scan = scan_in_blocks(points, dimension, finds_grid, store, threads);
+  if(scan.first_bad() < points.size())
+    check_point(points[scan.first_bad()], dimension, name, scan.first_bad());
+  const Scene scene = scan.scene(points.size());
+  if constexpr(Is_lazy<Coordinate_t<typename Elements::value_type>>::value)
+    if(const double width = 0x1p-30 * scene.largest_coordinate(); scene.error > width) {
+      make_exact(points, dimension, width);
+      return scan_in_blocks(points, dimension, finds_grid, store, threads).scene(points.size());
+    }
+  return scene;
 }
 
 template <class Elements>
