@@ -9,11 +9,36 @@
 
 #include <CGAL/number_utils.h> // to_double
 
+#include <cmath>
+#include <cstdint>
 #include <cstdlib>
+#include <cstring>
+#include <limits>
 #include <sstream>
 #include <utility>
 
 namespace near_pairs {
+namespace {
+
+// The double next to a number, as a reader of decimals has it; of two that are as near, the even
+// one. CGAL::to_double() may return the other one beside the number.
+double rounded_to_nearest(const CGAL::Exact_rational& value)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double near = CGAL::to_double(value);
+  const CGAL::Exact_rational near_value(std::isfinite(near) ? near : 0);
+  const double next = std::nextafter(near, value < near_value ? -infinity : infinity);
+  if(!std::isfinite(near) || !std::isfinite(next) || value == near_value)
+    return near;
+  const CGAL::Exact_rational excess = 2 * value - near_value - CGAL::Exact_rational(next);
+  if(excess != 0)
+    return (excess > 0) == (next > near) ? next : near;
+  std::uint64_t bits;
+  std::memcpy(&bits, &near, sizeof bits);
+  return bits % 2 == 0 ? near : next;
+}
+
+} // namespace
 
 Exact_number::Exact_number() : Exact_number(Rational()) {}
 
@@ -33,7 +58,7 @@ bool is_negative(const Exact_number& number)
 
 double to_double(const Exact_number& number)
 {
-  return CGAL::to_double(number->value);
+  return rounded_to_nearest(number->value);
 }
 
 std::optional<Exact_number> parse_exact(std::string_view text)
@@ -100,7 +125,7 @@ const Rational& Exact_numbers::operator[](std::size_t at) const
 
 double Exact_numbers::rounded(std::size_t at) const
 {
-  return CGAL::to_double((*values_)[at].value);
+  return rounded_to_nearest((*values_)[at].value);
 }
 
 double Exact_numbers::rounded_difference(std::size_t a, std::size_t b) const
