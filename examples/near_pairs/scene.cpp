@@ -5,12 +5,29 @@
 
 #include "scene.h"
 
+#include "decimal.h"
 #include "rational.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <string>
 
 namespace near_pairs {
+namespace {
+
+// Divides an integer, or any double if the scale is 0, by 10^scale, and rounds once: larger powers
+// of ten are no doubles.
+double over_power_of_ten(double number, int scale)
+{
+  const int largest_exact_scale = 22;
+  if(scale <= largest_exact_scale)
+    return number / std::pow(10., scale);
+  const auto integer = static_cast<std::int64_t>(number);
+  return nearest_double(std::to_string(integer) + "e-" + std::to_string(scale));
+}
+
+} // namespace
 
 std::size_t Scene::size() const
 {
@@ -32,7 +49,7 @@ int Scene::file(std::size_t point) const
 double Scene::coordinate(std::size_t point, int axis) const
 {
   const std::size_t at = point * dimension + axis;
-  return exact.empty() ? doubles[at] / std::pow(10., scale) : exact.rounded(at);
+  return exact.empty() ? over_power_of_ten(doubles[at], scale) : exact.rounded(at);
 }
 
 // Doubles would lose their digits as soon as a period is added and most of it cancels out.
@@ -44,7 +61,7 @@ std::array<double, 3> Scene::difference(std::size_t i, std::size_t j, const Offs
     if(offset != Offset{})
       result[axis] = to_double(exact_difference(i, j, offset, axis));
     else
-      result[axis] = exact.empty() ? (doubles[b] - doubles[a]) / std::pow(10., scale)
+      result[axis] = exact.empty() ? over_power_of_ten(doubles[b] - doubles[a], scale)
                                    : exact.rounded_difference(b, a);
   }
   return result;
