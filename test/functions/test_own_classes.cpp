@@ -303,6 +303,29 @@ BOOST_AUTO_TEST_CASE(members_that_hide_those_of_a_point_are_not_asked)
   BOOST_CHECK_EQUAL(near_pairs_of(points, within_distance(1)).size(), 15);
 }
 
+struct Vacant_parcel : CGAL::Polygon_2<Kernel>
+{
+  using CGAL::Polygon_2<Kernel>::Polygon_2;
+  bool is_empty() const { return true; } // no house is on it
+};
+
+struct Open_parcel : CGAL::Polygon_with_holes_2<Kernel>
+{
+  using CGAL::Polygon_with_holes_2<Kernel>::Polygon_with_holes_2;
+  bool is_unbounded() const { return true; } // it has no fence
+};
+
+BOOST_AUTO_TEST_CASE(members_that_hide_those_of_a_polygon_are_not_asked)
+{
+  const Point corners[] = {{0, 0}, {1, 0}, {0, 1}};
+  const std::vector<Vacant_parcel> parcels(2, Vacant_parcel(corners, corners + 3));
+  const std::vector<Open_parcel> others(1, Open_parcel(parcels[0]));
+  const auto pairs = reported([&](auto collect) {
+    CGAL::thick_feature_intersection_d(parcels, others, collect);
+  });
+  BOOST_CHECK(sorted(pairs) == (Pairs{{0, 0}, {1, 0}}));
+}
+
 BOOST_AUTO_TEST_CASE(derived_features_are_what_their_base_is)
 {
   using Polygon = CGAL::Polygon_2<Kernel>;

@@ -255,9 +255,9 @@ void add_parts(const Feature& feature, Parts& parts)
   else if constexpr(Vertex_count<Kind>::value == 1)
     parts.add_polyline(&feature, &feature + 1);
   else if constexpr(is_polygon_v<Kind>)
-    parts.add_polygon(feature);
+    parts.add_polygon(static_cast<const Kind&>(feature)); // members of its class may hide others
   else if constexpr(is_polygon_with_holes_v<Kind>)
-    parts.add_polygon_with_holes(feature);
+    parts.add_polygon_with_holes(static_cast<const Kind&>(feature));
   else if constexpr(is_mesh_v<Feature>)
     parts.add_mesh(feature);
   else if constexpr(is_mesh_v<Kind> || is_soup_v<Kind>)
