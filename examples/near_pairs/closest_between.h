@@ -6,6 +6,9 @@
 #ifndef NEAR_PAIRS_CLOSEST_BETWEEN_H
 #define NEAR_PAIRS_CLOSEST_BETWEEN_H
 
+#include "error.h"
+#include "stop.h"
+
 #include <CGAL/Distance_bound.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Iterator_range.h>
@@ -51,7 +54,7 @@ public:
     : points_(points), first_size_(first_size), most_(4 * points.size())
   {}
 
-  // The lexicographically first of the closest pairs.
+  // The lexicographically first of the closest pairs. Throws Error if the search is to stop.
   Pair operator()()
   {
     take_sample();
@@ -69,18 +72,22 @@ private:
   std::size_t second_size() const { return points_.size() - first_size_; }
 
   // Searches the first `prefix` points of the first set. Returns false iff the callback stopped the
-  // search.
+  // search. Throws Error if something else did.
   template <class Callback>
   bool report(std::size_t prefix, const Bound& bound, Callback callback) const
   {
     std::mutex mutex; // several threads may call
     const auto begin = points_.begin(), middle = begin + static_cast<std::ptrdiff_t>(first_size_);
-    return CGAL::fixed_radius_near_neighbors<ConcurrencyTag>(
+    const bool is_complete = CGAL::fixed_radius_near_neighbors<ConcurrencyTag>(
       CGAL::make_range(begin, begin + static_cast<std::ptrdiff_t>(prefix)),
       CGAL::make_range(middle, points_.end()), bound, [&](std::size_t i, std::size_t j) -> bool {
         const std::lock_guard<std::mutex> lock(mutex);
         return callback(i, j);
-      });
+      },
+      CGAL::parameters::callback([](double) { return !stop_requested; }));
+    if(stop_requested)
+      throw Error("stopped");
+    return is_complete;
   }
 
   // Takes the pair if it is closer than the best one.

@@ -36,14 +36,15 @@ A feature is one of these, with points of one type, `Point_2` or `Point_3` of an
   segment.
 - A *polygon with holes*, `Polygon_with_holes_2`. Holes are open: their edges belong to the polygon.
   Holes lie in the outer boundary, and not in other holes. They may touch these.
-- A *triangle mesh* in space: a model of `FaceListGraph` with points, such as `Surface_mesh` or
-  `Polyhedron_3`, or a class that derives from one of these. It has the points of its faces. If it
-  is closed, it is a *solid*, and has besides all points from which a ray crosses its faces an odd
-  number of times. So the orientation of faces does not matter, shells in shells are hollows, and a
-  mesh that intersects itself is as well defined as others. A mesh is closed if each edge, as the
-  pair of the points at its ends, belongs to an even number of its faces, so it need not be a
-  manifold, and faces that are not stitched together are connected by equal points. Faces may be
-  degenerate: an edge of length zero does not count.
+- A *triangle mesh* in space: a model of `FaceListGraph`, `HalfedgeListGraph` and
+  `VertexListGraph` with points, such as `Surface_mesh` or `Polyhedron_3`, or a class that derives
+  from one of these. It has the points of its faces. If it is closed, it is a *solid*, and has
+  besides all points from which a ray crosses its faces an odd number of times. So the orientation
+  of faces does not matter, shells in shells are hollows, and a mesh that intersects itself is as
+  well defined as others. A mesh is closed if each edge, as the pair of the points at its ends,
+  belongs to an even number of its faces, so it need not be a manifold, and faces that are not
+  stitched together are connected by equal points. Faces may be degenerate: an edge of length zero
+  does not count.
 - A *triangle soup*: a `std::pair` of a range of `Point_3` and of a range of triples of indices of
   these points, such as `std::vector<std::array<std::size_t, 3>>`. It is taken as a mesh, and may
   repeat points.
