@@ -50,6 +50,20 @@ BOOST_AUTO_TEST_CASE(longer_intervals_hold_the_sum_in_every_rounding_mode)
   }
 }
 
+BOOST_AUTO_TEST_CASE(doubles_before_and_after_are_those_of_the_library)
+{
+  Random random(2);
+  std::vector<double> numbers = {0., -0., 0x1p-1074, 1, 0x1.fffffffffffffp1023, infinity};
+  for(int i = 0; i < 1000; ++i)
+    numbers.push_back(any_number(random));
+  for(const double number : numbers)
+    for(const double x : {number, -number}) {
+      BOOST_REQUIRE_EQUAL(internal::double_before(x), std::nextafter(x, -infinity));
+      BOOST_REQUIRE_EQUAL(internal::double_after(x), std::nextafter(x, infinity));
+    }
+  BOOST_CHECK(std::isnan(internal::double_before(std::nan(""))));
+}
+
 BOOST_AUTO_TEST_CASE(infinite_reach)
 {
   BOOST_CHECK_EQUAL(internal::longer({-1, 1}, infinity).high, infinity);

@@ -241,35 +241,13 @@ void check_interiors()
   BOOST_CHECK_GT(counts.touching, 2000u);
 }
 
-} // namespace
-
-// Boxes decide about boxes, but a profile counts them all.
-BOOST_AUTO_TEST_CASE(a_profile_counts_each_pair_whose_boxes_meet)
+bool has_interior(const CGAL::Bbox_2& box)
 {
-  const std::vector<CGAL::Bbox_2> boxes = {{0, 0, 2, 2}, {1, 1, 3, 3}, {2, 0, 4, 2}, {9, 9, 9, 9}};
-  Pairs pairs;
-  CGAL::Scene_profile profile;
-  CGAL::thick_self_intersection_d(CGAL::interiors(boxes), std::back_inserter(pairs), profile);
-  BOOST_CHECK(sorted(pairs) == Pairs({{0, 1}, {1, 2}}));
-  BOOST_CHECK_EQUAL(profile.decided(CGAL::Arithmetic_tier::DOUBLE), 3u);
+  return box.xmin() < box.xmax() && box.ymin() < box.ymax();
 }
 
-// In ranges of nothing but boxes, only the flat ones are asked about.
-BOOST_AUTO_TEST_CASE(boxes_decide_about_boxes)
+void check_boxes(const std::vector<CGAL::Bbox_2>& boxes)
 {
-  Random random(1);
-  const auto side = [&] {
-    const double x = static_cast<double>(random.below(6)), y = static_cast<double>(random.below(6));
-    return std::minmax({x, y});
-  };
-  std::vector<CGAL::Bbox_2> boxes;
-  for(int i = 0; i < 300; ++i) {
-    const auto x = side(), y = side();
-    boxes.emplace_back(x.first, y.first, x.second, y.second);
-  }
-  const auto has_interior = [](const CGAL::Bbox_2& b) {
-    return b.xmin() < b.xmax() && b.ymin() < b.ymax();
-  };
   const auto do_overlap = [&](std::size_t i, std::size_t j) {
     const CGAL::Bbox_2 &a = boxes[i], &b = boxes[j];
     return a.xmin() < b.xmax() && b.xmin() < a.xmax() && a.ymin() < b.ymax() && b.ymin() < a.ymax();
@@ -287,6 +265,43 @@ BOOST_AUTO_TEST_CASE(boxes_decide_about_boxes)
   BOOST_CHECK_GT(expected_mixed.size(), expected.size());
   BOOST_CHECK(sorted(open) == expected);
   BOOST_CHECK(sorted(mixed) == expected_mixed);
+}
+
+} // namespace
+
+// Boxes decide about boxes, but a profile counts them all.
+BOOST_AUTO_TEST_CASE(a_profile_counts_each_pair_whose_boxes_meet)
+{
+  const std::vector<CGAL::Bbox_2> boxes = {{0, 0, 2, 2}, {1, 1, 3, 3}, {2, 0, 4, 2}, {9, 9, 9, 9}};
+  Pairs pairs;
+  CGAL::Scene_profile profile;
+  CGAL::thick_self_intersection_d(CGAL::interiors(boxes), std::back_inserter(pairs), profile);
+  BOOST_CHECK(sorted(pairs) == Pairs({{0, 1}, {1, 2}}));
+  BOOST_CHECK_EQUAL(profile.decided(CGAL::Arithmetic_tier::DOUBLE), 3u);
+}
+
+// In ranges of nothing but boxes, boxes decide, unless one is flat. There are zeros of both signs.
+BOOST_AUTO_TEST_CASE(boxes_decide_about_boxes)
+{
+  Random random(1);
+  const auto end = [&] {
+    const double x = static_cast<double>(random.below(6)) - 3;
+    return x == 0 && random.below(2) == 0 ? -0. : x;
+  };
+  const auto side = [&] {
+    const double x = end(), y = end();
+    return std::minmax({x, y});
+  };
+  std::vector<CGAL::Bbox_2> boxes, solid;
+  for(int i = 0; i < 400; ++i) {
+    const auto x = side(), y = side();
+    boxes.emplace_back(x.first, y.first, x.second, y.second);
+    if(has_interior(boxes.back()))
+      solid.push_back(boxes.back());
+  }
+  check_boxes(boxes);
+  check_boxes(solid);
+  check_boxes({solid.begin(), solid.begin() + 100});
 }
 
 BOOST_AUTO_TEST_CASE(epick_2) { check_interiors<Epick, 2>(); }

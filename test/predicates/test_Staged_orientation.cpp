@@ -177,6 +177,28 @@ BOOST_AUTO_TEST_CASE(exact_numbers_are_used_where_they_are_asked_for)
   BOOST_CHECK(found.tier == Arithmetic_tier::FILTERED_EXACT);
 }
 
+// As neighbors in meshes have.
+BOOST_AUTO_TEST_CASE(equal_points_take_no_integers)
+{
+  Random random(5);
+  for(const auto& [i, j] : {std::pair<std::size_t, std::size_t>(0, 1), {1, 2}, {0, 2}}) {
+    Four_points p = nearly_flat_points(random, {0, 0, 0});
+    p[j] = p[i];
+    Space::Vertices<3> vertices;
+    for(std::size_t k = 0; k < 3; ++k)
+      vertices[k].x = p[k];
+    Space orientation(vertices);
+    BOOST_CHECK(orientation.orientation(Space::Point(vertices[0]), Space::Point(vertices[1]),
+                                        Space::Point(vertices[2]), 0, 1) == CGAL::ZERO);
+    BOOST_CHECK(orientation.needed_tier() == Arithmetic_tier::DOUBLE);
+    Four_points q = nearly_flat_points(random, {0, 0, 0});
+    q[3] = q[i];
+    const Answer found = answer(q, Arithmetic_tier::INT64);
+    BOOST_CHECK(found.side == CGAL::ZERO);
+    BOOST_CHECK(found.tier == Arithmetic_tier::DOUBLE);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(certified_doubles_take_nothing_else)
 {
   Random random(3);

@@ -10,6 +10,8 @@
 #include <boost/config.hpp> // BOOST_NOINLINE
 
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 
 namespace CGAL {
@@ -43,6 +45,31 @@ struct Interval
 inline bool do_meet(const Interval& a, const Interval& b)
 {
   return a.low <= b.high && b.low <= a.high;
+}
+
+// Returns the largest double below x, or x itself if it is minus infinity or NaN. std::nextafter()
+// does the same in a call, which takes longer than all else that is done to an interval.
+inline double double_before(double x)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if(!(std::fabs(x) > 0) || x == -infinity)
+    return x == 0 ? -std::numeric_limits<double>::denorm_min() : x;
+  std::int64_t bits;
+  std::memcpy(&bits, &x, sizeof x);
+  bits += x > 0 ? -1 : 1;
+  std::memcpy(&x, &bits, sizeof x);
+  return x;
+}
+
+// Returns the smallest double above x, or x itself if it is infinity or NaN.
+inline double double_after(double x) { return -double_before(-x); }
+
+// Returns the closed interval of the doubles in a half-open one, which ends in the last double that
+// it contains: x < y iff x is at most the double before y. This holds for zeros of both signs,
+// denormal numbers and infinity.
+inline Interval half_open(const Interval& interval)
+{
+  return {interval.low, double_before(interval.high)};
 }
 
 // Returns an interval that is longer by `reach`, or by a little more. In every rounding mode, the

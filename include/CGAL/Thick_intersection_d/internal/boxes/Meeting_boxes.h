@@ -13,9 +13,7 @@
 #include <CGAL/Thick_intersection_d/internal/boxes/Boxed_objects.h>
 #include <CGAL/Thick_intersection_d/internal/boxes/Numbered_boxes.h>
 
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 
 namespace CGAL {
@@ -48,16 +46,12 @@ public:
   // meet may be apart. Boxes whose intervals do not meet are apart in either case.
   bool are_exact() const { return are_exact_; }
 
-  // Gives a closed interval of doubles per axis. A half-open interval of doubles ends in the last
-  // double that it contains: x < y iff x is at most the double before y. This holds for zeros of
-  // both signs, denormal numbers and infinity.
+  // Gives a closed interval of doubles per axis.
   auto intervals(std::size_t i) const
   {
     return [this, i](int axis) {
-      Interval interval = boxes_.interval(i, axis);
-      if(are_exact_ && !are_closed_)
-        interval.high = std::nextafter(interval.high, -std::numeric_limits<double>::infinity());
-      return interval;
+      const Interval interval = boxes_.interval(i, axis);
+      return are_exact_ && !are_closed_ ? half_open(interval) : interval;
     };
   }
 

@@ -11,14 +11,15 @@
 #include <CGAL/Distance_bound.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Thick_object_traits_d.h>
-#include <CGAL/Uncertain.h>
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/Squared_bound.h>
 #include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
+#include <CGAL/Thick_intersection_d/internal/boxes/box_pairs_search.h>
 #include <CGAL/Thick_intersection_d/internal/input/base_kind.h>
 #include <CGAL/Thick_intersection_d/internal/input/bounding_box.h>
 #include <CGAL/Thick_intersection_d/internal/input/kinds.h>
 #include <CGAL/Thick_intersection_d/internal/input/vertices.h>
+#include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 #include <CGAL/Thick_intersection_d/internal/objects/Object_route.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Decision_counts.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/Hull_bound.h>
@@ -27,8 +28,9 @@
 #include <CGAL/Thick_intersection_d/internal/predicates/do_objects_intersect.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/do_shapes_intersect.h>
 #include <CGAL/Thick_intersection_d/internal/predicates/interiors.h>
+#include <CGAL/Thick_intersection_d/internal/reports/Progress.h>
 
-#include <array>
+#include <atomic>
 #include <cstddef>
 #include <tuple>
 #include <type_traits>
@@ -171,28 +173,53 @@ template <class Object, bool Is_first_open, bool Is_second_open, bool Is_profile
 struct Has_boxes<Traits_of_interiors<Object, Is_first_open, Is_second_open, Is_profiled>>
   : std::true_type {};
 
-// Decides about objects that are boxes of doubles by their boxes, unless one of them is flat: that
-// may be closed, and inside of the other one, or open.
-struct Open_box_filter
+// Boxes of doubles without their upper ends. They meet iff the interiors of the boxes do, and iff
+// one of these meets the other box, unless a box is flat.
+template <class Elements, class Traits>
+class Half_open_boxes : public Traits_boxes<Elements, Traits>
 {
-  template <std::size_t Axes>
-  static Uncertain<bool> do_intersect(const std::array<Interval, Axes>& a,
-                                      const std::array<Interval, Axes>& b)
+  using Base = Traits_boxes<Elements, Traits>;
+
+public:
+  using Base::Base;
+
+  auto intervals(std::size_t position) const
   {
-    bool do_overlap = true, is_flat = false;
-    for(std::size_t axis = 0; axis < Axes; ++axis) {
-      do_overlap &= a[axis].low < b[axis].high && b[axis].low < a[axis].high;
-      is_flat |= a[axis].low == a[axis].high || b[axis].low == b[axis].high;
-    }
-    return Uncertain<bool>(do_overlap && !is_flat, do_overlap);
+    return [intervals = Base::intervals(position)](int axis) { return half_open(intervals(axis)); };
+  }
+
+  bool are_exact() const { return true; }
+
+  bool have_flat(const Threads& threads) const
+  {
+    std::atomic<bool> have_flat = false;
+    threads.check_each(this->size(), [&](std::size_t position) {
+      const auto intervals = Base::intervals(position);
+      for(int axis = 0; axis < this->dimension(); ++axis)
+        if(!(intervals(axis).low < intervals(axis).high))
+          have_flat.store(true, std::memory_order_relaxed);
+    });
+    return have_flat;
   }
 };
 
 template <class Object, bool Is_first_open, bool Is_second_open>
-struct Box_filter_of_traits<Traits_of_interiors<Object, Is_first_open, Is_second_open, false>>
+struct Object_route<Traits_of_interiors<Object, Is_first_open, Is_second_open, false>>
 {
-  using type = std::conditional_t<Kinds<Object>::template are_all<Is_box_of_doubles>,
-                                  Open_box_filter, void>;
+  template <class Elements, class Sets, class Traits, class Callback, class NamedParameters>
+  static bool report(const Elements& objects, const Sets& sets, const Traits& traits,
+                     Callback& callback, const NamedParameters& np, const Threads& threads)
+  {
+    check_objects(objects, traits, threads);
+    if constexpr(Kinds<Object>::template are_all<Is_box_of_doubles>) {
+      const Half_open_boxes<Elements, Traits> boxes(objects, traits);
+      if(!boxes.have_flat(threads)) {
+        auto progress = make_progress(np, objects.size());
+        return report_meeting_boxes(boxes, sets, callback, progress, threads);
+      }
+    }
+    return report_objects(objects, sets, traits, callback, np, threads);
+  }
 };
 
 // The first and the second range of a search, which may be one.

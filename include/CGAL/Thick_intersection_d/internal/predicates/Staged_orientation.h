@@ -72,6 +72,7 @@ public:
     explicit Point(const Vertex& vertex) : vertex_(&vertex) {}
     double operator[](int axis) const { return vertex_->x[axis]; }
     std::int64_t steps(int axis) const { return vertex_->steps[axis]; }
+    bool operator==(const Point& p) const { return vertex_->x == p.vertex_->x; }
 
   private:
     const Vertex* vertex_;
@@ -93,10 +94,8 @@ public:
   // The arithmetic that the hardest question so far has needed.
   Arithmetic_tier needed_tier() const { return needed_tier_; }
 
-  static Sign compare(const Point& p, const Point& q, int axis)
-  {
-    return sign_of_number(p[axis] - q[axis]); // zero for equal numbers only
-  }
+  // Zero for equal numbers only.
+  static Sign compare(const Point& p, const Point& q, int i) { return sign_of_number(p[i] - q[i]); }
 
   // Returns whether p, q, r make a left turn, a right turn or none along the axes i and j.
   BOOST_FORCEINLINE Sign orientation(const Point& p, const Point& q, const Point& r, int i, int j)
@@ -121,7 +120,8 @@ public:
     const std::array<double, 3> x = {p[i], q[i], r[i]}, y = {p[j], q[j], r[j]};
     if(least_tier_ == Arithmetic_tier::DOUBLE)
       return sign_of_number((x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]));
-    if((x[0] == x[1] && x[1] == x[2]) || (y[0] == y[1] && y[1] == y[2]))
+    if(p == q || q == r || r == p || (x[0] == x[1] && x[1] == x[2])
+       || (y[0] == y[1] && y[1] == y[2]))
       return ZERO;
     std::array<std::int64_t, 3> x_steps, y_steps;
     const int x_bits = grid_steps(x, x_steps), y_bits = grid_steps(y, y_steps);
@@ -169,12 +169,12 @@ public:
 
   BOOST_NOINLINE Sign decide_side(const Plane& plane, const Point& s)
   {
-    double sum = 0;
-    if(least_tier_ == Arithmetic_tier::DOUBLE)
+    if(double sum = 0; least_tier_ == Arithmetic_tier::DOUBLE)
       return sign_of_number(determinant_of(plane, s, sum));
     const auto is_degenerate
       = [&](int i) { return s[i] == plane.p[i] && s[i] == plane.q[i] && s[i] == plane.r[i]; };
-    if(is_degenerate(0) || is_degenerate(1) || is_degenerate(2))
+    if(is_degenerate(0) || is_degenerate(1) || is_degenerate(2) || s == plane.p || s == plane.q
+       || s == plane.r)
       return ZERO;
     if(!have_steps())
       return decide_side_in_exact_numbers(plane, s);

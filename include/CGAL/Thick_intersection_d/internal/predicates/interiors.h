@@ -69,9 +69,16 @@ bool is_edge_of_triangle_between(Orientation& orientation, const Simplex<Orienta
   for(std::size_t k = 0; k < 3; ++k) {
     const auto& p = triangle[k];
     const auto& q = triangle[k < 2 ? k + 1 : 0];
-    if(std::none_of(other.begin(), other.end(), [&](const auto& x) {
-         return orientation.orientation(p, q, x, 0, 1) == sign;
-       }))
+    std::array<Sign, Count> sides;
+    bool is_any_inside = false; // no branch depends on which vertex it is
+    for(std::size_t i = 0; i < Count; ++i) {
+      sides[i] = orientation.orientation_by_filter(p, q, other[i], 0, 1);
+      is_any_inside |= sides[i] == sign;
+    }
+    for(std::size_t i = 0; i < Count && !is_any_inside; ++i)
+      is_any_inside = sides[i] == ZERO
+                      && orientation.decide_orientation(p, q, other[i], 0, 1) == sign;
+    if(!is_any_inside)
       return true;
   }
   return false;
@@ -179,6 +186,12 @@ bool do_open_shapes_intersect(Orientation& orientation, const Simplex<Orientatio
 {
   if constexpr(B == Shape::TRIANGLE && Orientation::dimension == 2)
     return do_open_triangles_intersect(orientation, a, b, is_a_open, is_b_open);
+  else if constexpr(B == Shape::TETRAHEDRON) {
+    if constexpr(A == Shape::TETRAHEDRON)
+      if(is_a_open)
+        return does_interior_meet(orientation, a, b, is_b_open);
+    return !is_a_open && does_interior_meet(orientation, b, a, false);
+  }
   else if((is_a_open && !has_interior<A>(orientation, a))
           || (is_b_open && !has_interior<B>(orientation, b)))
     return false;
@@ -190,11 +203,6 @@ bool do_open_shapes_intersect(Orientation& orientation, const Simplex<Orientatio
   }
   else if constexpr(B == Shape::ISO_BOX)
     return !are_box_and_object_parted(orientation, a, b);
-  else if constexpr(A == Shape::TETRAHEDRON)
-    return is_a_open ? does_interior_meet(orientation, a, b)
-                     : does_interior_meet(orientation, b, a);
-  else if constexpr(B == Shape::TETRAHEDRON)
-    return does_interior_meet(orientation, b, a);
 }
 
 } // namespace internal

@@ -111,20 +111,21 @@ Uncertain<bool> do_edges_cross(Orientation& orientation, const Simplex<Orientati
   return do_cross;
 }
 
-// Whether a vertex or edge shows that the interior of a tetrahedron meets an object. If none does,
-// and no vertex or edge is on a plane or edge of the other object, they are apart, as tetrahedra.h
-// says.
+// Whether a vertex or edge shows that the interior of a tetrahedron meets an object, which may be
+// an open tetrahedron. If none does, and no vertex or edge is on a plane or edge of the other
+// object, they are apart, as tetrahedra.h says.
 template <class Orientation, std::size_t Count>
 Uncertain<bool> does_interior_certainly_meet(Orientation& orientation,
                                              const Simplex<Orientation, 4>& tetrahedron, Sign sign,
-                                             const Simplex<Orientation, Count>& object)
+                                             const Simplex<Orientation, Count>& object,
+                                             [[maybe_unused]] bool is_object_open)
 {
   const auto sides = sides_of_faces(orientation, tetrahedron, sign, true, object);
   if(sides.is_face_between())
     return false;
-  if(sides.is_any_inside())
-    return true;
   if constexpr(Count < 4) {
+    if(sides.is_any_inside())
+      return true;
     const Uncertain<bool> do_cross = do_edges_cross(orientation, object, sides, tetrahedron);
     if constexpr(Count == 3)
       if(!do_cross.inf())
@@ -133,6 +134,10 @@ Uncertain<bool> does_interior_certainly_meet(Orientation& orientation,
   }
   else {
     const Sign sign_of_object = orientation_of(orientation, object);
+    if(is_object_open && sign_of_object == ZERO)
+      return false;
+    if(sides.is_any_inside())
+      return true;
     if(sign_of_object == ZERO)
       return Uncertain<bool>::indeterminate();
     const auto other_sides
@@ -170,13 +175,16 @@ bool is_plane_of_vertices_between(Orientation& orientation,
   return false;
 }
 
-// Whether the interior of a tetrahedron that is not degenerate meets an object.
+// Whether the interior of a tetrahedron meets an object, or the interior of another tetrahedron.
 template <class Orientation, std::size_t Count>
 bool does_interior_meet(Orientation& orientation, const Simplex<Orientation, 4>& tetrahedron,
-                        const Simplex<Orientation, Count>& object)
+                        const Simplex<Orientation, Count>& object, bool is_object_open)
 {
-  const Uncertain<bool> does_meet = does_interior_certainly_meet(
-    orientation, tetrahedron, orientation_of(orientation, tetrahedron), object);
+  const Sign sign = orientation_of(orientation, tetrahedron);
+  if(sign == ZERO)
+    return false;
+  const Uncertain<bool> does_meet
+    = does_interior_certainly_meet(orientation, tetrahedron, sign, object, is_object_open);
   return is_certain(does_meet) ? get_certain(does_meet)
                                : !is_plane_of_vertices_between(orientation, tetrahedron, object);
 }
