@@ -9,11 +9,10 @@
 // only the centers.
 
 #include <CGAL/Thick_intersection_d/internal/arithmetic/exact_number.h>
+#include <CGAL/Thick_intersection_d/internal/arrays/Interval.h>
 #include <CGAL/Thick_intersection_d/internal/input/coordinates.h>
 
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -54,10 +53,8 @@ template <class NT>
 std::pair<double, double> thickened_interval(const std::pair<double, double>& interval,
                                              const NT& radius)
 {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   const double length = bounds(radius).second;
-  return {std::nextafter(interval.first - length, -infinity),
-          std::nextafter(interval.second + length, infinity)};
+  return {double_before(interval.first - length), double_after(interval.second + length)};
 }
 
 // Returns an interval of doubles that holds a ball along an axis.
