@@ -18,6 +18,10 @@ using Near_method = Method<Pair_list, Near_scene>;
 
 Near_method near_objects(); // fixed_radius_near_neighbors
 
+// thick_self_intersection_d of segments, or of triangles in space, each with half of the distance
+// as its radius.
+Near_method thickened_objects();
+
 // The pairs of boxes that meet, each grown by half of the distance: thick_self_intersection_d.
 Near_method grown_boxes();
 

@@ -10,8 +10,10 @@
 #include <CGAL/squared_distance_3.h>
 #include <CGAL/thick_intersection_d.h>
 
+#include <memory>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace thick_benchmark {
@@ -35,6 +37,21 @@ void search_boxes(const std::vector<Object>& objects, double r, Pair_list& pairs
   CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), report, cutoff);
 }
 
+template <class Maker>
+Run<Pair_list> search_thickened(const Near_scene& scene)
+{
+  using Object = decltype(Maker::make(nullptr));
+  std::vector<std::pair<Object, double>> objects;
+  objects.reserve(scene.objects.size());
+  for(std::size_t i = 0; i < scene.objects.size(); ++i)
+    objects.emplace_back(Maker::make(scene.objects.object(i)), scene.r / 2);
+  return [objects = std::make_shared<const decltype(objects)>(std::move(objects))] {
+    Pair_list pairs;
+    CGAL::thick_self_intersection_d(*objects, pairs);
+    return pairs;
+  };
+}
+
 } // namespace
 
 Near_method near_objects()
@@ -43,6 +60,19 @@ Near_method near_objects()
                                                      Pair_list& pairs) {
             CGAL::fixed_radius_near_neighbors(objects, CGAL::within_distance(r), pairs);
           })};
+}
+
+Near_method thickened_objects()
+{
+  return {"objects with radii", [](const Near_scene& scene) {
+            using Segment_2 = From_corners<Epick::Segment_2, Epick::Point_2, 2>;
+            using Segment_3 = From_corners<Epick::Segment_3, Epick::Point_3, 2>;
+            using Triangle_3 = From_corners<Epick::Triangle_3, Epick::Point_3, 3>;
+            if(scene.objects.shape == Shape::TRIANGLE)
+              return search_thickened<Triangle_3>(scene);
+            return scene.objects.dimension == 2 ? search_thickened<Segment_2>(scene)
+                                                : search_thickened<Segment_3>(scene);
+          }};
 }
 
 Near_method grown_boxes()

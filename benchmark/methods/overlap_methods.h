@@ -1,12 +1,14 @@
 // Copyright (c) 2026 The Thick_intersection_d authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Searches for polygons that overlap, each of which begins with the polygons of its library.
+// Searches for polygons that overlap, each of which begins with the polygons of its library, and
+// for objects that do.
 
 #ifndef THICK_INTERSECTION_BENCHMARK_METHODS_OVERLAP_METHODS_H
 #define THICK_INTERSECTION_BENCHMARK_METHODS_OVERLAP_METHODS_H
 
 #include "measuring/Tally.h"
+#include "scenes/Object_scene.h"
 #include "scenes/polygon_generators.h"
 
 #include <functional>
@@ -25,6 +27,11 @@ Overlap_search overlaps_by_boolean_sets(const Rings& rings);
 // The tree of GEOS, and relate() of a polygon, prepared, and of each one whose box it meets. GEOS
 // computes in doubles, and in more digits where these do not tell an orientation.
 Overlap_search overlaps_by_geos(const Rings& rings);
+
+// Ours, of the interiors of objects other than segments and triangles in space, and of the objects
+// themselves.
+Overlap_search overlaps_by_interiors(const Object_scene& scene);
+Overlap_search intersections_of_objects(const Object_scene& scene);
 
 } // namespace thick_benchmark
 

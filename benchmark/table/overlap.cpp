@@ -4,6 +4,8 @@
 #include "rows.h"
 
 #include "methods/overlap_methods.h"
+#include "scenes/object_generators.h"
+#include "scenes/touching_generators.h"
 
 namespace thick_benchmark {
 
@@ -45,6 +47,37 @@ Rows measure_overlaps(const std::string& name, const Rings& rings)
   return rows;
 }
 
+// Objects overlap if they intersect, in a scene without ties, or no two of them do.
+struct Object_row
+{
+  std::string name;
+  Object_scene (*make)(std::size_t);
+  bool do_only_touch;
+  std::size_t n;
+};
+
+Rows measure_objects(const Object_row& row, std::size_t n)
+{
+  const Object_scene scene = row.make(n);
+  const Overlap_search interiors = overlaps_by_interiors(scene);
+  const Overlap_search closed = intersections_of_objects(scene);
+  const Tally found = closed();
+  check_equal(row.name, row.do_only_touch ? Tally() : found, interiors());
+  const std::vector<Seconds> times = time_in_turns({timed(interiors), timed(closed)}, 7, 0);
+  return {{row.name, "time / closed objects", at_most(1.1),
+           median(times, [](const Seconds& s) { return s[0] / s[1]; }), scene.size(),
+           row.do_only_touch ? 0 : found.pairs, median(times, milliseconds_of_first)}};
+}
+
+std::vector<Object_row> object_rows()
+{
+  return {{"2D boxes", [](auto n) { return uniform_boxes(2, n, n); }, false, 300000},
+          {"3D boxes", [](auto n) { return uniform_boxes(3, n, n); }, false, 300000},
+          {"balls", [](auto n) { return uniform_balls(n, n); }, false, 300000},
+          {"2D triangulation", triangulation, true, 300000},
+          {"3D tetrahedra of a mesh", tetrahedra_of_mesh, true, 40000}};
+}
+
 std::vector<Overlap_row> overlap_rows()
 {
   return {{"parcels", parcels, 100000},
@@ -62,6 +95,10 @@ void print_table(const Settings& settings)
     all.push_back({row.name, [=] {
                      return measure_overlaps(row.name,
                                              row.make(settings.is_quick ? row.n / 30 : row.n));
+                   }});
+  for(const Object_row& row : object_rows())
+    all.push_back({row.name, [=] {
+                     return measure_objects(row, settings.is_quick ? row.n / 30 : row.n);
                    }});
   print_rows(all, settings);
 }
