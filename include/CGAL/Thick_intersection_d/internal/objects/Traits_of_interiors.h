@@ -129,9 +129,8 @@ bool do_open_kinds_intersect(const A& a, const B& b, Arithmetic_tier& tier)
                               tier);
 }
 
-// Objects of one range, or of two. The first one is of the first range. If `Is_profiled`, each pair
-// whose boxes meet is decided here, and counted.
-template <class Object, bool Is_first_open, bool Is_second_open, bool Is_profiled>
+// Objects of one range, or of two. The first one is of the first range.
+template <class Object, bool Is_first_open, bool Is_second_open>
 class Traits_of_interiors : public Thick_object_traits_d<Object>
 {
 public:
@@ -169,8 +168,8 @@ private:
   Do_intersect_d do_intersect_;
 };
 
-template <class Object, bool Is_first_open, bool Is_second_open, bool Is_profiled>
-struct Has_boxes<Traits_of_interiors<Object, Is_first_open, Is_second_open, Is_profiled>>
+template <class Object, bool Is_first_open, bool Is_second_open>
+struct Has_boxes<Traits_of_interiors<Object, Is_first_open, Is_second_open>>
   : std::true_type {};
 
 // Boxes of doubles without their upper ends. They meet iff the interiors of the boxes do, and iff
@@ -203,8 +202,9 @@ public:
   }
 };
 
+// A search with a profile asks about each pair instead, and counts.
 template <class Object, bool Is_first_open, bool Is_second_open>
-struct Object_route<Traits_of_interiors<Object, Is_first_open, Is_second_open, false>>
+struct Object_route<Traits_of_interiors<Object, Is_first_open, Is_second_open>>
 {
   template <class Elements, class Sets, class Traits, class Callback, class NamedParameters>
   static bool report(const Elements& objects, const Sets& sets, const Traits& traits,
@@ -260,11 +260,11 @@ constexpr bool check_open_objects()
 }
 
 // The traits of objects of the package.
-template <class Elements, bool Is_profiled>
+template <class Elements>
 using Default_traits = std::conditional_t<
   have_interiors_v<Elements>,
   Traits_of_interiors<typename Elements::value_type, First_range<Elements>::are_open,
-                      Second_range<Elements>::are_open, Is_profiled>,
+                      Second_range<Elements>::are_open>,
   Thick_object_traits_d<typename Elements::value_type>>;
 
 } // namespace internal

@@ -231,7 +231,7 @@ decltype(auto) object_traits([[maybe_unused]] const NamedParameters& np)
       return parameters::get_parameter_reference(np, internal_np::geom_traits);
   }
   else
-    return Default_traits<Elements, false>();
+    return Default_traits<Elements>();
 }
 
 // Checks the objects, and reports the pairs. Returns false iff the search was stopped.
@@ -262,7 +262,7 @@ bool report_object_pairs(const Elements& objects, const Sets& sets, Callback& ca
     return false;
   else if constexpr(check_profiled_objects<Object, NamedParameters>()) {
     check_denormals();
-    Default_traits<Elements, true> traits;
+    Default_traits<Elements> traits;
     check_objects(objects, traits, threads);
     Object_scene scene = scan_objects(objects);
     scene.has_distances = Kinds<Object>::template is_any<Is_thickened>;
