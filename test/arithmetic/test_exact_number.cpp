@@ -178,6 +178,7 @@ void check_bounds_of_all_sizes()
   for(const double factor : {1., 0x1p-358, 0x1p-400, 0x1p300, 0x1.fp341, 0x1p500})
     for(const NT& number : {NT(1) + NT(0x1p-70), NT(-7)})
       check_bounds(NT(number * NT(factor) * NT(factor) * NT(factor)));
+  check_bounds(NT(NT(0x1p512) * NT(0x1p512))); // the first power of two beyond the doubles
 }
 
 BOOST_AUTO_TEST_CASE(bounds_enclose_numbers_of_all_sizes_in_every_rounding_mode)
@@ -187,6 +188,9 @@ BOOST_AUTO_TEST_CASE(bounds_enclose_numbers_of_all_sizes_in_every_rounding_mode)
   check_bounds(Rational(Rational((std::numeric_limits<double>::max)()) + 1));
   check_bounds_of_all_sizes<CGAL::MP_Float>();
   check_bounds_of_all_sizes<CGAL::Quotient<CGAL::MP_Float>>();
+#ifdef CGAL_HAS_MPZF
+  check_bounds_of_all_sizes<CGAL::Mpzf>();
+#endif
 #ifdef CGAL_USE_GMP
   check_bounds_of_all_sizes<CGAL::Gmpzf>();
 #endif

@@ -23,7 +23,6 @@
 #include <cfloat>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <limits>
 #include <sstream>
 #include <type_traits>
@@ -228,10 +227,11 @@ Number convert_integer(const Integer& x)
 
 #ifdef CGAL_HAS_MPZF
 // Returns doubles that enclose x. Those of CGAL are far apart below the normal numbers, and do not
-// enclose x if rounding goes up.
+// always enclose x in other rounding modes than to nearest.
 CGAL_THICK_INTERSECTION_D_RARELY_CALLED
 inline std::pair<double, double> bounds_of_mpzf(const Mpzf& x)
 {
+  const Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
   std::pair<double, double> interval = CGAL::to_interval(x);
   if(interval.first < -0x1p-1020 || interval.second > 0x1p-1020 || CGAL::is_zero(x))
     return interval;
