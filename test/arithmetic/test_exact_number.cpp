@@ -11,6 +11,7 @@
 #include <CGAL/Exact_integer.h>
 #include <CGAL/MP_Float.h>
 #ifdef CGAL_USE_GMP
+#include <CGAL/Gmpfr.h>
 #include <CGAL/Gmpzf.h>
 #endif
 #include <CGAL/boost_mp.h>
@@ -71,6 +72,9 @@ BOOST_AUTO_TEST_CASE(integers_times_powers_of_two_are_converted_without_rounding
 #endif
 #ifdef CGAL_USE_GMP
   check_dyadic<CGAL::Gmpzf>("Gmpzf");
+  const auto precision = CGAL::Gmpfr::set_default_precision(100);
+  check_dyadic<CGAL::Gmpfr>("Gmpfr");
+  CGAL::Gmpfr::set_default_precision(precision);
 #endif
   const CGAL::Quotient<CGAL::MP_Float> third(CGAL::MP_Float(1) + CGAL::MP_Float(0x1p-70), 3);
   BOOST_CHECK(internal::to_exact_rational(third) * 3 == 1 + CGAL::Exact_rational(0x1p-70));

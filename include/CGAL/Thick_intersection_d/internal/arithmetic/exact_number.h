@@ -63,49 +63,6 @@ struct Is_quotient : std::false_type {};
 template <class Integer>
 struct Is_quotient<Quotient<Integer>> : std::true_type {};
 
-// Finds floating-point numbers of any precision by their functions: those of the standard library,
-// or by argument-dependent lookup.
-namespace floating {
-using std::frexp;
-using std::ldexp;
-
-template <class NT, class = void>
-struct Is_floating : std::is_floating_point<NT> {};
-template <class NT>
-struct Is_floating<NT, std::void_t<decltype(frexp(std::declval<const NT&>(),
-                                                  std::declval<int*>()))>>
-  : std::bool_constant<!std::is_integral_v<NT>> {};
-
-// Splits x into a mantissa in [1/2, 1) and an exponent.
-template <class NT>
-NT mantissa(const NT& x, int& exponent)
-{
-  return frexp(x, &exponent);
-}
-} // namespace floating
-
-// Returns the rational value of a finite floating-point number of any precision. Takes the leading
-// 53 bits off the mantissa, and makes the rest a mantissa again, until no bits are left. Nothing is
-// rounded.
-template <class NT>
-Exact_rational rational_of_floating(const NT& x)
-{
-  static_assert(std::numeric_limits<NT>::radix != 10,
-                "Decimal floating-point numbers are not taken: pass rational numbers.");
-  Exact_rational value(0);
-  NT rest = x;
-  int exponent = 0; // invariant: x = value + rest * 2^exponent
-  while(rest != NT(0)) {
-    int shift = 0;
-    rest = floating::mantissa(rest, shift);
-    exponent += shift;
-    const double head = static_cast<double>(rest);
-    value += Exact_rational(head) * rational_power_of_two(exponent);
-    rest -= NT(head);
-  }
-  return value;
-}
-
 // Returns the rational value of a built-in integer of any width.
 template <class Integer>
 Exact_rational rational_of_integer(Integer x)
@@ -146,6 +103,10 @@ Exact_rational to_exact_rational(const NT& x)
     return rational_of_floating(x);
   else if constexpr(is_dyadic_v<NT>)
     return rational_of_dyadic(x);
+  else if constexpr(std::is_same_v<NT, Gmpfr>) { // one of any precision, and rounded as it is set
+    const auto [integer, exponent] = x.to_integer_exp();
+    return to_exact_rational(integer) * rational_power_of_two(static_cast<int>(exponent));
+  }
   else if constexpr(Is_lazy<NT>::value)
     return to_exact_rational(CGAL::exact(x));
   else if constexpr(Is_quotient<NT>::value)
