@@ -80,6 +80,18 @@ bool do_intersect(const Thick_wire& a, const Thick_wire& b)
   return a.layer == b.layer;
 }
 
+// A class of its own, and no pair of an object and a radius. There is no test of two of them.
+struct Span : std::pair<int, int>
+{
+  Span(int begin, int end) : std::pair<int, int>(begin, end) {}
+  CGAL::Bbox_2 bbox() const { return CGAL::Bbox_2(first, 0, second, 1); }
+};
+
+bool do_intersect(const Span& span, const Thick_wire& wire)
+{
+  return span.first <= wire.layer && wire.layer <= span.second;
+}
+
 // A wire that is wider than its base, and has a box of its own.
 struct Wide_wire : Segment
 {
@@ -270,6 +282,10 @@ BOOST_AUTO_TEST_CASE(derived_object_with_a_test_of_its_own_is_asked)
   const std::vector<plans::Thick_wire> thick
     = {{across, 1, 1}, {other, 1, 2}, {Segment({8, 8}, {9, 9}), 1, 1}};
   BOOST_CHECK(pairs_of(thick) == (Pairs{{0, 2}}));
+
+  // A class may derive from a pair of other things, and have a test with another class alone.
+  const std::vector<plans::Span> spans = {{0, 1}, {2, 5}};
+  BOOST_CHECK(pairs_between(spans, thick) == (Pairs{{0, 0}, {0, 2}, {1, 1}}));
 
   // An object of another class is tested as the segment that it is.
   const auto [long_ones, short_ones] = split(nearly_touching_segments(), 160);

@@ -43,7 +43,11 @@ struct Kind_with_vertices : Named_type<T>
   static constexpr int vertex_count = Count;
 };
 
-// Found by the pointer to an object of the class, or of a class that derives from it.
+template <class Object, class = void>
+struct Base_kind;
+
+// Found by the pointer to an object of the class, or of a class that derives from it. Pairs of what
+// is no object of CGAL are those of the user.
 template <class K>
 Kind_with_vertices<Point_2<K>, 1> base_of(const Point_2<K>*);
 template <class K>
@@ -66,12 +70,13 @@ template <class K>
 Kind_with_vertices<Circle_2<K>, 0> base_of(const Circle_2<K>*);
 template <class K>
 Kind_with_vertices<Sphere_3<K>, 0> base_of(const Sphere_3<K>*);
-template <class Object, class Radius>
+template <class Object, class Radius,
+          class = std::enable_if_t<Base_kind<Object>::vertex_count != 0>>
 Kind_with_vertices<std::pair<Object, Radius>, 0> base_of(const std::pair<Object, Radius>*);
 
 // The class of CGAL that a class derives from, or else the class itself. A Bbox may be a part of a
 // kernel object that has its box at hand.
-template <class Object, class = void>
+template <class Object, class>
 struct Base_kind
   : std::conditional_t<
       std::is_convertible_v<const Object*, const Bbox_2*>, Kind_with_vertices<Bbox_2, 4>,
