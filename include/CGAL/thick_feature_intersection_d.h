@@ -44,7 +44,8 @@ A feature is one of these, with points of one type, `Point_2` or `Point_3` of an
   well defined as others. A mesh is closed if each edge, as the pair of the points at its ends,
   belongs to an even number of its faces, so it need not be a manifold, and faces that are not
   stitched together are connected by equal points. Faces may be degenerate: an edge of length zero
-  does not count.
+  does not count. No face has one edge or two, as `CGAL::is_valid_polygon_mesh()` requires: such a
+  face may not be seen in a mesh whose box meets that of no other feature.
 - A *triangle soup*: a `std::pair` of a range of `Point_3` and of a range of triples of indices of
   these points, such as `std::vector<std::array<std::size_t, 3>>`. It is taken as a mesh, and may
   repeat points.

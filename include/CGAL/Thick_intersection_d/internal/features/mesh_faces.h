@@ -120,7 +120,7 @@ void check_faces(const Mesh& mesh, std::size_t feature)
 }
 
 // Whether a mesh is known to have no borders and no faces but triangles: if there are three
-// halfedges for each face, because no face has less.
+// halfedges for each face, because no face of a valid mesh has less.
 template <class Mesh>
 bool is_closed_by_count(const Mesh& mesh)
 {
