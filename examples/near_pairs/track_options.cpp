@@ -92,7 +92,8 @@ void read_track_reading(const po::variables_map& map, std::size_t file, Read_opt
     throw Error("--velocity names a climb, and --geographic has no height without --altitude");
   if(altitude.empty())
     return;
-  const auto unit = altitude.size() == 1 ? meters_in("m")
+  const auto unit = altitude.front().empty() ? std::nullopt
+                    : altitude.size() == 1 ? meters_in("m")
                     : altitude.size() == 2 ? meters_in(altitude[1]) : std::nullopt;
   if(!unit)
     throw Error("--altitude needs a column, and perhaps m, km, nmi, mi or ft behind a comma");
