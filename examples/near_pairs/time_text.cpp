@@ -106,8 +106,8 @@ std::optional<int> parse_zone(const std::string& zone)
   if(!is_west && !text.take('+'))
     return std::nullopt;
   const int hours = text.take_number(2, 2, 23);
-  text.take(':');
-  const int minutes = text.is_at_end() ? 0 : text.take_number(2, 2, 59);
+  const bool has_minutes = text.take(':') || !text.is_at_end();
+  const int minutes = has_minutes ? text.take_number(2, 2, 59) : 0;
   if(hours == -1 || minutes == -1 || !text.is_at_end())
     return std::nullopt;
   return (is_west ? -60 : 60) * (60 * hours + minutes);
