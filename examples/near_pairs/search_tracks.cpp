@@ -204,7 +204,11 @@ private:
     const double unit = rounded > 1e300 ? 1e155 : rounded < 1e-280 ? 1e-153 : 1;
     const CGAL::Exact_rational squared
       = approach.squared_distance / CGAL::Exact_rational(unit) / CGAL::Exact_rational(unit);
-    return std::sqrt(CGAL::to_double(squared)) * unit / std::pow(10., tracks_.scene.scale);
+    double result = std::sqrt(CGAL::to_double(squared)) * unit;
+    const int most = 300; // larger powers of ten may be infinite
+    for(int scale = tracks_.scene.scale; scale > 0; scale -= most)
+      result /= std::pow(10., std::min(scale, most));
+    return result;
   }
 
   const Tracks& tracks_;
