@@ -36,13 +36,16 @@ std::string all_bytes(std::istream& stream, const std::string& name)
   return bytes;
 }
 
-// CR if that is the last letter of the lines at the beginning of a text, and LF otherwise.
+// CR if that is the last letter of the lines at the beginning of a text, and LF otherwise. A CR
+// that nothing has been read behind may be half of an end of a line.
 char end_of_lines(const Input& input)
 {
   std::string begin(1 << 16, '\0');
   const auto stream = input.open();
   stream->read(begin.data(), static_cast<std::streamsize>(begin.size()));
   begin.resize(static_cast<std::size_t>(stream->gcount()));
+  if(*stream && begin.back() == '\r')
+    begin.pop_back();
   return begin.find('\n') == std::string::npos && begin.find('\r') != std::string::npos ? '\r'
                                                                                      : '\n';
 }
