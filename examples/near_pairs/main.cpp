@@ -25,6 +25,8 @@
 #include "track_pairs.h"
 #include "tracks.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <exception>
 #include <iomanip>
 #include <iostream>
@@ -63,7 +65,8 @@ void print_points(std::ostream& out, const Scene& scene)
   out << scene.size() - scene.first_size.value_or(0) << '\n';
   print_guessed(out, scene.guessed);
   print_frames(out, scene.frames);
-  if(scene.rows.empty())
+  const auto is_none = [](std::size_t rows) { return rows == 0; };
+  if(scene.rows.empty() && std::all_of(scene.skipped.begin(), scene.skipped.end(), is_none))
     return;
   print_name(out, "skipped") << scene.skipped.front();
   if(scene.first_size)
