@@ -103,7 +103,7 @@ Exact_rational to_exact_rational(const NT& x)
     return rational_of_floating(x);
   else if constexpr(is_dyadic_v<NT>)
     return rational_of_dyadic(x);
-  else if constexpr(std::is_same_v<NT, Gmpfr>) { // one of any precision, and rounded as it is set
+  else if constexpr(std::is_same_v<NT, Gmpfr>) { // its operations and texts round
     const auto [integer, exponent] = x.to_integer_exp();
     return to_exact_rational(integer) * rational_power_of_two(static_cast<int>(exponent));
   }
