@@ -225,6 +225,9 @@ void read_readings(const po::variables_map& map, Options& options)
   for(const char* option : {"columns", "id", "frame", "altitude", "track"})
     if(map.count(option) && are_all_empty(map[option].as<Texts>()))
       throw Error(std::string("--") + option + " is empty: leave it out");
+  for(const char* option : {"format", "scratch"})
+    if(map.count(option) && map[option].as<std::string>().empty())
+      throw Error(std::string("--") + option + " is empty: leave it out");
   const auto is_one = [&](const std::string& file) { return is_table(file, options); };
   const bool has_table = std::any_of(options.files.begin(), options.files.end(), is_one);
   const auto has_rows = [&](const std::string& file) {
