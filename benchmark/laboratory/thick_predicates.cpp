@@ -103,7 +103,7 @@ Predicate_column open_column(const std::string& name)
       const auto objects = objects_of<Kernel>(maker, questions.objects);
       using Object = typename decltype(objects)::value_type;
       using namespace CGAL::Thick_intersection_d::internal;
-      using Traits = Traits_of_interiors<Object, true, true, false>;
+      using Traits = Traits_of_interiors<Object, true, true>;
       const auto test = Traits().do_intersect_d_object();
       return answers_to(questions, milliseconds, [&](std::size_t i, std::size_t j) {
         return test.decide(objects[i], objects[j]);
