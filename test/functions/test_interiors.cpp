@@ -304,6 +304,21 @@ BOOST_AUTO_TEST_CASE(boxes_decide_about_boxes)
   check_boxes({solid.begin(), solid.begin() + 100});
 }
 
+BOOST_AUTO_TEST_CASE(a_flat_tetrahedron_in_another_one_has_no_interior)
+{
+  using Point = Epick::Point_3;
+  using Tetrahedron = Epick::Tetrahedron_3;
+  const Tetrahedron solid(Point(0, 0, 0), Point(9, 0, 0), Point(0, 9, 0), Point(0, 0, 9));
+  const Tetrahedron flat(Point(1, 1, 1), Point(2, 1, 1), Point(1, 2, 1), Point(2, 2, 1));
+  for(const std::vector<Tetrahedron>& objects : {std::vector{solid, flat}, {flat, solid}}) {
+    Pairs open, mixed;
+    CGAL::thick_self_intersection_d(CGAL::interiors(objects), std::back_inserter(open));
+    CGAL::thick_intersection_d(CGAL::interiors(objects), objects, std::back_inserter(mixed));
+    BOOST_CHECK(open.empty());
+    BOOST_CHECK_EQUAL(mixed.size(), 2u); // of the solid one, with itself and the flat one
+  }
+}
+
 BOOST_AUTO_TEST_CASE(epick_2) { check_interiors<Epick, 2>(); }
 BOOST_AUTO_TEST_CASE(epick_3) { check_interiors<Epick, 3>(); }
 BOOST_AUTO_TEST_CASE(epeck_3) { check_interiors<Epeck, 3>(); }
