@@ -7,6 +7,7 @@
 #define NEAR_PAIRS_CLOSEST_BETWEEN_H
 
 #include "error.h"
+#include "progress.h"
 #include "stop.h"
 
 #include <CGAL/Distance_bound.h>
@@ -84,7 +85,7 @@ private:
         const std::lock_guard<std::mutex> lock(mutex);
         return callback(i, j);
       },
-      CGAL::parameters::callback([](double) { return !stop_requested; }));
+      CGAL::parameters::callback(progress_functor(false)));
     if(stop_requested)
       throw Error("stopped");
     return is_complete;
