@@ -28,7 +28,8 @@ inline Instruction_set best_instruction_set()
 #if defined(__GNUC__) && defined(__x86_64__)
   if(__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl"))
     return Instruction_set::AVX512;
-  return __builtin_cpu_supports("avx2") ? Instruction_set::AVX2 : Instruction_set::SSE2;
+  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? Instruction_set::AVX2
+                                                                         : Instruction_set::SSE2;
 #elif defined(__GNUC__) && defined(__aarch64__)
   return Instruction_set::NEON;
 #else

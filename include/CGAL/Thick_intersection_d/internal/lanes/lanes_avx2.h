@@ -5,7 +5,7 @@
 #ifndef CGAL_THICK_INTERSECTION_D_INTERNAL_LANES_LANES_AVX2_H
 #define CGAL_THICK_INTERSECTION_D_INTERNAL_LANES_LANES_AVX2_H
 
-// The lanes of AVX2.
+// The lanes of AVX2, on processors that fuse multiplications and additions.
 
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Near_pairs.h>
@@ -21,7 +21,7 @@
 #include <cstring>
 #include <type_traits>
 
-#define CGAL_LANES_TARGET __attribute__((target("avx2,popcnt")))
+#define CGAL_LANES_TARGET __attribute__((target("avx2,fma,popcnt")))
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -36,7 +36,6 @@ CGAL_LANES_TARGET inline Float_part to_float(Int_part x)
 {
   return __builtin_convertvector(x, Float_part);
 }
-CGAL_LANES_TARGET inline Int_part is_less(Int_part a, Int_part b) { return a < b; }
 
 template <class Part>
 CGAL_LANES_TARGET inline unsigned int bits_at_most(Part a, Part b)
@@ -67,32 +66,39 @@ struct Lanes_in_order
 inline constexpr Lanes_in_order lanes_in_order;
 
 // Returns the order for a permutation, which looks at the lowest three bits of each lane alone.
-CGAL_LANES_TARGET inline Int_part order_of(unsigned int bits)
+// `places` has, times four, the place of its number for each lane.
+CGAL_LANES_TARGET inline Int_part order_of(unsigned int bits, Int_part places)
 {
-  const Int_part places = {0, 4, 8, 12, 16, 20, 24, 28};
   return (Int_part{} + static_cast<std::int32_t>(lanes_in_order.of[bits])) >> places;
 }
 
-// Moves the pairs of these lanes to the front, and stores all eight.
+// Moves the pairs of these lanes to the front, and stores all eight. Numbers of two registers are
+// paired within the halves of the registers, so a half takes two of the first four pairs.
+CGAL_LANES_TARGET inline void store_pairs(unsigned int bits, Int_part p, Int_part q,
+                                          Found_pair* pairs)
+{
+  const Int_part order = order_of(bits, Int_part{0, 4, 16, 20, 8, 12, 24, 28});
+  const Int_part a = __builtin_ia32_permvarsi256(p, order);
+  const Int_part b = __builtin_ia32_permvarsi256(q, order);
+  const Int_part first
+    = CGAL_THICK_INTERSECTION_D_SHUFFLE(Int_part, a, b, 0, 8, 1, 9, 4, 12, 5, 13);
+  const Int_part second
+    = CGAL_THICK_INTERSECTION_D_SHUFFLE(Int_part, a, b, 2, 10, 3, 11, 6, 14, 7, 15);
+  std::memcpy(pairs, &first, sizeof(first));
+  std::memcpy(pairs + 4, &second, sizeof(second));
+}
+
 CGAL_LANES_TARGET inline Place append_pairs(unsigned int bits, const Ints& p, const Ints& q,
                                             Found_pair* pairs, Place count)
 {
-  const Int_part order = order_of(bits);
-  const Int_part a = __builtin_ia32_permvarsi256(p.parts[0], order);
-  const Int_part b = __builtin_ia32_permvarsi256(q.parts[0], order);
-  const Int_part first
-    = CGAL_THICK_INTERSECTION_D_SHUFFLE(Int_part, a, b, 0, 8, 1, 9, 2, 10, 3, 11);
-  const Int_part second
-    = CGAL_THICK_INTERSECTION_D_SHUFFLE(Int_part, a, b, 4, 12, 5, 13, 6, 14, 7, 15);
-  std::memcpy(pairs + count, &first, sizeof(first));
-  std::memcpy(pairs + count + 4, &second, sizeof(second));
+  store_pairs(bits, p.parts[0], q.parts[0], pairs + count);
   return count + static_cast<Place>(__builtin_popcount(bits));
 }
 
 // As in vectors.inc, by one permutation.
 CGAL_LANES_TARGET inline Place store_lanes(unsigned int bits, const Ints& v, std::int32_t* to)
 {
-  const Int_part order = order_of(bits);
+  const Int_part order = order_of(bits, Int_part{0, 4, 8, 12, 16, 20, 24, 28});
   const Int_part front = __builtin_ia32_permvarsi256(v.parts[0], order);
   std::memcpy(to, &front, sizeof(front));
   return static_cast<Place>(__builtin_popcount(bits));

@@ -10,6 +10,7 @@
 #include <CGAL/Thick_intersection_d/internal/arrays/positions.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Near_pairs.h>
 #include <CGAL/Thick_intersection_d/internal/lanes/Run.h>
+#include <CGAL/Thick_intersection_d/internal/lanes/lanes_avx2.h>
 
 #include <boost/config.hpp>
 
@@ -20,7 +21,7 @@
 #include <cstring>
 #include <type_traits>
 
-#define CGAL_LANES_TARGET __attribute__((target("avx2,popcnt,avx512f,avx512vl")))
+#define CGAL_LANES_TARGET __attribute__((target("avx2,fma,popcnt,avx512f,avx512vl")))
 
 namespace CGAL {
 namespace Thick_intersection_d {
@@ -30,14 +31,11 @@ namespace lanes_avx512 {
 typedef std::int32_t Int_part __attribute__((vector_size(32)));
 typedef float Float_part __attribute__((vector_size(32)));
 typedef double Double_part __attribute__((vector_size(64)));
-typedef long long Pairs __attribute__((vector_size(64)));
-typedef std::uint32_t Positions __attribute__((vector_size(32)));
 
 CGAL_LANES_TARGET inline Float_part to_float(Int_part x)
 {
   return __builtin_convertvector(x, Float_part);
 }
-CGAL_LANES_TARGET inline Int_part is_less(Int_part a, Int_part b) { return a < b; }
 
 template <class Part>
 CGAL_LANES_TARGET inline unsigned int bits_at_most(Part a, Part b)
@@ -59,15 +57,11 @@ CGAL_LANES_TARGET inline unsigned int bits_at_most(Double_part a, Double_part b)
 
 #include <CGAL/Thick_intersection_d/internal/lanes/vectors.inc>
 
-// One instruction moves the pairs of these lanes to the front.
+// By the instructions of AVX2: to compress pairs of 64 bits takes longer, as they are made first.
 CGAL_LANES_TARGET inline Place append_pairs(unsigned int bits, const Ints& p, const Ints& q,
                                             Found_pair* pairs, Place count)
 {
-  const Pairs low = __builtin_convertvector((Positions)p.parts[0], Pairs);
-  const Pairs high = __builtin_convertvector((Positions)q.parts[0], Pairs);
-  const Pairs near = __builtin_ia32_compressdi512_mask(low | high << 32, Pairs(),
-                                                       static_cast<char>(bits));
-  std::memcpy(pairs + count, &near, sizeof(near));
+  lanes_avx2::store_pairs(bits, p.parts[0], q.parts[0], pairs + count);
   return count + static_cast<Place>(__builtin_popcount(bits));
 }
 

@@ -39,7 +39,6 @@ CGAL_LANES_TARGET inline Float_part to_float(Int_part x)
 {
   return __builtin_convertvector(x, Float_part);
 }
-CGAL_LANES_TARGET inline Int_part is_less(Int_part a, Int_part b) { return a < b; }
 
 template <class Part>
 CGAL_LANES_TARGET inline unsigned int bits_at_most(Part a, Part b)

@@ -32,7 +32,6 @@ using Float_part = float;
 using Double_part = double;
 
 inline Float_part to_float(Int_part x) { return static_cast<Float_part>(x); }
-inline Int_part is_less(Int_part a, Int_part b) { return a < b ? -1 : 0; }
 
 template <class Number>
 unsigned int bits_at_most(Number a, Number b)
