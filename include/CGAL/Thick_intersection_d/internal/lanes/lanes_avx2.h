@@ -66,14 +66,14 @@ struct Lanes_in_order
 inline constexpr Lanes_in_order lanes_in_order;
 
 // Returns the order for a permutation, which looks at the lowest three bits of each lane alone.
-// `places` has, times four, the place of its number for each lane.
+// Each lane takes the number at a place of the order: `places` has four times these places.
 CGAL_LANES_TARGET inline Int_part order_of(unsigned int bits, Int_part places)
 {
   return (Int_part{} + static_cast<std::int32_t>(lanes_in_order.of[bits])) >> places;
 }
 
-// Moves the pairs of these lanes to the front, and stores all eight. Numbers of two registers are
-// paired within the halves of the registers, so a half takes two of the first four pairs.
+// Moves the pairs of these lanes to the front, and stores all eight. Each half of two registers is
+// interleaved by itself, so the lower half takes the numbers of pairs 0, 1, 4 and 5.
 CGAL_LANES_TARGET inline void store_pairs(unsigned int bits, Int_part p, Int_part q,
                                           Found_pair* pairs)
 {
