@@ -71,8 +71,8 @@ BOOST_AUTO_TEST_CASE(numbers_that_overflow_are_not_exact)
 BOOST_AUTO_TEST_CASE(objects_with_a_common_vertex_need_no_determinant)
 {
   using Kernel = CGAL::Simple_cartesian<double>;
-  const Kernel::Triangle_3 a({0, 0, 0}, {1, 0.1, 0.3}, {0.7, 1, 0.2});
-  const Kernel::Triangle_3 b({5, 3, 1}, {1, 0.1, 0.3}, {2, 2, 2});
+  const Kernel::Triangle_3 a({0, 0, 0}, {1, 0, 1}, {0, 1, 1}); // in the plane z = x + y, as b
+  const Kernel::Triangle_3 b({5, 3, 8}, {1, 0, 1}, {2, 5, 7});
   Arithmetic_tier tier = Arithmetic_tier::INT64;
   BOOST_CHECK(internal::do_objects_intersect(a, b, tier));
   BOOST_CHECK(tier == Arithmetic_tier::DOUBLE);
