@@ -91,9 +91,14 @@ int take_clock(Time_scanner& text, std::size_t digits_of_hours, int most_hours,
   if(minutes == -1 || !text.take(':'))
     return minutes == -1 ? -1 : 3600 * hours + 60 * minutes;
   const int seconds = text.take_number(2, 2, 59);
-  if(seconds != -1 && (text.take('.') || text.take(',')))
+  if(seconds == -1)
+    return -1;
+  if(text.take('.') || text.take(',')) {
     fraction = text.take_digits(most_digits);
-  return seconds == -1 ? -1 : 3600 * hours + 60 * minutes + seconds;
+    if(fraction.empty())
+      return -1;
+  }
+  return 3600 * hours + 60 * minutes + seconds;
 }
 
 // The seconds of Z, +hh, +hhmm or +hh:mm.
