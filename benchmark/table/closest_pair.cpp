@@ -8,6 +8,7 @@
 // Points are uniform in the unit square or cube, or all the same. Methods take turns, and the least
 // time of the processor counts; what takes more than a second is measured once.
 
+#include "goal.h"
 #include "print.h"
 #include "table.h"
 
@@ -38,7 +39,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 struct Entry
 {
   std::string name;
-  double target; // in times of the sort; 0: none
+  Goal goal; // in times of the sort
   double expected;
   Run<double> run;
   double seconds = std::numeric_limits<double>::infinity(); // the least so far
@@ -73,12 +74,12 @@ public:
     // A cell of this side has 0.2 points on average, so some of them have five or more.
     const auto heavy = CGAL::within_distance(
       std::pow(0.2 / static_cast<double>(points_.size()), 1. / Dimension));
-    return {{"std::sort of x", 0, 0, sort_of_x<double>(scene_)},
-            {"closest_pair", Dimension == 2 ? 0.5 : 0.8, least_,
+    return {{"std::sort of x", {}, 0, sort_of_x<double>(scene_)},
+            {"closest_pair", at_most(Dimension == 2 ? 0.5 : 0.8), least_,
              [this] { return square_of(CGAL::closest_pair(points_)); }},
-            {"has_close_pair, no", Dimension == 2 ? 0.35 : 0.6, 0,
+            {"has_close_pair, no", at_most(Dimension == 2 ? 0.35 : 0.6), 0,
              [this] { return CGAL::has_close_pair(points_, below_); }},
-            {"has_close_pair, yes", 0.15, 1,
+            {"has_close_pair, yes", at_most(0.15), 1,
              [this, heavy] { return CGAL::has_close_pair(points_, heavy); }}};
   }
 
@@ -86,15 +87,15 @@ public:
   std::vector<Entry> others() const
   {
     std::vector<Entry> entries
-      = {{"divide and conquer", 0, least_,
+      = {{"divide and conquer", {}, least_,
           [this] { return square_of(algorithms_.by_division()); }}};
     if(points_.size() > 1000000)
       return entries;
-    entries.push_back({"grid of cells r, no", 0, 0,
+    entries.push_back({"grid of cells r, no", {}, 0,
                        [this] { return algorithms_.has_pair_in_cells(below_); }});
-    entries.push_back({"Delaunay", 0, least_,
+    entries.push_back({"Delaunay", {}, least_,
                        [this] { return delaunay_closest<Kernel>(points_); }});
-    entries.push_back({"Kd_tree", 0, least_,
+    entries.push_back({"Kd_tree", {}, least_,
                        [this] { return kd_tree_closest<Kernel>(points_); }});
     return entries;
   }
@@ -152,9 +153,8 @@ double print_rows(const Scene& scene, bool with_others,
   const double sort = unit.value_or(entries.front().seconds);
   for(const Entry& entry : entries)
     print_line(scene.name, scene.size(), entry.name, fixed(1000 * entry.seconds, 1),
-               fixed(entry.seconds / sort, 2),
-               entry.target == 0 ? "" : "<= " + fixed(entry.target, 2),
-               entry.target == 0 ? "" : entry.seconds <= entry.target * sort ? "met" : "missed");
+               figure(entry.seconds / sort), target_of(entry.goal),
+               verdict(entry.seconds / sort, entry.goal));
   return sort;
 }
 

@@ -5,6 +5,7 @@
 // times, and how many pairs are wrong.
 
 #include "counted.h"
+#include "goal.h"
 #include "print.h"
 #include "table.h"
 
@@ -33,28 +34,6 @@ std::string name_of(const Near_scene& scene)
 {
   return std::to_string(scene.objects.dimension) + "D "
          + (scene.objects.shape == Shape::SEGMENT ? "segments, " : "triangles, ") + scene.name;
-}
-
-// What a quotient of times has to be, unless both are 0.
-struct Target
-{
-  double least = 0;
-  double most = 0;
-};
-
-std::string bound(Target target)
-{
-  if(target.least != 0)
-    return ">= " + digits(target.least);
-  return target.most == 0 ? "" : "<= " + digits(target.most);
-}
-
-std::string verdict(double measured, Target target)
-{
-  if(target.least == 0 && target.most == 0)
-    return "";
-  const bool is_met = target.least != 0 ? measured >= target.least : measured <= target.most;
-  return is_met ? "met" : "missed";
 }
 
 // ---- times --------------------------------------------------------------------------------------
@@ -97,19 +76,19 @@ void print_times(const Near_scene& scene, int rounds)
   const auto best = std::min_element(all.begin() + 3, all.end(),
                                      [](auto& a, auto& b) { return a.over_first < b.over_first; });
   for(auto one = all.begin(); one != all.end(); ++one) {
-    Target target;
+    Goal goal;
     if(one == all.begin() + 2)
-      target.most = 1.15;
-    else
-      target.least = one == all.begin() + 1 ? 0.5 : one == best ? 5 : 0;
+      goal = at_most(1.15);
+    else if(one == all.begin() + 1 || one == best)
+      goal = at_least(one == best ? 5 : 0.5);
     print_line(name_of(scene), one->name, scene.objects.size(), one->count, digits(one->median),
-               digits(one->over_first), bound(target), verdict(one->over_first, target));
+               figure(one->over_first), target_of(goal), verdict(one->over_first, goal));
   }
 }
 
 void print_all_times(std::size_t n, int rounds)
 {
-  print_head({"scene", "method", ">n", ">pairs", ">ms", ">time / ours", ">target", ">verdict"});
+  print_head({"scene", "method", ">n", ">pairs", ">ms", ">time / ours", ">target", "verdict"});
   const double pairs_of_boxes = static_cast<double>(n) / 4;
   for(const Object_scene& objects :
       {uniform_segments(2, n, pairs_of_boxes), uniform_segments(3, n, pairs_of_boxes),
@@ -156,16 +135,16 @@ void print_wrong_pairs(std::size_t n)
 void print_rays(std::size_t n, int rounds)
 {
   std::cout << "\nLong rays among small triangles.\n\n";
-  print_head({"rays", "method", ">found", ">ms", ">time / ours", ">target", ">verdict"});
+  print_head({"rays", "method", ">found", ">ms", ">time / ours", ">target", "verdict"});
   for(const std::size_t triangles : {n / 10, n}) {
     const std::string name = std::to_string(triangles / 10) + " rays, "
                              + std::to_string(triangles) + " triangles";
-    Target target;
+    Goal goal;
     for(const Counted_times& one :
         time_in_turns(ways_of_rays(triangles / 10, triangles), rounds)) {
-      print_line(name, one.name, one.count, digits(one.median), digits(one.over_first),
-                 bound(target), verdict(one.over_first, target));
-      target.least = 1. / 3; // ours may take three times as long as the tree
+      print_line(name, one.name, one.count, digits(one.median), figure(one.over_first),
+                 target_of(goal), verdict(one.over_first, goal));
+      goal = at_least(1. / 3); // ours may take three times as long as the tree
     }
   }
 }

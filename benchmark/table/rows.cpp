@@ -7,41 +7,14 @@
 
 #include "measuring/speed_up.h"
 
-#include <cmath>
-
 namespace thick_benchmark {
 namespace {
 
-// How many decimals of a figure are shown: three digits in all, the others are noise.
-int decimals(double value) { return value < 10 ? 2 : value < 100 ? 1 : 0; }
-
-std::string number(const std::optional<double>& value)
-{
-  return value ? fixed(*value, decimals(*value)) : "";
-}
-
-// "good", "met" or "missed", by the figure that is shown; empty for quantities without a target.
-std::string verdict(const Row& row)
-{
-  const double unit = std::pow(0.1, decimals(row.measured));
-  const double shown = std::round(row.measured / unit) * unit;
-  const auto reaches = [&](double value) {
-    return row.goal.sense == Goal::AT_MOST ? shown <= value + unit / 2 : shown >= value - unit / 2;
-  };
-  if(!row.goal.target)
-    return "";
-  if(!reaches(*row.goal.target))
-    return "missed";
-  return row.goal.good && reaches(*row.goal.good) ? "good" : "met";
-}
-
 void print_row(const Row& row)
 {
-  const std::string sense = row.goal.sense == Goal::AT_MOST ? "<= " : ">= ";
   print_line(row.name, row.n, row.k, row.milliseconds ? fixed(*row.milliseconds, 1) : "",
-             row.quantity, number(row.measured),
-             row.goal.target ? sense + number(row.goal.target) : "", number(row.goal.good),
-             verdict(row), number(row.machine_speed_up));
+             row.quantity, figure(row.measured), target_of(row.goal), figure(row.goal.good),
+             verdict(row.measured, row.goal), figure(row.machine_speed_up));
 }
 
 } // namespace

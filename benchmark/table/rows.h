@@ -7,6 +7,7 @@
 #ifndef THICK_INTERSECTION_BENCHMARK_TABLE_ROWS_H
 #define THICK_INTERSECTION_BENCHMARK_TABLE_ROWS_H
 
+#include "goal.h"
 #include "table.h"
 
 #include "measuring/timing.h"
@@ -20,16 +21,6 @@
 #include <vector>
 
 namespace thick_benchmark {
-
-// What a quantity has to reach, and what would be better still; some are only shown.
-struct Goal
-{
-  enum Sense { AT_MOST, AT_LEAST };
-
-  Sense sense = AT_MOST;
-  std::optional<double> target;
-  std::optional<double> good;
-};
 
 struct Row
 {
@@ -59,9 +50,6 @@ using Experiments = std::vector<Experiment>;
 void print_rows(const Experiments& experiments, const Settings& settings);
 
 // ---- subjects -----------------------------------------------------------------------------------
-
-inline Goal at_most(double target) { return {Goal::AT_MOST, target, std::nullopt}; }
-inline Goal at_most(double target, double good) { return {Goal::AT_MOST, target, good}; }
 
 inline double milliseconds_of_first(const Seconds& s) { return 1000 * s[0]; }
 

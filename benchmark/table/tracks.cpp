@@ -4,6 +4,7 @@
 // Points that move, by our search and by what else there is: times, and how many pairs differ.
 
 #include "counted.h"
+#include "goal.h"
 #include "print.h"
 #include "table.h"
 
@@ -23,7 +24,7 @@ struct Line
 {
   Counted_times times;
   std::string differences; // pairs that are missing, and that are too many
-  double target;           // for the time over ours
+  Goal goal;               // for the time over ours
 };
 
 // We may take 2.5 times as long as the search of the boxes, and are to be 20 times as fast as
@@ -51,13 +52,13 @@ std::vector<Line> lines_of(const Track_scene& scene, const Settings& settings)
   const std::vector<Counted_times> times = time_in_turns(ways, settings.is_quick ? 1 : 5);
   std::vector<Line> lines;
   for(std::size_t k = 0; k < times.size(); ++k)
-    lines.push_back({times[k], differing[k], k == 1 ? 1 / 2.5 : 0});
+    lines.push_back({times[k], differing[k], k == 1 ? at_least(1 / 2.5) : Goal()});
   if(settings.has_postgis) {
     const auto [found, seconds] = tracks_by_postgis(scene);
     const double ms = 1000 * seconds;
     const Counted_times its_times
       = {"PostGIS", found.pairs.size(), ms, ms, ms / times[0].median};
-    lines.push_back({its_times, differences(found), 20});
+    lines.push_back({its_times, differences(found), at_least(20)});
   }
   return lines;
 }
@@ -68,12 +69,10 @@ void print_lines(const Track_scene& scene, const Settings& settings)
   if(name.find(settings.only) == std::string::npos)
     return;
   for(const Line& line : lines_of(scene, settings)) {
-    const bool has_target = line.target != 0;
     const Counted_times& times = line.times;
     print_line(name, times.name, scene.leg_count(), times.count, line.differences,
-               digits(times.median), digits(times.over_first),
-               has_target ? ">= " + digits(line.target) : "",
-               !has_target ? "" : times.over_first >= line.target ? "met" : "missed");
+               digits(times.median), figure(times.over_first), target_of(line.goal),
+               verdict(times.over_first, line.goal));
   }
 }
 
