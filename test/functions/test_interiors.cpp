@@ -177,45 +177,52 @@ public:
   // Adds how many objects overlap, and how many only touch.
   void check(Counts& counts) const
   {
-    check_with_tag<CGAL::Sequential_tag>(counts);
-    check_with_tag<CGAL::Parallel_if_available_tag>(counts);
-  }
-
-private:
-  template <class ConcurrencyTag>
-  void check_with_tag(Counts& counts) const
-  {
-    Pairs one;
-    Locked_collector collect(one);
-    CGAL::thick_self_intersection_d<ConcurrencyTag>(CGAL::interiors(open_objects_), collect);
-    compare_pairs("interiors", pairs_where(open_.size(), [&](std::size_t i, std::size_t j) {
-                    return do_meet(open_[i], open_[j], Dimension);
-                  }), one);
+    const Pairs among = pairs_where(open_.size(), [&](std::size_t i, std::size_t j) {
+      return do_meet(open_[i], open_[j], Dimension);
+    });
     std::vector<Set_object> same = open_;
     for(Set_object& object : same)
       object.is_open = false;
-    check_with_closed<ConcurrencyTag>(same, open_objects_, counts);
-    check_with_closed<ConcurrencyTag>(closed_, closed_objects_, counts);
+    const Pairs with_same = pairs_with(same, counts), with_closed = pairs_with(closed_, counts);
+    const auto check_with_tag = [&](auto tag) {
+      using Tag = decltype(tag);
+      Pairs found;
+      Locked_collector collect(found);
+      CGAL::thick_self_intersection_d<Tag>(CGAL::interiors(open_objects_), collect);
+      compare_pairs("interiors", among, found);
+      check_with_closed<Tag>(open_objects_, with_same);
+      check_with_closed<Tag>(closed_objects_, with_closed);
+    };
+    check_with_tag(CGAL::Sequential_tag());
+    if constexpr(!std::is_same_v<CGAL::Parallel_if_available_tag, CGAL::Sequential_tag>)
+      check_with_tag(CGAL::Parallel_if_available_tag());
+  }
+
+private:
+  // The pairs of an open object and one of others that meet.
+  Pairs pairs_with(const std::vector<Set_object>& others, Counts& counts) const
+  {
+    Pairs pairs;
+    for(std::size_t i = 0; i < open_.size(); ++i)
+      for(std::size_t j = 0; j < others.size(); ++j)
+        if(do_meet(open_[i], others[j], Dimension))
+          pairs.emplace_back(i, j);
+        else if(do_touch(open_[i], others[j]))
+          ++counts.touching;
+    counts.overlapping += pairs.size();
+    return pairs;
   }
 
   template <class ConcurrencyTag, class Objects>
-  void check_with_closed(const std::vector<Set_object>& others, const Objects& objects,
-                         Counts& counts) const
+  void check_with_closed(const Objects& objects, const Pairs& expected) const
   {
-    Pairs expected, found, swapped;
+    Pairs found, swapped;
     Locked_collector collect(found), collect_swapped(swapped);
     CGAL::thick_intersection_d<ConcurrencyTag>(CGAL::interiors(open_objects_), objects, collect);
     CGAL::thick_intersection_d<ConcurrencyTag>(objects, CGAL::interiors(open_objects_),
                                                [&](std::size_t i, std::size_t j) {
                                                  collect_swapped(j, i);
                                                });
-    for(std::size_t i = 0; i < open_.size(); ++i)
-      for(std::size_t j = 0; j < others.size(); ++j)
-        if(do_meet(open_[i], others[j], Dimension))
-          expected.emplace_back(i, j);
-        else if(do_touch(open_[i], others[j]))
-          ++counts.touching;
-    counts.overlapping += expected.size();
     compare_pairs("interiors and others", expected, found);
     compare_pairs("others and interiors", expected, swapped);
   }
