@@ -242,8 +242,15 @@ private:
 template <class K, int Dimension>
 void check_interiors()
 {
+  constexpr std::uint64_t count = 300;
   Counts counts;
-  check_seeds(300, [&](std::uint64_t seed) { Interiors_case<K, Dimension>(seed).check(counts); });
+  std::uint64_t checked = 0;
+  check_seeds(count, [&](std::uint64_t seed) {
+    Interiors_case<K, Dimension>(seed).check(counts);
+    ++checked;
+  });
+  if(checked < count) // in the seconds that scripts/fuzz_searches gives
+    return;
   BOOST_CHECK_GT(counts.overlapping, 2000u);
   BOOST_CHECK_GT(counts.touching, 2000u);
 }
