@@ -9,6 +9,7 @@
 #include <CGAL/Thick_intersection_d/internal/features/Values_on_demand.h>
 #include <CGAL/Thick_intersection_d/internal/machine/Threads.h>
 
+#include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -41,7 +42,7 @@ BOOST_AUTO_TEST_CASE(a_thread_that_makes_a_value_takes_no_other_task)
   std::atomic<bool> is_over = false;
   const auto make = [&] {
     is_making = true;
-    tbb::parallel_for(0, 2, [&](int) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, 2), [&](const auto&) {
       ++begun;
       if(is_making)
         wait_until([&] { return begun == 2; });
