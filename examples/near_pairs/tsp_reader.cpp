@@ -26,15 +26,12 @@ bool ends_with(const std::string& text, const std::string& end)
   return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-// What TSPLIB 95 makes of 38.59, which is 38 degrees and 59 minutes. What is no finite number stays
-// as it is, for the message about it.
+// What TSPLIB 95 makes of 38.59, which is 38 degrees and 59 minutes. What is beyond the doubles
+// stays as it is, for the message about it.
 std::string degrees_of(const std::string& text)
 {
-  const double value = parse_decimal(text) ? nearest_double(text) : NAN;
-  if(!std::isfinite(value))
-    return text;
-  const double degrees = std::trunc(value);
-  return shortest_text(degrees + (value - degrees) * 5 / 3);
+  const double value = nearest_double(text), degrees = std::trunc(value);
+  return std::isfinite(value) ? shortest_text(degrees + (value - degrees) * 5 / 3) : text;
 }
 
 } // namespace
@@ -76,7 +73,8 @@ bool Tsp_reader::next(Row& row)
   row.line = lines_.number();
   std::copy_n(texts.begin() + 1, dimension, row.coordinates.begin());
   for(int axis = 0; latitude_axis != -1 && axis < dimension; ++axis)
-    row.coordinates[axis] = degrees_of(row.coordinates[axis]);
+    if(parse_decimal(row.coordinates[axis]))
+      row.coordinates[axis] = degrees_of(row.coordinates[axis]);
   ++count_;
   take_line();
   return true;
