@@ -244,10 +244,8 @@ void check_interiors()
 {
   constexpr std::uint64_t count = 300;
   Counts counts;
-  std::uint64_t checked = 0;
-  check_seeds(count, [&](std::uint64_t seed) {
+  const std::uint64_t checked = check_seeds(count, [&](std::uint64_t seed) {
     Interiors_case<K, Dimension>(seed).check(counts);
-    ++checked;
   });
   if(checked < count) // in the seconds that scripts/fuzz_searches gives
     return;

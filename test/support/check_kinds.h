@@ -264,12 +264,10 @@ void check_all_kinds()
   constexpr std::uint64_t count = 1000;
   Kind_table intersections = {};
   Kind_table near_pairs = {};
-  std::uint64_t checked = 0;
-  check_seeds(count, [&](std::uint64_t seed) {
+  const std::uint64_t checked = check_seeds(count, [&](std::uint64_t seed) {
     Kind_case<Kinds> scene(seed);
     scene.check_intersections(intersections);
     scene.check_near_pairs(near_pairs);
-    ++checked;
   });
   if(checked < count)
     return;

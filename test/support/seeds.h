@@ -17,9 +17,10 @@
 
 namespace test_support {
 
-// Calls check(seed) `count` times, or as often as the arguments of the program ask for.
+// Calls check(seed) `count` times, or as long as the arguments of the program ask for. Returns how
+// often: what is expected of `count` scenes need not hold for fewer.
 template <class Check>
-void check_seeds(std::uint64_t count, const Check& check)
+std::uint64_t check_seeds(std::uint64_t count, const Check& check)
 {
   const auto& program = boost::unit_test::framework::master_test_suite();
   const double seconds = program.argc > 1 ? std::stod(program.argv[1]) : 0;
@@ -29,6 +30,7 @@ void check_seeds(std::uint64_t count, const Check& check)
   for(; seconds > 0 ? std::chrono::steady_clock::now() < end : checked < count; ++checked)
     check(first + checked);
   BOOST_TEST_MESSAGE(checked << " scenes from seed " << first);
+  return checked;
 }
 
 } // namespace test_support
