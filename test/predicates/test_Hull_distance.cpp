@@ -361,7 +361,7 @@ Integers thin_hull(Random& random, const Hull_vector<std::int64_t>& direction, s
   const std::size_t width = std::size_t(1) << random.below(24);
   Integers vertices = lattice_hull(random, lattice_around_origin(3, std::int64_t(width)), size);
   for(auto& p : vertices) {
-    const auto factor = static_cast<std::int64_t>(random.below(std::size_t(1) << 21));
+    const auto factor = static_cast<std::int64_t>(random.below(std::uint64_t(1) << 21));
     for(std::size_t axis = 0; axis < 3; ++axis)
       p[axis] += factor * direction[axis];
   }
@@ -434,7 +434,7 @@ BOOST_AUTO_TEST_CASE(tiny_numbers_whose_squares_vanish)
     constexpr std::int64_t apart = 1430, shifts[] = {1 << 20, 1 << 21, -3 * (1 << 20)};
     Integers a, b;
     for(const std::int64_t shift : shifts) {
-      const auto x = static_cast<std::int64_t>(random.below(std::size_t(1) << 50));
+      const auto x = static_cast<std::int64_t>(random.below(std::uint64_t(1) << 50));
       a.push_back({x, x, 0});
       b.push_back({x + shift + apart, x + shift - apart, 0});
     }

@@ -17,14 +17,14 @@ using Integers = Hull_vectors<std::int64_t>;
 struct Lattice
 {
   std::size_t dimension;
-  std::size_t side;
+  std::uint64_t side;
   std::int64_t low = 0, step = 1;
 };
 
 // The integers from -size to size.
 inline Lattice lattice_around_origin(std::size_t dimension, std::int64_t size)
 {
-  return {dimension, static_cast<std::size_t>(2 * size + 1), -size};
+  return {dimension, static_cast<std::uint64_t>(2 * size + 1), -size};
 }
 
 inline Hull_vector<std::int64_t> lattice_point(Random& random, const Lattice& lattice)
